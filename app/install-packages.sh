@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# install-packages.sh [--tests | --package]: installs what building and running needs from Debian 12's
-# own packages, with --tests what testing needs beyond it, with --package what app/package.sh needs;
-# does nothing where all is there. Works as root or through sudo.
+# install-packages.sh [--tests | --package]: installs what building and running needs from Debian
+# 12's own packages, with --tests what testing needs beyond it, with --package what app/package.sh
+# needs; does nothing if all is there. Works as root or through sudo.
 set -euo pipefail
 
 packages=(
@@ -29,7 +29,7 @@ packages=(
   libhyphen-dev hyphen-de hyphen-nl hyphen-no hyphen-en-us hyphen-en-gb
 )
 
-# dpkg-shlibdeps asks file what is a program; archives get their own search path by patchelf.
+# dpkg-shlibdeps finds programs with `file`; archives get their own search path by patchelf.
 packaging=(dpkg-dev file patchelf)
 
 testing=(
@@ -40,13 +40,13 @@ testing=(
   clang clang-format clang-tidy libclang-rt-14-dev ccache git
   # the renderer that sline-bench compares with
   libglew-dev
-  # other programs' opinion of our pictures, vector drawings, sheets and films
+  # other programs that check our pictures, vector drawings, sheets and films
   openimageio-tools librsvg2-bin inkscape poppler-utils ffmpeg
-  # their opinion of what is installed, of man pages and completions, and of the Debian package
+  # programs that check what is installed, man pages and completions, and the Debian package
   lintian desktop-file-utils appstream shared-mime-info libglib2.0-bin libxml2-utils
   man-db groff mandoc zsh fish
 )
-# For Khronos's glTF validator; whoever has npm from elsewhere keeps it.
+# Khronos's glTF validator needs npm; an npm installed from elsewhere is kept.
 command -v npm >/dev/null || testing+=(nodejs npm)
 
 case "${1:-}" in

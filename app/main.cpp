@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `sline-workstation` program: opens the window on what the command line names, else on its
+// The `sline-workstation` program: opens the window on what the command line names, or else on its
 // start page.
 #include <QApplication>
 #include <QCommandLineParser>
@@ -44,7 +44,7 @@ void declare(QCommandLineParser& parser) {
                                             "say of files from outside.")});
 }
 
-/// Files go to the window that is open, if there is one and the person wishes it so.
+/// Hands the files to a window that is already open; returns false if none takes them.
 bool wereHandedOver(const QStringList& named, const QString& token) {
   QStringList paths;
   for (const QString& path : named)
@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName(QStringLiteral("Sline"));
   QApplication::setOrganizationName(QStringLiteral("Sline"));
   QApplication::setApplicationVersion(QStringLiteral(SLINE_VERSION));
-  // By this name a desktop finds the installed icon (app/packaging).
+  // This name lets a desktop find the installed icon (app/packaging).
   QGuiApplication::setDesktopFileName(QStringLiteral("org.sline.Sline"));
   QCommandLineParser parser;
   using namespace sline::widgets;
@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
 
   const std::vector<DemoScene> demos = demoScenes();
   const QString wanted = parser.value(QLatin1String(demoOption));
-  // "pelvis" is the first of those.
+  // The beginning of an id is enough: "pelvis" gives the first demo that begins with it.
   const auto demo = std::find_if(demos.begin(), demos.end(), [&wanted](const DemoScene& each) {
     return !wanted.isEmpty() && each.id.startsWith(wanted);
   });
@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
   WindowServer server(windowSocket(), [&window] { return window.isFree(); });
   server.listen();
   QObject::connect(&server, &WindowServer::handed, &window, &MainWindow::take);
-  // The window that is used takes calls when the one that took them is closed.
+  // When the window that listened is closed, the window that is used next takes its place.
   QObject::connect(&application, &QGuiApplication::applicationStateChanged, &server,
                    [&server] { server.listen(); });
   return QApplication::exec();

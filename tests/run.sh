@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs what is missing, builds and passes every functional test; arguments go to ctest. What
-# looks at the code in other ways (sanitizers, fuzzing, clang-tidy) is tests/thorough.sh.
+# Installs what is missing, builds and runs every functional test; arguments go to ctest. Checks of
+# the code by other means (sanitizers, fuzzing, clang-tidy) are in tests/thorough.sh.
 set -euo pipefail
 
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

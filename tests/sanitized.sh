@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# sanitized.sh BUILD_DIR LABEL: the tests of that label (a regular expression) in a build of the
-# preset "asan", under AddressSanitizer, UndefinedBehaviorSanitizer and, where the system lets it
+# sanitized.sh BUILD_DIR LABEL: runs the tests of that label (a regular expression) in a build of
+# the preset "asan", under AddressSanitizer, UndefinedBehaviorSanitizer and, if the system lets it
 # look, LeakSanitizer. All of the window's tests, half an hour on two cores:
 #   cmake --preset asan -DSLINE_TESTS=ON && cmake --build build/asan --target sanitized_window_tests
 #   tests/sanitized.sh build/asan sanitized_window

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# thorough.sh [PART...]: what looks at the code beyond the functional tests; without names all of it.
+# thorough.sh [PART...]: checks the code beyond the functional tests; without names in all parts.
 #   alone      every source and public header compiles by itself, and the shared rooms with clang
 #   tidy       clang-tidy
-#   sanitized  what reads files and computes on them, under AddressSanitizer and its like
+#   sanitized  tests of reading files and computing on them, under AddressSanitizer and its like
 #   window     the quicker half of the window's tests under the sanitizers (tests/sanitized.sh: all)
 #   fuzz       two minutes of libFuzzer
 #   package    both packages are made, and the programs run from them

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline annotate`: words that point at the anatomy, written into a scene file.
+// Implements `sline annotate`: writes words that point at the anatomy into a scene file.
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -63,7 +63,7 @@ bool isBlank(const std::string& text) {
   return text.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
-/// As languages are named (BCP 47): "de", "nb", "zh-Hant", "de-AT-1996".
+/// Tells whether the text names a language as BCP 47 does: "de", "nb", "zh-Hant", "de-AT-1996".
 bool isLanguageTag(std::string_view tag) {
   constexpr std::size_t longest = 35;
   constexpr std::size_t longestPart = 8;
@@ -84,7 +84,7 @@ bool isLanguageTag(std::string_view tag) {
   return true;
 }
 
-/// The texts by language; the whole map is the annotation's.
+/// Returns the texts by language; the map is the annotation's as a whole.
 Result<std::map<std::string, std::string>> parseTexts(const std::vector<std::string>& texts) {
   std::map<std::string, std::string> parsed;
   for (const std::string& text : texts) {
@@ -114,7 +114,7 @@ Result<model::NodeId> structureNamed(const model::Scene& scene, const std::strin
                "Name a structure in it: " + inside);
 }
 
-/// How the annotation's place is to be found.
+/// Holds what is needed to find the annotation's place.
 struct Where {
   const model::Scene& scene;  ///< as the view shows it
   render::Screen screen;
@@ -150,7 +150,7 @@ Result<model::Anchor> anchorFor(const Where& where, std::optional<model::NodeId>
   return model::Anchor(model::SurfacePoint{*structure, nearest->triangle, nearest->weights});
 }
 
-/// What the structure is called in the languages that the table of names knows it in.
+/// Names the annotation after the structure in the languages that the table of names has.
 void nameAfter(const std::string& name, Annotation& annotation) {
   static constexpr std::array<std::pair<const char*, model::NameLanguage>, 4> languages{
       {{"de", model::NameLanguage::german},
@@ -197,7 +197,7 @@ Result<Annotation> annotationFor(const AnnotateFlags& flags, const Where& where,
   return made;
 }
 
-/// What makes flags unusable together.
+/// Returns the fault that makes the flags unusable together.
 std::optional<Error> fault(const AnnotateFlags& flags) {
   const int tasks = int(flags.list) + int(!flags.remove.empty()) +
                     int(flags.label || !flags.on.empty() || !flags.at.empty());
@@ -225,7 +225,7 @@ std::optional<Error> fault(const AnnotateFlags& flags) {
   return std::nullopt;
 }
 
-/// The scene with what the flags ask for; an error is a wrong use.
+/// Returns the scene with what the flags ask for; an error counts as wrong use.
 Result<model::Scene> annotated(const model::Scene& scene, const AnnotateFlags& flags) {
   PictureOrder order;
   order.view = flags.view;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sub-command per file. Each adds itself to the program; its work runs when the command line
-// was understood and leaves its exit code behind.
+// Declares the sub-commands, one per file. Each adds itself to the program; its work runs once the
+// command line is understood and leaves its exit code behind.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,7 +16,7 @@
 namespace sline::cli {
 
 enum class Exit : int {
-  done = 0,      ///< also where parts of a scene were left out with a warning
+  done = 0,      ///< also when parts of a scene were left out with a warning
   failed = 1,    ///< nothing could be read, no picture could be made, or the result not be written
   wrongUse = 2,  ///< unknown flags, values out of range, names that no structure has
 };
@@ -29,7 +29,7 @@ void addInfo(CLI::App& program, Exit& exit);
 void addImport(CLI::App& program, Exit& exit);
 void addReload(CLI::App& program, Exit& exit);
 void addView(CLI::App& program, Exit& exit);
-/// Gets each warning, one line.
+/// Receives each warning as one line.
 using Warn = std::function<void(const std::string& message)>;
 void addExport(CLI::App& program, Exit& exit, const Warn& tellWarning);
 void addProof(CLI::App& program, Exit& exit);
@@ -37,17 +37,17 @@ void addJobs(CLI::App& program, Exit& exit);
 void addDemo(CLI::App& program, Exit& exit);
 void addRamp(CLI::App& program, Exit& exit);
 void addSteadiness(CLI::App& program, Exit& exit);
-/// Hidden: writes man pages and completions of all that was added before.
+/// Adds a hidden command, which writes man pages and completions of all commands added before.
 void addManual(CLI::App& program, Exit& exit);
 
-/// Says what went wrong on standard error and hands the exit code on.
+/// Says what went wrong on standard error and returns the exit code.
 inline Exit complain(const Error& error, Exit code) {
   std::cerr << "sline: " << onOneLine(error.text()) << '\n';
   return code;
 }
 
-/// A sub-command whose flags live as long as the program: `declare(command, flags)` names them,
-/// `run(flags)` does the work.
+/// Adds a sub-command with flags that live as long as the program: `declare(command, flags)` names
+/// them, `run(flags)` does the work.
 template <class Flags, class Declare, class Run>
 void addCommand(CLI::App& program, Exit& exit,
                 const std::pair<std::string, std::string>& nameAndHelp, const Declare& declare,
@@ -82,7 +82,7 @@ inline constexpr const char* smoothHelp =
     "auto smooths surfaces that show the steps of a label map and refines coarse ones, off leaves "
     "all as they are, a number smooths all that many times";
 
-/// What reading a scan needs to be told.
+/// Declares the flag that reading a scan needs.
 inline void addThreshold(CLI::App& command, InputFlags& input) {
   command.add_option("--threshold", input.thresholds, thresholdHelp)
       ->type_name("NAME[=VALUE|=LO..HI]")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline curvature`: principal curvatures and their derivatives of each vertex, as CSV.
+// Implements `sline curvature`: writes principal curvatures and their derivatives at each vertex as
+// CSV.
 #include "model/geometry/curvature.h"
 #include "model/disk/whole_file.h"
 
@@ -23,7 +24,8 @@ struct CurvatureFlags {
 constexpr std::string_view header =
     "x,y,z,nx,ny,nz,k1,k2,e1x,e1y,e1z,e2x,e2y,e2z,dcurv0,dcurv1,dcurv2,dcurv3\n";
 
-/// One number with 9 digits, which give a float back exactly; a point in every locale.
+/// Appends one number with 9 digits, which restore a float exactly, and with a point in every
+/// locale.
 void appendNumber(std::string& text, float value) {
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline demo`: the scenes that the program models itself, as a list, a picture, a scene file or a
-// folder of meshes.
+// Implements `sline demo`: gives the scenes that the program models itself, as a list, a picture, a
+// scene file or a folder of meshes.
 #include <algorithm>
 #include <filesystem>
 
@@ -36,7 +36,7 @@ bool isFolderName(const std::string& output) {
   return !std::filesystem::path(output).has_extension();
 }
 
-/// Meshes have no style: what was said of it would be lost.
+/// Tells whether the flags say how to draw. Meshes have no style, so that this would be lost.
 bool saysHowToDraw(const PictureFlags& flags) {
   return !flags.gammas.empty() || !flags.pens.empty() || !flags.hatchDensities.empty() ||
          !flags.hatchTones.empty() || !flags.colours.empty() || !flags.only.empty() ||

@@ -4,7 +4,7 @@
 namespace sline::cli {
 
 namespace {
-/// The same for what `asSaved` gives.
+/// Does the same as `arrangedFor` for a scene that `asSaved` returned.
 Result<ArrangedScene> arrangedShown(const model::Scene& shown, const PictureOrder& order) {
   const Result<model::Scene> focus = inFocus(shown, order);
   if (!focus.ok())

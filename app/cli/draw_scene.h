@@ -11,14 +11,15 @@ struct ArrangedScene {
   model::Camera camera;
 };
 
-/// The scene as the order wants it drawn, and from where. An error is a wrong use.
+/// Returns the scene as the order wants it drawn, with its camera. An error counts as wrong use.
 Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder& order);
 
-/// The same on a page of that size, with the order's labels made ready and room left for them.
+/// Does the same as `arrangedFor` on a page of that size, with the order's labels made ready and
+/// room left for them.
 Result<ArrangedScene> arrangedOn(const glm::vec2& pageMm, const model::Scene& scene,
                                  PictureOrder& order);
 
-/// Draws the scene as ordered and writes the file; complains where it cannot.
+/// Draws the scene as ordered and writes the file; complains if it cannot.
 Exit drawScene(const model::Scene& scene, const PictureOrder& order, Progress& progress);
 
 }  // namespace sline::cli

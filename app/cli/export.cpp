@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline export`: files in, what others print and edit out.
+// Implements `sline export`: reads files and writes those that others print and edit.
 #include <algorithm>
 #include <map>
 
@@ -30,7 +30,7 @@ struct ExportFlags {
   PageFlags page;
   FilmFlags film;
   TypedOptions options;  ///< of single kinds, and the credit
-  /// A target for each of the formats that are wanted.
+  /// Holds a target for each of the formats that are wanted.
   std::map<std::string, std::string> targets;
 };
 
@@ -53,7 +53,7 @@ Result<PictureOrder> understoodExport(const ExportFlags& flags, const render::Ex
   return order;
 }
 
-/// The order with the figure as large as its sheet lets it, and the camera fitted to that.
+/// Returns the order with the figure as large as its sheet lets it, and the camera fitted to that.
 Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order,
                                     const render::Typesetting& typesetting) {
   job.page.sizeMm = render::sheetFigureMm(job);
@@ -68,14 +68,14 @@ Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order
   return job;
 }
 
-/// What the flags say before a scene is read.
+/// Holds what the flags say before a scene is read.
 struct Wanted {
   model::ImportOptions import;
   render::ExportOrder job;  ///< its page, the options of kinds and the credit
   PictureOrder order;
 };
 
-/// What options say of each other.
+/// Checks options against each other.
 Status checkOptions(const ExportFlags& flags, const render::ExportOrder& job) {
   const auto& sheet = job.of<render::SheetOptions>();
   if (job.of<render::PixelOptions>().bits == 1 && !flags.picture.blackAndWhite)
@@ -101,7 +101,7 @@ Result<Wanted> wanted(const ExportFlags& flags) {
     return fine.error();
   if (const Status fine = checkOptions(flags, wish.job); !fine.ok())
     return fine.error();
-  // As files can hold it.
+  // Reduced to what files can hold.
   wish.job.credit = {render::plainLine(wish.job.credit.author),
                      render::plainLine(wish.job.credit.copyright)};
   const Result<PictureOrder> order = understoodExport(flags, *page);
@@ -115,7 +115,7 @@ Result<Wanted> wanted(const ExportFlags& flags) {
   return wish;
 }
 
-/// All that the files are made of.
+/// Returns all that the files are made of.
 Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish,
                                           const ArrangedScene& arranged,
                                           const render::Typesetting& typesetting) {
@@ -132,7 +132,7 @@ Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish
              : onSheet(job, wish.order, typesetting);
 }
 
-/// What is written beside a sheet shows the sheet's figure, and is as large.
+/// Tells that files written beside a sheet show the sheet's figure and are as large.
 void tellOfSheet(const render::ExportOrder& job,
                  const std::map<std::string, std::string>& targets) {
   if (job.of<render::SheetOptions>().kind == render::SheetKind::none)
@@ -167,7 +167,7 @@ Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::s
   return Exit::done;
 }
 
-/// Whether all targets may be written.
+/// Checks whether all targets may be written.
 Status checkExportTargets(const ExportFlags& flags) {
   std::vector<std::string> read = flags.input.inputs;
   read.push_back(flags.picture.cameraFile);
@@ -189,7 +189,7 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   if (wish->job.of<render::FilmOptions>().motion == render::Motion::tour &&
       !flags.picture.only.empty())
     tellWarning("a tour shows what its views show: --only changes nothing in it");
-  // One for all that set text, the writers too.
+  // One typesetting serves all that set text, the writers too.
   const auto typesetting = render::Typesetting::create();
   if (!typesetting.ok())
     return complain(typesetting.error(), Exit::failed);
@@ -213,7 +213,7 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   return written;
 }
 
-/// "png, tiff": the kinds of files that have the option.
+/// Returns "png, tiff": the kinds of files that have the option.
 std::string kindsWith(const render::ExportOption& option) {
   std::string kinds;
   for (const render::ExportFormat& format : render::exportFormats())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline import`: whatever can be read in, a scene file out.
+// Implements `sline import`: reads any known file and writes a scene file.
 #include "app/cli/command.h"
 #include "app/cli/files/targets.h"
 #include "app/cli/files/thumbnail.h"

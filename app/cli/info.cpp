@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline info`: what is in the files.
+// Implements `sline info`: prints what is in the files.
 #include "app/cli/command.h"
 #include "app/cli/files/scene_summary.h"
 #include "app/cli/flags/values.h"
@@ -13,7 +13,7 @@ struct InfoFlags {
   bool json = false;
 };
 
-/// The frame all structures were read in; "mixed" where they differ.
+/// Returns the frame all structures were read in; "mixed" if they differ.
 std::string frameOf(const model::Imported& imported) {
   std::string frame;
   for (const model::Node& node : imported.scene.nodes()) {

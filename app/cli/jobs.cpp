@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline jobs`: a list of exports, or a part of it.
+// Implements `sline jobs`: carries out a list of exports, or a part of it.
 #include <algorithm>
 #include <map>
 #include <new>
@@ -24,14 +24,14 @@ struct JobsFlags {
   bool dryRun = false;
 };
 
-/// A job as it is carried out.
+/// Holds a job as it is carried out.
 struct Order {
   std::string where;
   std::vector<std::string> flags;  ///< "--view=left": nothing in a list is taken for a flag
   std::vector<std::string> inputs;
   std::vector<std::filesystem::path> targets;
 
-  /// Of the program. No input is a flag either, whatever it is called.
+  /// Returns the program's arguments. No input is a flag either, whatever its name.
   std::vector<std::string> arguments() const {
     std::vector<std::string> all{"export"};
     all.insert(all.end(), flags.begin(), flags.end());
@@ -41,7 +41,7 @@ struct Order {
   }
 };
 
-/// What `sline export` takes, asked of itself.
+/// Tells what `sline export` takes, from its own declaration.
 class ExportCommand {
  public:
   /// `where` names the job before each of its warnings.
@@ -54,7 +54,7 @@ class ExportCommand {
   ExportCommand(const ExportCommand&) = delete;
   ExportCommand& operator=(const ExportCommand&) = delete;
 
-  /// Null where it has no such flag.
+  /// Returns the option of that flag, or null if there is none.
   const CLI::Option* option(const std::string& flag) {
     return flag == "input"  ? m_program.get_subcommand("export")->get_option("INPUT")
            : flag == "help" ? nullptr
@@ -93,18 +93,18 @@ bool isTarget(const std::string& flag) {
                      [&flag](const render::ExportFormat& each) { return flag == each.id; });
 }
 
-/// Relative to the list, as everybody who moves both expects.
+/// Returns a path relative to the list, as people who move both expect.
 std::string besideList(const std::filesystem::path& folder, const std::string& path) {
   return (std::filesystem::path(path).is_absolute() ? std::filesystem::path(path) : folder / path)
       .string();
 }
 
-/// What a flag's value is to `sline export` that is run elsewhere than in the list's folder.
+/// Returns a flag's value for a `sline export` that is run elsewhere than in the list's folder.
 std::string valueBeside(const std::filesystem::path& folder, const std::string& flag,
                         const std::string& value) {
   if (flag == "camera")
     return besideList(folder, value);
-  // A text, or the name of a file with it.
+  // The value is a text, or the name of a file with it.
   std::error_code unknown;
   const std::string file = besideList(folder, value);
   return flag == "text" && std::filesystem::is_regular_file(file, unknown) ? file : value;
@@ -123,7 +123,7 @@ std::vector<std::string> parted(const std::string& text) {
   return parts;
 }
 
-/// A flag that is there or not, as a cell says.
+/// Tells whether a cell switches its flag on.
 Result<bool> isSaid(const JobField& field) {
   if (field.values.empty())
     return true;
@@ -259,7 +259,8 @@ class Orders {
     return Unit{};
   }
 
-  /// No job may write what another reads: which is done first, nobody knows.
+  /// Fails if a job would write what another reads, since the order in which they are done is
+  /// unknown.
   Status checkEachOther(const std::vector<Order>& orders) const {
     std::map<std::filesystem::path, std::string> readers;
     for (const Order& order : orders)
@@ -279,8 +280,8 @@ class Orders {
   std::filesystem::path m_targets;
   ExportCommand m_command;
   std::map<std::filesystem::path, std::string> m_seen;
-  std::map<std::string, std::string> m_named;  ///< the targets of the job that is looked at
-  FilmFlags m_film;                            ///< and its --video
+  std::map<std::string, std::string> m_named;  ///< the targets of the job being checked
+  FilmFlags m_film;                            ///< the --video of that job
 };
 
 bool allThere(const Order& order) {
@@ -297,7 +298,8 @@ std::string targetsText(const Order& order) {
   return all;
 }
 
-/// Folders that targets lie in are made: who sorts figures into folders means them.
+/// Makes the folders that targets lie in: a list that sorts figures into folders means them to
+/// exist.
 Status prepareFolders(const Order& order) {
   for (const std::filesystem::path& target : order.targets) {
     std::error_code failed;
@@ -311,7 +313,7 @@ Status prepareFolders(const Order& order) {
   return Unit{};
 }
 
-/// What became of the jobs.
+/// Counts how the jobs ended.
 struct Tally {
   std::size_t done = 0;
   std::size_t failed = 0;

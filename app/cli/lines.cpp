@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline lines`: the line segments and strokes of a mesh for one camera, as JSON.
+// Implements `sline lines`: writes the line segments and strokes of a mesh for one camera as JSON.
 #include <algorithm>
 
 #include "app/cli/command.h"
@@ -28,12 +28,13 @@ struct LinesFlags {
   std::string camera;
   std::string size;
   std::string output;
-  std::string gamma;  ///< empty: where all of the kinds have entered
+  std::string gamma;  ///< empty: the value by which all of the kinds have entered
   std::vector<std::string> kinds{"contour", "suggestive"};
   SectionFlags sections;
 };
 
-/// The techniques, and what else is written: the contours that no surface lies behind, and strokes.
+/// Returns the techniques and what else is written: the contours that no surface lies behind, and
+/// strokes.
 std::vector<std::string> lineKindNames() {
   std::vector<std::string> names;
   for (const render::LineTechnique& technique : render::lineTechniques())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `sline` program: line illustrations of anatomy without a display.
+// Runs the `sline` program: line illustrations of anatomy without a display.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -25,7 +25,7 @@ constexpr const char* footer =
     "1 nothing could be read, drawn or written; 2 wrong use.\n"
     "`sline COMMAND --help` explains a command.";
 
-/// The exit code, and a message where what was printed went nowhere.
+/// Returns the exit code, and prints a message if standard output could not be written.
 int afterOutput(int code) {
   std::cout.flush();
   const bool told = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
@@ -51,7 +51,7 @@ std::vector<std::string> arranged(const CLI::App& program,
                       },
                   .exists =
                       [](const std::string& path) {
-                        std::error_code unknown;  // a name too long for a path is none
+                        std::error_code unknown;  // a name too long for a path is no path
                         return std::filesystem::exists(path, unknown);
                       }});
 }
@@ -82,7 +82,7 @@ int run(int argc, char** argv) {
   sline::cli::addManual(program, exit);
   try {
     std::vector<std::string> arguments = arranged(program, {argv + std::min(argc, 1), argv + argc});
-    // CLI11 takes them from the last to the first.
+    // CLI11 takes the arguments from the last to the first.
     std::reverse(arguments.begin(), arguments.end());
     program.parse(arguments);
   } catch (const CLI::ParseError& message) {

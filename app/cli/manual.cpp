@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline manual FOLDER`, which `--help` does not list: man pages and completions, written when the
-// program is built from the very options that it declares.
+// Implements `sline manual FOLDER`, which `--help` does not list: writes man pages and completions
+// when the program is built, from the very options that it declares.
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -28,7 +28,7 @@ ProgramTable tablesOf(const CLI::App& program) {
   return tables;
 }
 
-/// Files by their place in the folder.
+/// Returns the files by their place in the folder.
 std::vector<std::pair<fs::path, std::string>> manualFiles(const ProgramTable& tables) {
   std::vector<std::pair<fs::path, std::string>> files{
       {"man1/sline.1", programPage(tables.program, tables.commands)},

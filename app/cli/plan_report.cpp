@@ -46,7 +46,7 @@ std::string unitDecision(const model::Provenance& origin) {
   return decision(jsonText(jsonNumber(origin.mmPerUnit)) + " mm", origin.unitReason);
 }
 
-/// How many structures each decision holds for.
+/// Tells how many structures each decision holds for.
 template <class Decide>
 std::string decisions(const model::Scene& scene, const std::string& title, const Decide& decide) {
   std::map<std::string, std::size_t> counts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an import would do, for people and for programs.
+// Reports what an import would do, for people and for programs.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace sline::cli {
 
-/// "inputs", "nodes" (groups and structures in tree order, each structure with its file, its frame
-/// and unit and what decided them), "bounds_mm", "left_out".
+/// Returns "inputs", "nodes" (groups and structures in tree order, each structure with its file,
+/// its frame and unit and what decided them), "bounds_mm" and "left_out".
 Json planJson(const model::ImportPlan& plan);
 
-/// The tree, then frames and units with their reasons, then what would be left out or mended.
+/// Returns the tree, then frames and units with their reasons, then what would be left out or
+/// mended.
 std::string planText(const model::ImportPlan& plan);
 
 }  // namespace sline::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline proof`: what of a picture would be lost in print, and what would help.
+// Implements `sline proof`: tells what of a picture would be lost in print, and what would help.
 #include <algorithm>
 #include <filesystem>
 #include <iomanip>
@@ -37,7 +37,7 @@ struct ProofFlags {
 std::string nameOf(const model::Scene& scene, model::NodeId id) {
   const model::Node* node = scene.find(id);
   std::string name = node ? node->name : std::string();
-  // Names come from files: what would move the terminal's cursor is left out.
+  // Names come from files, so characters that would move the terminal's cursor are replaced.
   std::replace_if(
       name.begin(), name.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, ' ');
   return name;
@@ -103,7 +103,7 @@ void printJson(const model::Scene& scene, const render::PrintProof& proof,
   std::cout << jsonText(root, 2) << '\n';
 }
 
-/// "grey 3.1, deuteranopia 6.2": where they look alike, and how far apart they are there.
+/// Returns "grey 3.1, deuteranopia 6.2": where they look alike, and how far apart they are there.
 std::string whereAlike(const render::ProofPair& pair, const render::ProofSettings& settings) {
   std::string text;
   for (const render::Vision vision : render::visions)
@@ -113,7 +113,7 @@ std::string whereAlike(const render::ProofPair& pair, const render::ProofSetting
   return text;
 }
 
-/// Those that are lost in print, or those that look alike on the screen, too.
+/// Prints the pairs that are lost in print, or those that look alike on the screen, too.
 std::size_t printPairs(const model::Scene& scene, const std::vector<render::ProofPair>& pairs,
                        const render::ProofSettings& settings, bool onScreen) {
   std::size_t count = 0;
@@ -172,7 +172,7 @@ void printText(const model::Scene& scene, const render::PrintProof& proof,
   printProposals(scene, proof, settings);
 }
 
-/// The picture as each kind of eye sees it, a file for each.
+/// Writes the picture as each kind of eye sees it, to a file for each.
 Status writeVisions(const render::ExportOrder& job, const PictureOrder& order,
                     const std::filesystem::path& folder) {
   std::error_code failure;
@@ -199,7 +199,8 @@ Status writeVisions(const render::ExportOrder& job, const PictureOrder& order,
   return Unit{};
 }
 
-/// The scene with the proposals: in the saved view that was looked at, else as its own styles.
+/// Writes the scene with the proposals: in the saved view that was looked at, else as its own
+/// styles.
 Status writeCopy(const model::Imported& imported, const ProofFlags& flags,
                  const render::PrintProof& proof) {
   model::SceneDocument document{.scene = render::withProposals(imported.scene, proof.proposals),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline ramp`: is the way from silhouette to shaded surface seamless?
+// Implements `sline ramp`: measures whether the way from silhouette to shaded surface is seamless.
 #include "render/measures/ramp.h"
 #include "render/export/pixels/image_file.h"
 
@@ -88,7 +88,7 @@ Json rampJson(const MeasuredRamp& measured) {
           {"faults", measured.faults}};
 }
 
-/// A character for each step: its change as a multiple of the stage's mean.
+/// Returns a character for each step: its change as a multiple of the stage's mean.
 std::string profile(std::span<const double> steps, double mean) {
   constexpr std::array<const char*, 8> bars{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
   std::string text;
@@ -158,7 +158,7 @@ void printRamp(const MeasuredRamp& measured) {
   std::printf("\n");
 }
 
-/// One row for each structure, and the mean timing of all that are not exempt.
+/// Prints one row for each structure, and the mean timing of all that are not exempt.
 void printSummary(const std::vector<MeasuredRamp>& all) {
   std::size_t widest = 9;
   for (const MeasuredRamp& measured : all)
@@ -236,8 +236,8 @@ struct RampReport {
   }
 };
 
-/// Measures one structure after the other and prints each as soon as it is known, unless all goes
-/// into one JSON object. Leaves an exit code where it cannot go on.
+/// Measures one structure after the other and prints each as soon as it is known, unless all go
+/// into one JSON object. Returns an exit code if it cannot go on.
 std::optional<Exit> measureAll(const MeasureOrder& order, const RampFlags& flags,
                                Progress& progress, RampReport& report) {
   const Result<render::HeadlessPicture> picture = render::HeadlessPicture::create();

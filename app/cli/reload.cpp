@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline reload`: a scene file's meshes anew from the files they came from.
+// Implements `sline reload`: reads a scene file's meshes anew from the files they came from.
 #include <algorithm>
 
 #include "app/cli/command.h"
@@ -53,7 +53,7 @@ bool anyFailed(const model::Reloaded& reloaded) {
   });
 }
 
-/// Reads, reloads and writes; what is written to is locked all the while.
+/// Reads, reloads and writes; the file written to is locked all the while.
 Exit reloadInto(const ReloadFlags& flags, const model::FileLock* lock) {
   Result<model::SceneDocument> document = openedScene(flags.scene);
   if (!document.ok())

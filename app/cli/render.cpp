@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline render`: files in, a picture out.
+// Implements `sline render`: reads files and draws a picture.
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/files/targets.h"

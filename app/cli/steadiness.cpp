@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline steadiness`: does hatching stay on the surface while the camera turns?
+// Implements `sline steadiness`: measures whether hatching stays on the surface while the camera
+// turns.
 #include "render/measures/steadiness.h"
 
 #include <algorithm>

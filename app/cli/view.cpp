@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline view`: the saved views of a scene file.
+// Implements `sline view`: lists and changes the saved views of a scene file.
 #include <algorithm>
 #include <charconv>
 
@@ -31,7 +31,7 @@ struct ViewFlags {
   PictureFlags picture;
 };
 
-/// What became of the scene, or a wrong use.
+/// Holds the edited scene, or an error that counts as wrong use.
 using Outcome = Result<model::Edited>;
 
 Error unknownSaved(const model::Scene& scene, const std::string& name) {
@@ -53,7 +53,7 @@ Result<std::size_t> placeOf(const model::Scene& scene, const std::string& name) 
   return std::size_t(view - scene.views().data());
 }
 
-/// A whole number from 1 upwards, as people count.
+/// Reads a whole number from 1 upwards, as people count.
 std::optional<std::uint64_t> counted(std::string_view text) {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -62,7 +62,7 @@ std::optional<std::uint64_t> counted(std::string_view text) {
   return number;
 }
 
-/// "all", "none" or ids: which annotations the view shows.
+/// Reads "all", "none" or ids as the annotations that the view shows.
 Status chooseLabels(const model::Scene& scene, const std::string& text, model::View& view) {
   if (text.empty())
     return Unit{};
@@ -90,7 +90,7 @@ Status chooseLabels(const model::Scene& scene, const std::string& text, model::V
   return Unit{};
 }
 
-/// The view that the flags describe, of a scene that they leave as it is.
+/// Returns the view that the flags describe, of a scene that they leave unchanged.
 Result<model::View> described(const model::Scene& scene, const ViewFlags& flags,
                               const std::string& name) {
   const Result<PictureOrder> order = understoodLook(flags.picture);
@@ -115,7 +115,7 @@ Result<model::View> described(const model::Scene& scene, const ViewFlags& flags,
   return view;
 }
 
-/// A saved view is found before the side of the body that is called the same.
+/// Warns that a saved view is found before the side of the body of the same name.
 void warnOfSide(const std::string& name) {
   if (model::anatomicalViewNamed(model::normalisedName(name)))
     warn("--view " + onOneLine(name) + " shows this saved view from now on, not the " +
@@ -145,8 +145,8 @@ Outcome updated(const model::Scene& scene, const ViewFlags& flags) {
   return model::withViewUpdated(scene, *place, *view);
 }
 
-/// Names may have an '=' in them: of the places where the text could be cut, the first that leaves
-/// a saved view's name before it.
+/// Renames a saved view. Names may have an '=' in them: of the places where the text could be cut,
+/// the first that leaves a saved view's name before it is taken.
 Outcome renamed(const model::Scene& scene, const std::string& text) {
   for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
     const model::View* view = savedView(scene, text.substr(0, at));
@@ -254,7 +254,7 @@ Exit list(const ViewFlags& flags) {
   return Exit::done;
 }
 
-/// Reads, edits and writes; what is written to is locked all the while.
+/// Reads, edits and writes; the file written to is locked all the while.
 Exit edit(const ViewFlags& flags) {
   const auto lock = model::FileLock::acquire(flags.output.empty() ? flags.scene : flags.output);
   if (!lock.ok())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// sline-reader: reads one file for Sline and ends. Sline starts it, nobody else does
-// (model/import/worker/reading_child.h); here is the list of what it can read.
+// The `sline-reader` program: reads one file for Sline and ends. Only Sline starts it
+// (model/import/worker/reading_child.h); this file lists what it can read.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -22,8 +22,8 @@ constexpr std::array readers = {ChildReader{"DICOM", readDicomFiles},
 }  // namespace
 
 int main() {
-  // DCMTK would read a dictionary of all elements at each start; what is needed of it is built in
-  // (dicom/toolkit.h).
+  // DCMTK would read a dictionary of all elements at each start; the entries that are needed are
+  // built in (dicom/toolkit.h).
   setenv("DCMDICTPATH", "/none", 1);
   const int status = runReadingChild(readers);
   if (status == 2)

@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Words that say nothing of their own: "lobe of the liver" is "liver lobe".
+/// Tells whether a word adds nothing to a name: "lobe of the liver" is "liver lobe".
 bool isFiller(const std::string& word) {
   static constexpr std::array<std::string_view, 16> fillers{
       "of",  "the", "and", "der", "des", "die", "dem", "den",
@@ -21,7 +21,7 @@ bool isFiller(const std::string& word) {
   return std::find(fillers.begin(), fillers.end(), word) != fillers.end();
 }
 
-/// Names of muscles go with and without it.
+/// Tells whether a word says "muscle"; names of muscles occur with and without it.
 bool saysMuscle(const std::string& word) {
   return word == "muscle" || word == "muscles" || word == "musculus" || word == "muskel" ||
          word == "spier";
@@ -44,7 +44,7 @@ int ordinal(std::string_view word) {
   return found == ordinals.end() ? 0 : int(found - ordinals.begin()) + 1;
 }
 
-/// A word with a number in it: the number, and the word with # in its place ("l4" → "l#").
+/// Holds a word with a number in it: the number, and the word with # in its place ("l4" → "l#").
 struct Numbered {
   int number = 0;
   std::string word;
@@ -69,7 +69,7 @@ std::optional<Numbered> numbered(const std::string& word) {
   return std::nullopt;
 }
 
-/// The words with # for the only number among them.
+/// Returns the words with # for the only number among them, and that number.
 std::optional<std::pair<Words, int>> abstracted(Words words) {
   int number = 0;
   int found = 0;
@@ -84,7 +84,7 @@ std::optional<std::pair<Words, int>> abstracted(Words words) {
   return std::pair(std::move(words), number);
 }
 
-/// Counted from the skull down; 0 for what is no level of the spine.
+/// Returns the level of the spine counted from the skull down, or 0 for any other word.
 int levelOf(const std::string& word) {
   if (word == "sacrum")
     return levelOf("s1");
@@ -126,7 +126,7 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-/// "minor calyx a", "left kidney 2": what tells several of a name apart.
+/// Tells whether a word only tells apart structures of one name: "minor calyx a", "left kidney 2".
 bool isTag(const std::string& word) {
   const bool number =
       std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -138,7 +138,7 @@ bool isTag(const std::string& word) {
 AnatomicalNames::AnatomicalNames() : AnatomicalNames(anatomicalNamesText()) {}
 
 AnatomicalNames::AnatomicalNames(std::string_view table) : m_table(readNameRows(table)) {
-  // Names as they stand before their singulars: "veins" is a row of its own beside "vein".
+  // Names are read before they are made singular: "veins" has its own row beside "vein".
   fill(wordsOf, true);
   fill(nameWords, false);
 }
@@ -186,14 +186,14 @@ std::optional<AnatomicalNames::Found> AnatomicalNames::lookUp(const Words& words
 }
 
 std::optional<AnatomicalNames::Found> AnatomicalNames::lookUpSided(Words words) const {
-  // "left gastric artery" has a row of its own.
+  // "left gastric artery" has its own row.
   if (std::optional<Found> found = lookUp(words))
     return found;
   Side side = Side::none;
   for (const std::string& word : words) {
     const Side here = sideOfWord(word);
     if (here != Side::none && side != Side::none && here != side)
-      return std::nullopt;  // "left branch of right …": better as the file has it than mixed up
+      return std::nullopt;  // "left branch of right …": better as in the file than mixed up
     side = here == Side::none ? side : here;
   }
   if (side == Side::none)
@@ -240,7 +240,7 @@ std::optional<AnatomicalNames::Found> AnatomicalNames::find(std::string_view nam
   const std::string tag = words.back();
   words.pop_back();
   std::optional<Found> found = lookUpSided(words);
-  // "rib 13" is none of the ribs, and "rib 3 4" may be two of them.
+  // "rib 13" is not one of the ribs, and "rib 3 4" may be two of them.
   Words numbers = words;
   numbers.emplace_back("1");
   const std::optional<Found> counted = lookUpSided(numbers);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What structures are called in several languages, by the table in resources/anatomy (compiled in).
+// Names structures in several languages, by the table in resources/anatomy (compiled in).
 #pragma once
 
 #include <optional>
@@ -14,26 +14,27 @@ namespace sline::model {
 
 class AnatomicalNames {
  public:
-  /// The program's own table.
+  /// Reads the program's own table.
   AnatomicalNames();
-  /// A text as names.tsv describes it in its first lines; rows that do not fit are left out and
-  /// counted.
+  /// Reads a table in the format that names.tsv describes in its first lines; rows that do not fit
+  /// are left out and counted.
   explicit AnatomicalNames(std::string_view table);
 
   std::size_t badRows() const { return m_table.badRows; }
   const std::vector<NameRow>& rows() const { return m_table.rows; }
-  /// Names that stand for two rows at once; an edit of the table must not make any.
+  /// Returns the names that stand for two rows at once; an edit of the table must not create any.
   const std::vector<std::string>& ambiguities() const { return m_ambiguities; }
 
-  /// The name in that language; where the table does not know it, the name itself. Names come as
-  /// files have them, in any of the languages: "kidney_left", "Rib6", "L4", "linke Niere". Sides,
-  /// numbers and trailing letters are kept; a capital at the beginning stays one.
+  /// Returns the name in that language, or the name itself where the table does not know it. Names
+  /// are accepted as files have them, in any of the languages: "kidney_left", "Rib6", "L4", "linke
+  /// Niere". Sides, numbers and trailing letters are kept; a capital at the beginning stays one.
   std::string displayName(std::string_view name, NameLanguage language) const;
 
-  /// True where the table has the name, in every language.
+  /// Tells whether the table has the name in any language.
   bool knows(std::string_view name) const { return find(name).has_value(); }
 
-  /// The name itself and all that the structure is called in any language, sides included.
+  /// Returns the name itself and everything that the structure is called in any language, with
+  /// sides.
   std::vector<std::string> searchWords(std::string_view name) const;
 
  private:
@@ -41,10 +42,10 @@ class AnatomicalNames {
     const NameRow* row = nullptr;
     Side side = Side::none;
     int number = 0;
-    std::string tag;  ///< what follows the name as it stands: " 2", " a", " L4–L5"
+    std::string tag;  ///< follows the name unchanged: " 2", " a", " L4–L5"
   };
   using Words = std::vector<std::string>;
-  /// By the words of a name in alphabetical order.
+  /// Maps the words of a name, in alphabetical order, to its row.
   using Index = std::unordered_map<std::string, std::size_t>;
 
   void fill(Words (*wordsOfName)(std::string_view), bool exact);

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 17> rightWords{
     "dexter", "dextra", "dextrum", "dextri",  "dextrae",             // Latin
     "høyre",  "höger",  "høyres"};                                   // Norwegian and neighbours
 
-/// Nominatives: masculine, feminine, neuter; singular, then plural.
+/// Holds the nominatives: masculine, feminine and neuter, first the singular, then the plural.
 struct LatinForms {
   std::array<const char*, 3> singular;
   std::array<const char*, 3> plural;
@@ -38,7 +38,8 @@ std::string latin(Side side, const Agreement& agreement) {
   return (agreement.plural ? forms.plural : forms.singular)[place(agreement)];
 }
 
-/// Without an article: "linker Harnleiter, linke Niere, linkes Schulterblatt, linke Arterien".
+/// Returns the adjective for use without an article: "linker Harnleiter, linke Niere, linkes
+/// Schulterblatt, linke Arterien".
 std::string german(Side side, const Agreement& agreement) {
   constexpr std::array<const char*, 3> endings{"er", "e", "es"};
   return std::string(side == Side::left ? "link" : "recht") +

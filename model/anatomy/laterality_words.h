@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Left and right in the languages that structures' names come in.
+// Knows "left" and "right" in the languages in which structures are named.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace sline::model {
 enum class NameLanguage { english, latin, german, dutch, norwegian };
 constexpr std::size_t nameLanguages = 5;
 
-/// What "left" and "right" agree with in Latin and German.
+/// Lists the genders with which "left" and "right" agree in Latin and German.
 enum class Gender { none, masculine, feminine, neuter };
 struct Agreement {
   Gender gender = Gender::none;
@@ -20,10 +20,10 @@ struct Agreement {
   bool operator==(const Agreement&) const = default;
 };
 
-/// The side that the word alone says, in any of the languages; none for all other words.
+/// Returns the side that the word alone names in any of the languages, or none for other words.
 Side sideOfWord(std::string_view word);
 
-/// The name with its side at the place where the language has it: "linke Niere", "ren sinister".
+/// Returns the name with its side where the language puts it: "linke Niere", "ren sinister".
 std::string withSide(const std::string& name, Side side, NameLanguage language,
                      const Agreement& agreement);
 

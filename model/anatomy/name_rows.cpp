@@ -34,7 +34,8 @@ int anyNumeral(std::string_view text, bool& roman) {
   return fromRoman(lower);
 }
 
-/// "L{1-6} vertebra" says its range and becomes "L# vertebra"; false where the braces hold none.
+/// Takes the range out of a name: "L{1-6} vertebra" becomes "L# vertebra". Returns false where the
+/// braces hold no range.
 bool takeRange(NameRow& row) {
   std::string& name = row.names[std::size_t(NameLanguage::english)];
   const std::size_t open = name.find('{');
@@ -55,7 +56,7 @@ bool takeRange(NameRow& row) {
   return range.first > 0 && range.last >= range.first;
 }
 
-/// "Niere, f" says its gender and becomes "Niere"; false where there is none.
+/// Takes the gender out of a name: "Niere, f" becomes "Niere". Returns false where there is none.
 bool takeGender(std::string& name, Agreement& agreement, bool inPlural) {
   const std::size_t comma = name.rfind(", ");
   if (comma == std::string::npos)
@@ -73,7 +74,7 @@ bool takeGender(std::string& name, Agreement& agreement, bool inPlural) {
     agreement.gender = Gender::neuter;
   else if (!tag.empty())
     return false;
-  // German adjectives know no gender in the plural, Latin ones do.
+  // German adjectives have no gender in the plural; Latin ones do.
   const bool said = agreement.gender != Gender::none;
   name.resize(comma);
   return agreement.plural ? said == inPlural : said;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of resources/anatomy/names.tsv.
+// Reads the rows of resources/anatomy/names.tsv.
 #pragma once
 
 #include <array>
@@ -12,17 +12,17 @@
 
 namespace sline::model {
 
-/// The numbers that a name may have: vertebrae T1 to T12.
+/// Holds the range of numbers that a name may have: vertebrae T1 to T12.
 struct NumberRange {
   int first = 0;
   int last = 0;
-  bool roman = false;  ///< how English and the languages without a rule of their own write them
+  bool roman = false;  ///< whether English and languages without their own rule use Roman numerals
   bool holds(int number) const { return number >= first && number <= last; }
   bool operator==(const NumberRange&) const = default;
 };
 
 struct NameRow {
-  /// By NameLanguage, # and @ where a number goes.
+  /// The names by NameLanguage, with # and @ where a number goes.
   std::array<std::string, nameLanguages> names;
   Agreement latin;
   Agreement german;
@@ -34,16 +34,16 @@ struct NameRow {
 
 struct NameRows {
   std::vector<NameRow> rows;
-  std::size_t badRows = 0;  ///< left out because something is missing in them
+  std::size_t badRows = 0;  ///< left out because a part of them is missing
 };
-/// Of the table's text.
+/// Returns the rows of the table's text.
 NameRows readNameRows(std::string_view text);
 
-/// "IV", for 1 to 39.
+/// Returns the Roman numeral ("IV") of a number from 1 to 39.
 std::string romanNumeral(int number);
-/// The other way round, in lower case; 0 for what is none.
+/// Returns the number of a Roman numeral in lower case, or 0 where the text is not one.
 int fromRoman(std::string_view text);
-/// # and @ become the number in digits and in Roman numerals.
+/// Returns the name with the number in digits for # and in Roman numerals for @.
 std::string withNumber(const std::string& name, int number);
 
 }  // namespace sline::model

@@ -7,7 +7,8 @@ namespace sline::model {
 
 namespace {
 
-/// Of UTF-8: ASCII and the letters of Western Europe (À to Þ, which follow the byte C3).
+/// Returns UTF-8 text in lower case: ASCII and the letters of Western Europe (À to Þ, which follow
+/// the byte C3).
 std::string lowerCaseOfUtf8(std::string text) {
   char before = 0;
   for (char& c : text) {
@@ -38,7 +39,7 @@ std::vector<std::string> wordsOf(std::string_view name) {
     }
     if (!word.empty()) {
       const char last = word.back();
-      // "kidneyCyst" and "Rib6" hold two words each, "L5" and "T12" one.
+      // "kidneyCyst" and "Rib6" hold two words each; "L5" and "T12" hold one.
       if ((isLower(last) && isUpper(c)) || (isDigit(c) && isLetter(last) && word.size() > 1))
         finish();
     }

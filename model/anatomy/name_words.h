@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words that a structure's name is made of.
+// Splits a structure's name into words.
 #pragma once
 
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace sline::model {
 
-/// Lower-case words as they stand: "Rib6_left" → rib, 6, left; "Venae hepaticae" → venae,
-/// hepaticae.
+/// Returns the words in lower case but otherwise unchanged: "Rib6_left" → rib, 6, left; "Venae
+/// hepaticae" → venae, hepaticae.
 std::vector<std::string> wordsOf(std::string_view name);
-/// The same in the singular: "kidneyCysts" → kidney, cyst.
+/// Returns the words in lower case and in the singular: "kidneyCysts" → kidney, cyst.
 std::vector<std::string> nameWords(std::string_view name);
-/// English plurals and the spellings that anatomists mix; the word is in lower case.
+/// Returns the singular of an English plural, and one spelling where anatomists mix several; the
+/// word is in lower case.
 std::string singular(std::string word);
 
 enum class Side { none, left, right };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// resources/anatomy/names.tsv, compiled in so that the program needs no folder at run time.
+// Holds resources/anatomy/names.tsv, compiled in so that the program needs no folder at run time.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours as people and files write them: "#a0523c".
+// Converts colours to and from the text that people and files write: "#a0523c".
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace sline {
 
 /// Returns "#rrggbb" in small letters.
 std::string colourText(const Colour& colour);
-/// Returns the colour that "#rrggbb" names, in small letters or capitals; absent for any other
+/// Returns the colour that "#rrggbb" names, in small letters or capitals, or nothing for any other
 /// text.
 std::optional<Colour> colourFrom(std::string_view text);
 

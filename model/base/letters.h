@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Letters of names and file endings: those of ASCII, whatever the locale.
+// Handles the letters of names and file endings; only ASCII letters count, whatever the locale.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline bool isUpper(char c) {
 inline bool isLower(char c) {
   return c >= 'a' && c <= 'z';
 }
-/// All that is not ASCII counts as a letter.
+/// Tells whether the byte is a letter; every byte outside ASCII counts as one.
 inline bool isLetter(char c) {
   return isUpper(c) || isLower(c) || (c & '\x80') != 0;
 }
@@ -36,7 +36,8 @@ inline bool equalsIgnoringCase(std::string_view a, std::string_view b) {
                     [](char x, char y) { return lowerCase(x) == lowerCase(y); });
 }
 
-/// Returns the file's last ending in small letters, with its dot; empty where it has none.
+/// Returns the file's last ending in small letters, with its dot, or an empty text where it has
+/// none.
 inline std::string lowerExtension(const std::filesystem::path& file) {
   return lowerCase(file.extension().string());
 }

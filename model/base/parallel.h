@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one door to threads: parallel loops on the desktop (oneTBB behind parallel_tbb.cpp), the same
-// loops in order on the web (parallel_serial.cpp). No thread is assumed anywhere else.
+// Gives the one access to threads: loops run in parallel on the desktop (oneTBB, in
+// parallel_tbb.cpp) and in order on the web (parallel_serial.cpp). No thread is assumed anywhere
+// else.
 #pragma once
 
 #include <cstddef>

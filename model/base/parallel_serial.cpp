@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The web's version of parallel_tbb.cpp: the same loops, in order.
+// Runs the loops of parallel_tbb.cpp in order, for the web.
 #include "model/base/parallel.h"
 
 namespace sline::detail {

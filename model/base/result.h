@@ -8,20 +8,20 @@
 
 namespace sline {
 
-/// What the world did wrong (a file, a driver, a disk), told so that a person can act on it. Bugs
-/// assert instead. Every part but `reason` may be empty.
+/// Describes what went wrong outside the program (in a file, a driver, a disk) so that a person can
+/// act on it. Bugs assert instead. Every part but `reason` may be empty.
 struct Error {
-  std::string file;    ///< which file, as the user named it
-  std::string where;   ///< the place in it: "line 12", "byte 84", "node vtkMRMLModelNode4"
+  std::string file;    ///< the file's name as the user gave it
+  std::string where;   ///< the place in the file: "line 12", "byte 84", "node vtkMRMLModelNode4"
   std::string reason;  ///< what is wrong: "the header promises 400 points, the file ends after 12"
   std::string remedy;  ///< what to do: "export the mesh again"
 
-  /// One line: "FILE: WHERE: REASON. REMEDY."
+  /// Returns the error as one line: "FILE: WHERE: REASON. REMEDY."
   std::string text() const;
   bool operator==(const Error&) const = default;
 };
 
-/// A value or the reason why there is none.
+/// Holds a value or the reason why there is none.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -58,7 +58,7 @@ class [[nodiscard]] Result {
 };
 
 struct Unit {};
-/// Success without a value, or the reason of the failure.
+/// Tells of success without a value, or holds the reason of the failure.
 using Status = Result<Unit>;
 
 }  // namespace sline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strong value types: a number that knows what it is and that it is in range.
+// Defines strong value types: numbers that know what they mean and that they are in range.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace sline {
 
-/// The lowest and highest value that something takes.
+/// Holds the lowest and the highest value that something can take.
 template <class Number>
 struct Limits {
   Number low{};
@@ -20,7 +20,7 @@ struct Limits {
   constexpr bool contain(Number value) const { return value >= low && value <= high; }
 };
 
-/// A float held in [Low, High]; `from` refuses what lies outside, `clamped` pulls it in.
+/// Holds a float in [Low, High]; `from` refuses a value outside, `clamped` pulls it in.
 template <class Tag, int Low, int High>
 class Bounded {
  public:
@@ -43,16 +43,18 @@ class Bounded {
   float m_value = float(Low);
 };
 
-/// The one style parameter Γ ∈ [0, 5]: silhouette, contours, suggestive contours, hatching, Phong.
+/// Γ ∈ [0, 5] is the one style parameter: silhouette, contours, suggestive contours, hatching,
+/// Phong.
 using Gamma = Bounded<struct GammaTag, 0, 5>;
-/// 0 see-through … 1 opaque.
+/// Opacity runs from 0 (see-through) to 1 (opaque).
 using Opacity = Bounded<struct OpacityTag, 0, 1>;
-/// How many strokes hatching has, times the usual; their tone together stays the same. 0: none.
+/// Multiplies the usual number of hatching strokes; their overall tone stays the same. 0 means
+/// none.
 using HatchDensity = Bounded<struct HatchDensityTag, 0, 4>;
-/// How dark hatching is, times the usual. 0: blank.
+/// Multiplies the usual darkness of hatching; 0 leaves it blank.
 using HatchTone = Bounded<struct HatchToneTag, 0, 4>;
 
-/// An sRGB colour, 8 bits a channel, without alpha.
+/// Holds an sRGB colour with 8 bits per channel and no alpha.
 struct Colour {
   std::uint8_t red = 0;
   std::uint8_t green = 0;

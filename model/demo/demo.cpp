@@ -12,7 +12,8 @@
 namespace sline::model {
 
 namespace {
-/// Raise it with every change to a demo's shapes, styles or views, and to how they are meshed.
+/// This number must rise with every change to a demo's shapes, styles or views, and to how they are
+/// meshed.
 constexpr int modellingVersion = 4;
 
 Scene modelled(DemoName name, Sex sex, const std::stop_token& stop) {
@@ -62,7 +63,7 @@ std::optional<Scene> demo(DemoName name, Sex sex, const std::filesystem::path& c
   if (Result<SceneDocument> kept = readSceneFile(file); kept.ok())
     return std::move(kept->scene);
   Scene scene = modelled(name, sex, stop);
-  // Without a place to keep it, it is modelled again next time.
+  // If the scene cannot be kept, it is modelled again next time.
   std::error_code ignored;
   std::filesystem::create_directories(cacheFolder, ignored);
   static_cast<void>(writeSceneFile(file, {.scene = scene}).ok());

@@ -12,23 +12,24 @@
 
 namespace sline::model {
 
-/// The scenes that the program models itself.
+/// Lists the scenes that the program models itself.
 enum class DemoName { kidney, pelvis, abdomen };
 inline constexpr std::array<std::string_view, 3> demoNames{"kidney", "pelvis", "abdomen"};
 std::optional<DemoName> demoNamed(std::string_view name);
 
-/// "female" or "male".
+/// Returns "female" or "male".
 std::string_view sexName(Sex sex);
 
-/// The scene, from `cacheFolder` (see userCacheFolder) where this version of the program left it,
-/// else modelled anew, which takes seconds, and left there. A cache that cannot be read or written
-/// changes nothing but the time; an empty path means no cache.
+/// Returns the scene from `cacheFolder` (see userCacheFolder) if this version of the program left
+/// it there; otherwise models it, which takes seconds, and leaves it there. A cache that cannot be
+/// read or written only costs time; an empty path means no cache.
 Scene demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder);
-/// The same; nothing, and nothing left in the cache, where `stop` is asked for on the way.
+/// Does the same as `demo` above; if `stop` is requested on the way, it returns nothing and leaves
+/// nothing in the cache.
 std::optional<Scene> demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder,
                           const std::stop_token& stop);
 
-/// Its file in that folder.
+/// Returns the name of the scene's file in that folder.
 std::string demoCacheFile(DemoName name, Sex sex);
 
 }  // namespace sline::model

@@ -6,7 +6,7 @@
 namespace sline::model {
 
 namespace {
-/// An absolute folder named by the environment; empty where there is none.
+/// Returns an absolute folder named by the environment, or an empty path where there is none.
 std::filesystem::path folderNamedBy(const char* variable) {
   const char* value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): nobody sets it
   const std::filesystem::path folder = value ? value : "";

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int readableByAll = 0644;
 
-/// "process 4711 on anatomy-3", as its holder wrote it.
+/// Returns "process 4711 on anatomy-3", as the holder of the lock wrote it.
 std::string holderOf(int descriptor) {
   std::array<char, 256> text{};
   const ssize_t size = pread(descriptor, text.data(), text.size(), 0);
@@ -41,7 +41,7 @@ bool signedBy(int descriptor) {
          pwrite(descriptor, text.data(), text.size(), 0) == ssize_t(text.size());
 }
 
-/// False where the file was removed, or made anew, between its opening and its locking.
+/// Returns false where the file was removed, or made anew, between its opening and its locking.
 bool stillThere(int descriptor, const fs::path& path) {
   struct stat opened {};
   struct stat named {};
@@ -73,7 +73,7 @@ Result<FileLock> FileLock::acquire(const fs::path& named) {
     FileLock lock(file, descriptor);
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       const std::string holder = holderOf(descriptor);
-      close(std::exchange(lock.m_descriptor, -1));  // the file is its holder's to remove
+      close(std::exchange(lock.m_descriptor, -1));  // only the holder may remove the file
       return Error{.file = named.string(),
                    .reason = "it is open for writing in " + holder,
                    .remedy = "Close it there, or save it under another name"};
@@ -82,7 +82,7 @@ Result<FileLock> FileLock::acquire(const fs::path& named) {
       close(std::exchange(lock.m_descriptor, -1));
       continue;
     }
-    // Whose it is, is a courtesy: on a full disk the lock holds without it.
+    // The signature is only a courtesy: on a full disk the lock holds without it.
     static_cast<void>(signedBy(descriptor));
     return lock;
   }
@@ -110,7 +110,7 @@ FileLock& FileLock::operator=(FileLock&& other) noexcept {
 FileLock::~FileLock() {
   if (m_descriptor < 0)
     return;
-  // Removed while it is still locked, so that nobody's new lock is taken away.
+  // The file is removed while it is still locked, so that no other process's new lock is removed.
   unlink(besides(m_file).c_str());
   close(m_descriptor);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One writer per scene file.
+// Ensures that each scene file has one writer.
 #pragma once
 
 #include <filesystem>
@@ -9,23 +9,24 @@
 
 namespace sline::model {
 
-/// The right to write a scene file, held from `acquire` until the lock is destroyed. It stands in a
-/// file beside it, ".NAME.lock", locked by the system (flock), which lets go of it when its process
-/// ends in whatever way: a file left by a crash locks nothing, and the next writer takes it over.
+/// Grants the right to write a scene file, from `acquire` until the lock is destroyed. The lock is
+/// a file beside it, ".NAME.lock", locked by the system (flock), which releases it when its process
+/// ends in any way: a file left by a crash locks nothing, and the next writer takes it over.
 class FileLock {
  public:
-  /// The error says who holds it, or that the folder cannot be written to. Links are followed.
+  /// Takes the lock. The error says which process holds it, or that the folder cannot be written
+  /// to. Links are followed.
   static Result<FileLock> acquire(const std::filesystem::path& file);
 
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&& other) noexcept;
   ~FileLock();
 
-  /// The file that may be written.
+  /// Returns the file that may be written.
   const std::filesystem::path& file() const { return m_file; }
-  /// Where the lock of a file stands.
+  /// Returns the path of a file's lock.
   static std::filesystem::path besides(const std::filesystem::path& file);
-  /// True while a process, this one included, holds the lock of that file.
+  /// Tells whether a process, this one included, holds the lock of that file.
   static bool held(const std::filesystem::path& file);
 
  private:

@@ -25,7 +25,7 @@ std::filesystem::path programFile() {
 
 void standBack() {
 #if defined(__linux__)
-  // On Linux "process" means thread here, and Qt's own priorities say nothing to this scheduler.
+  // On Linux "process" means thread here, and Qt's own priorities have no effect on this scheduler.
   constexpr int lower = 5;
   const auto thread = id_t(gettid());
   static_cast<void>(setpriority(PRIO_PROCESS, thread, getpriority(PRIO_PROCESS, thread) + lower));

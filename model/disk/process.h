@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a program asks of the operating system about itself. Other systems get their answers here,
-// and in the other sources of this room.
+// Asks the operating system about this program. Support for other systems belongs here and in the
+// other sources of this room.
 #pragma once
 
 #include <filesystem>
@@ -12,27 +12,28 @@ namespace sline::model {
 /// Returns a number that no other process has while this one runs.
 int processNumber();
 
-/// Returns where the running program's own file lies; empty where the system does not tell.
+/// Returns the path of the running program's own file, or an empty path where the system does not
+/// tell.
 std::filesystem::path programFile();
 
-/// Leaves the calling thread about a third of the share of threads that do not stand back, so that
-/// a window stays quick while it works.
+/// Lowers the calling thread's share to about a third of that of other threads, so that a window
+/// stays quick while it works.
 void standBack();
 
-/// Opens on nothing what of the standard streams was closed: else a file that is written might get
-/// the number of standard output and, within it, what is printed. Printing there fails, as it
+/// Opens on /dev/null those standard streams that were closed: otherwise a file that is written
+/// might get the number of standard output and receive what is printed. Printing there fails, as it
 /// should.
 void keepStandardStreams();
 
-/// Returns whether somebody reads standard error on a terminal.
+/// Tells whether standard error goes to a terminal.
 bool errorsGoToTerminal();
 
-/// Returns the function of that name in the library, which is loaded where it is not yet and stays:
-/// libraries below it do not like to go. Null where the library has no such function; the error
-/// says why it cannot be loaded.
+/// Returns the function of that name in the library, which is loaded if necessary and stays loaded,
+/// because the libraries it depends on do not unload well. Null where the library has no such
+/// function; the error says why it cannot be loaded.
 Result<void*> functionOf(const std::filesystem::path& library, const char* name);
 
-/// Gives memory that is free in this process back to the system.
+/// Gives this process's free memory back to the system.
 void giveMemoryBack();
 
 }  // namespace sline::model

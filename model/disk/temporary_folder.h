@@ -7,11 +7,11 @@
 
 namespace sline::model {
 
-/// A folder of our own that nobody else may look into; it goes, with all in it, when the value
-/// does.
+/// A temporary folder that no other user can read; it is removed with all its contents when the
+/// value is destroyed.
 class TemporaryFolder {
  public:
-  /// Below the system's folder for such things; the error tells why not.
+  /// Makes the folder below the system's temporary folder; the error says why it failed.
   static Result<TemporaryFolder> create();
   TemporaryFolder(TemporaryFolder&& other) noexcept : m_path(std::move(other.m_path)) {
     other.m_path.clear();

@@ -32,7 +32,7 @@ Error notWritten(const fs::path& file, int code) {
   return systemError(file, code, "it cannot be written", full ? spaceRemedy : writeRemedy);
 }
 
-/// A file or folder that is closed in whatever way its scope is left.
+/// Opens a file or folder, which is closed however its scope is left.
 class Descriptor {
  public:
   Descriptor(const fs::path& path, int flags)
@@ -50,8 +50,8 @@ class Descriptor {
   int m_value;
 };
 
-/// Waits until the disk has it, so that a power cut after the renaming finds the new file whole.
-/// File systems that cannot promise it say EINVAL; that is no reason to lose the file.
+/// Waits until the data are on the disk, so that a power cut after the renaming finds the new file
+/// whole. File systems that cannot promise it return EINVAL; that is no reason to lose the file.
 Status synced(const fs::path& path, int flags) {
   const Descriptor descriptor(path, flags);
   if (!descriptor.valid() || (fsync(descriptor.value()) != 0 && errno != EINVAL))
@@ -61,7 +61,7 @@ Status synced(const fs::path& path, int flags) {
 
 Status renamed(const fs::path& temporary, const fs::path& file) {
   std::error_code failure;
-  // Who could read and write the old file can do so with the new one.
+  // The new file gets the permissions of the old one.
   if (const fs::file_status old = fs::status(file, failure); fs::exists(old))
     fs::permissions(temporary, old.permissions(), failure);
   fs::rename(temporary, file, failure);
@@ -78,7 +78,7 @@ Status writeBeside(const fs::path& named, const std::function<Status(const fs::p
   const fs::file_status status = fs::status(named, failure);
   if (fs::is_directory(status))
     return Error{.file = named.string(), .reason = "it is a folder", .remedy = "Name a file"};
-  // As it is named: what /dev/stdout links to may be a pipe that has no path.
+  // The name is used as given: /dev/stdout may link to a pipe that has no path.
   if (fs::exists(status) && !fs::is_regular_file(status))
     return write(named);
   const fs::path file =
@@ -173,7 +173,7 @@ Result<std::string> readText(const fs::path& file, std::size_t limit) {
   if (!stream || fs::is_directory(file, failure))
     return systemError(file, stream ? EISDIR : errno, "it cannot be read",
                        "Check the name and the rights");
-  // What stands there may be no plain file, so its size is a first guess.
+  // The path may not be a plain file, so its size is a first guess.
   const std::uintmax_t size = fs::file_size(file, failure);
   std::string text(failure ? 0 : std::size_t(std::min<std::uintmax_t>(size, limit)) + 1, '\0');
   std::size_t got = 0;

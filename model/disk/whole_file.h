@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that appear whole or not at all.
+// Writes files that appear whole or not at all.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 namespace sline::model {
 
 /// Lets write(temporary) write a file beside `file` and puts it in its place when that succeeded
-/// and the disk has it, so that a full disk, a crash or a power cut leaves the old file or the new
-/// one whole. A link keeps pointing to its file, and the file keeps its rights. What exists and is
-/// no plain file (a pipe, /dev/stdout) is written directly.
+/// and the data are on the disk, so that a full disk, a crash or a power cut leaves either the old
+/// file or the new one whole. A link keeps pointing to its file, and the file keeps its rights. An
+/// existing path that is no plain file (a pipe, /dev/stdout) is written directly.
 Status writeBeside(const std::filesystem::path& file,
                    const std::function<Status(const std::filesystem::path&)>& write);
 
-/// A file that is written bit by bit; meant for what `writeBeside` gives to write.
+/// A file that is written piece by piece, meant for the temporary file of `writeBeside`.
 class GrowingFile {
  public:
   static Result<std::unique_ptr<GrowingFile>> create(const std::filesystem::path& file);
@@ -29,11 +29,11 @@ class GrowingFile {
   GrowingFile& operator=(const GrowingFile&) = delete;
 
   Status add(std::string_view bytes);
-  /// Bytes added so far.
+  /// Returns the number of bytes added so far.
   std::uint64_t size() const { return m_size; }
-  /// Writes over what is there; fails for what is no plain file.
+  /// Overwrites bytes at an offset; fails for a path that is no plain file.
   Status replace(std::uint64_t offset, std::string_view bytes);
-  /// Says, too, what the system reports late.
+  /// Closes the file and returns the errors that the system reports late, too.
   Status close();
 
  private:
@@ -43,14 +43,14 @@ class GrowingFile {
   std::uint64_t m_size = 0;
 };
 
-/// Returns whether the file's rights let it be written, or its folder decides because there is
-/// none. Root may write whatever they say, but was asked not to.
+/// Tells whether the file's rights allow writing; true also where there is no file, since its
+/// folder then decides. A read-only file counts as protected even for root, who could write it.
 bool mayBeWritten(const std::filesystem::path& file);
 
-/// Any bytes.
+/// Writes the text, which may hold any bytes.
 Status writeText(const std::filesystem::path& file, std::string_view text);
 
-/// The whole file, or why not; at most `limit` bytes.
+/// Returns the whole file, at most `limit` bytes, or the reason why it cannot be read.
 Result<std::string> readText(const std::filesystem::path& file, std::size_t limit);
 
 }  // namespace sline::model

@@ -36,8 +36,8 @@ Status free(const fs::path& folder) {
   return Unit{};
 }
 
-/// A new folder beside the one that is wanted. One of that name may be there already: what another
-/// program was killed over, and whose number came round again.
+/// Makes a new folder beside the wanted one. One of that name may exist already, left by a killed
+/// program whose process number is now in use again.
 Result<fs::path> folderBeside(const fs::path& folder) {
   constexpr int most = 100;
   const std::string name = "." + folder.filename().string() + "." + std::to_string(processNumber());

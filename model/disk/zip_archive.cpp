@@ -10,12 +10,13 @@
 namespace sline::model {
 
 namespace {
-/// Beyond this the bytes of meshes shrink by 3 % more and take twice the time.
+/// Beyond this level the bytes of meshes shrink by 3 % more and take twice the time.
 constexpr int deflateLevel = 3;
-/// 1 January 1980, 00:00:00: the first moment a ZIP file can name.
+/// The date is 1 January 1980, 00:00:00, the first moment that a ZIP file can name.
 constexpr zip_uint16_t fixedDate = 1 << 5 | 1;
 constexpr std::uint64_t alwaysAllowed = std::uint64_t(1) << 20;
-/// The type of file in the upper half of the attributes that Unix programs write, and a link's.
+/// The file type lies in the upper half of the attributes that Unix programs write; below is that
+/// of a link.
 constexpr zip_uint32_t typeMask = 0170000;
 constexpr zip_uint32_t linkType = 0120000;
 

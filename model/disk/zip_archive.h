@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ZIP files as lists of members, through libzip: the same members always give the same bytes, and
-// what comes from outside is held to limits before any of it is unpacked.
+// Reads and writes ZIP files as lists of members, through libzip: the same members always give the
+// same bytes, and files from outside are held to limits before any of them is unpacked.
 #pragma once
 
 #include <cstdint>
@@ -13,47 +13,47 @@
 
 namespace sline::model {
 
-/// Of what a ZIP file may unpack to.
+/// Limits what a ZIP file may unpack to.
 struct ZipLimits {
   std::size_t members = 200'000;
   std::size_t nameBytes = 1024;
-  std::uint64_t unpackedBytes = std::uint64_t(8) << 30;  ///< of all members
+  std::uint64_t unpackedBytes = std::uint64_t(8) << 30;  ///< of all members together
   std::uint64_t ratio = 200;                             ///< unpacked : file, beyond the first MiB
 };
 
 struct ZipMember {
-  std::string name;  ///< UTF-8, folders parted by '/'
+  std::string name;  ///< UTF-8, folders separated by '/'
   std::string bytes;
 };
 
-/// The members in their order, each of 1 January 1980 and without owner or rights; `bytes` are read
-/// from while it runs. Deflated, unless that would go beyond the ratio which readers allow: then
-/// all are stored as they are. Names must be different ones that `zipNameFault` has nothing
-/// against.
+/// Returns a ZIP file with the members in their order, each dated 1 January 1980 and without owner
+/// or rights; `bytes` are read during the call. They are deflated, unless that would exceed the
+/// ratio which readers allow: then all are stored uncompressed. Names must be unique and without a
+/// fault by `zipNameFault`.
 Result<std::string> zipped(const std::vector<const ZipMember*>& members);
 
-/// What is wrong with a member's name: absolute, with "..", with '\\', ':' or control characters,
-/// empty or too long.
+/// Returns what is wrong with a member's name: absolute, with "..", with '\\', ':' or control
+/// characters, empty or too long.
 std::string zipNameFault(std::string_view name, const ZipLimits& limits = {});
 
-/// Unpacks members one by one. The bytes must outlive it.
+/// Unpacks members one by one. The bytes must outlive the reader.
 class ZipReader {
  public:
   struct Entry {
     std::string name;
     std::uint64_t index = 0;
-    std::uint64_t size = 0;  ///< unpacked
+    std::uint64_t size = 0;  ///< unpacked size
   };
 
-  /// Looks at the list of members only: refuses links, encrypted members, methods other than stored
-  /// and deflated, names with faults or given twice, and what is beyond the limits. Folders, whose
-  /// names end with '/', are passed over.
+  /// Reads only the list of members and refuses links, encrypted members, methods other than stored
+  /// and deflated, names with faults or given twice, and anything beyond the limits. Folders, whose
+  /// names end with '/', are skipped.
   static Result<ZipReader> open(std::string_view bytes, const ZipLimits& limits = {});
 
   const std::vector<Entry>& entries() const { return m_entries; }
-  /// Null where there is none of that name.
+  /// Returns the entry, or null where there is none of that name.
   const Entry* find(std::string_view name) const;
-  /// Unpacked, its length and checksum compared.
+  /// Returns the unpacked member after comparing its length and checksum.
   Result<std::string> read(const Entry& entry) const;
 
  private:
@@ -64,7 +64,7 @@ class ZipReader {
   Result<Entry> checkedEntry(std::uint64_t index, const ZipLimits& limits) const;
 
   std::unique_ptr<void, Close> m_archive;
-  std::vector<Entry> m_entries;  ///< by name
+  std::vector<Entry> m_entries;  ///< sorted by name
 };
 
 }  // namespace sline::model

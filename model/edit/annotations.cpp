@@ -32,7 +32,7 @@ bool leftOutNone(const Scene& scene, const std::vector<AnnotationId>& listed) {
       [&listed](const Annotation& annotation) { return contains(listed, annotation.id); });
 }
 
-/// The view shows the annotation, or does not.
+/// Makes the view show the annotation, or not.
 void tick(const Scene& scene, View& view, AnnotationId id, bool shown) {
   std::vector<AnnotationId> now = view.annotations ? *view.annotations : visibleOnes(scene);
   if (shown == contains(now, id))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of annotations: Scene → Scene.
+// Edits annotations: Scene → Scene.
 #pragma once
 
 #include <optional>
@@ -10,34 +10,35 @@
 
 namespace sline::model {
 
-/// Null where there is none of that id.
+/// Returns the annotation, or null where there is none of that id.
 const Annotation* findAnnotation(const Scene& scene, AnnotationId id);
 
-/// Adds the annotation under a fresh id, last of all. A faulty one, or one on a surface that is not
+/// Adds the annotation under a fresh id at the end. A faulty one, or one on a surface that is not
 /// in the scene, changes nothing.
 Edited withAnnotation(const Scene& scene, const Annotation& annotation);
-/// The same, and no saved view loses it that is to show all there is: those that have left out none
-/// so far list it, and so does the view of that place among the scene's.
+/// Does the same as `withAnnotation` and also lists the annotation in the saved views that should
+/// show everything: in those whose lists have left out none so far, and in the view at index `view`
+/// where it has a list.
 Edited withAnnotationMade(const Scene& scene, const Annotation& annotation,
                           std::optional<std::size_t> view);
 /// Gives the annotation of that id all of `annotation` but its id; refuses what `withAnnotation`
 /// refuses.
 Edited withAnnotationChanged(const Scene& scene, AnnotationId id, const Annotation& annotation);
-/// Removes them, from saved views too.
+/// Removes the annotations, from saved views too.
 Edited withoutAnnotations(const Scene& scene, std::span<const AnnotationId> ids);
 
-/// That view, of that place among the scene's, alone shows the annotation, of those views too that
-/// list none: it is not seen without a view, and the view lists it, besides all that are visible
-/// where it had no list.
+/// Hides the annotation itself and lists it in the view at that index, so that a view without a
+/// list no longer shows it. A view that had no list gets one of all visible annotations and this
+/// one.
 Edited withAnnotationOnlyInView(const Scene& scene, AnnotationId id, std::size_t view);
-/// That view alone, of all saved ones, shows the annotation, or, where none is named, every view
-/// does. What is seen now stays: that is the annotation's own visibility.
+/// Makes that view alone, of all saved ones, show the annotation or, where no view is given, every
+/// view. The picture on screen stays, since it depends on the annotation's own visibility.
 Edited withAnnotationShownIn(const Scene& scene, AnnotationId id, std::optional<std::size_t> view);
-/// The views of these places show the annotations, or do not; the others stay as they are, and so
-/// does what is seen now.
+/// Makes the views at these indices show the annotations, or not; the other views and the picture
+/// on screen stay as they are.
 Edited withAnnotationsTicked(const Scene& scene, std::span<const AnnotationId> ids,
                              std::span<const std::size_t> views, bool shown);
-/// Which of the saved views show it, by their places.
+/// Returns the indices of the saved views that show the annotation.
 std::vector<std::size_t> viewsShowing(const Scene& scene, AnnotationId id);
 
 }  // namespace sline::model

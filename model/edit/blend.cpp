@@ -34,7 +34,7 @@ Fill between(Fill a, Fill b, float part) {
   return part < 0.5f ? a : b;
 }
 
-/// Where one end has no answer, the nearer end's.
+/// Blends two answers; where one end has none, it returns that of the nearer end.
 template <class T>
 std::optional<T> between(const std::optional<T>& a, const std::optional<T>& b, float part) {
   if (a && b)
@@ -42,8 +42,8 @@ std::optional<T> between(const std::optional<T>& a, const std::optional<T>& b, f
   return part < 0.5f ? a : b;
 }
 
-/// What is hidden at one end has the other end's look there, but is as faint as can be: neither
-/// fill nor strokes.
+/// Returns a look that is as faint as possible, with neither fill nor strokes, for the end at which
+/// a structure is hidden; otherwise it is the look of the other end.
 ResolvedStyle faint(const ResolvedStyle& look) {
   ResolvedStyle style = look;
   style.opacity = Opacity::clamped(0.0f);
@@ -96,7 +96,7 @@ Scene SceneBlend::at(double part) const {
   std::vector<Node> nodes = m_to.nodes();
   for (Node& node : nodes)
     if (node.isGroup())
-      node.style.visible = true;  // each structure says itself
+      node.style.visible = true;  // each structure answers for itself
   for (const Way& way : m_ways)
     nodes[way.node].style = styleAt(way.from, way.to, eased);
   scene.setNodes(std::move(nodes));

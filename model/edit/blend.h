@@ -8,28 +8,29 @@
 
 namespace sline::model {
 
-/// The way from one look of a scene to another, for pictures in between: Γ, opacity, colours and
-/// pens change evenly, what is shown at one end only appears or leaves, and sections that have
-/// their direction at both ends slide. Structures that are not at both ends, and all that is not
-/// looks, are as at the end.
+/// Leads from one look of a scene to another, for the pictures in between: Γ, opacity, colours and
+/// pens change evenly, structures shown at only one end appear or vanish, and sections that have
+/// the same direction at both ends slide. Structures that are not at both ends, and everything that
+/// is not a look, are as at the end.
 class SceneBlend {
  public:
   SceneBlend(const Scene& from, Scene to);
-  /// `part` of the way, 0 … 1; slow at both ends, and exactly the last scene at the end.
+  /// Returns the scene at `part` of the way, 0 … 1; it changes slowly at both ends and is exactly
+  /// the last scene at the end.
   Scene at(double part) const;
   const Scene& end() const { return m_to; }
 
  private:
   struct Way {
-    std::size_t node = 0;  ///< where it stands among the nodes
+    std::size_t node = 0;  ///< index among the nodes
     ResolvedStyle from;
     ResolvedStyle to;
   };
   Scene m_to;
-  std::vector<Way> m_ways;  ///< of all structures
+  std::vector<Way> m_ways;  ///< one for each structure
   struct Slide {
     std::size_t section = 0;
-    double from = 0.0;  ///< its plane's offset
+    double from = 0.0;  ///< the plane's offset at the start
   };
   std::vector<Slide> m_slides;
 };

@@ -5,8 +5,8 @@
 
 namespace sline::model {
 
-/// The outcome of an edit Scene → Scene. `changed` is false where the edit made no difference, so
-/// that it leaves no undo step and no repaint.
+/// Holds the outcome of an edit Scene → Scene. `changed` is false where the edit made no
+/// difference, so that it leaves no undo step and no repaint.
 struct Edited {
   Scene scene;
   bool changed = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a structure is told: as contours or as outer edges under a veil. What is said of a group
-// holds for all in it; what is locked keeps its look (model/edit/locks.h).
+// Changes the emphasis of structures, to contours or to outer edges under a veil. A change to a
+// group applies to everything in it; locked nodes keep their look (model/edit/locks.h).
 #pragma once
 
 #include <span>
@@ -9,7 +9,8 @@
 
 namespace sline::model {
 
-/// Γ of the visible structures at or below a node, or of all where none is visible.
+/// Holds the range of Γ of the visible structures at or below a node, or of all structures there if
+/// none is visible.
 struct GammaRange {
   Gamma low;
   Gamma high;
@@ -17,9 +18,9 @@ struct GammaRange {
 };
 GammaRange gammaRangeOf(const Scene& scene, NodeId id);
 
-/// The nodes as contours under a veil; everything else stays.
+/// Draws the nodes as contours under a veil; everything else stays.
 Edited withContext(const Scene& scene, std::span<const NodeId> ids);
-/// The nodes as their outer edges alone, under a veil; everything else stays.
+/// Draws the nodes as their outer edges alone, under a veil; everything else stays.
 Edited withGhost(const Scene& scene, std::span<const NodeId> ids);
 
 }  // namespace sline::model

@@ -10,7 +10,7 @@ namespace sline::model {
 
 namespace {
 
-/// A byte that is shown.
+/// Holds a byte that is shown.
 struct ShownByte {
   std::size_t source = 0;
   char byte = 0;
@@ -20,7 +20,7 @@ struct ShownByte {
   bool blank() const { return isMarkupBlank(byte); }
 };
 
-/// The style's part of a mark.
+/// Returns the member of the style that belongs to a mark.
 bool& part(LetterStyle& style, LetterMark mark) {
   return mark == LetterMark::bold ? style.bold : style.italic;
 }
@@ -51,7 +51,7 @@ class LineWriter {
  public:
   LineWriter(std::string_view text, const std::vector<ShownByte>& shown, Escapes escapes)
       : m_text(text), m_shown(shown), m_escapes(escapes), m_lasts(shown.size()) {
-    // How far on each style lasts tells which marker is the outer one.
+    // The marker of the style that lasts longer is the outer one.
     std::size_t bold = shown.size();
     std::size_t italic = shown.size();
     for (std::size_t i = shown.size(); i-- > 0;) {
@@ -63,7 +63,7 @@ class LineWriter {
     }
   }
 
-  /// `places` of the bytes that are not blank, in what is written.
+  /// Returns the line as written; `places` receives the positions of the shown bytes in it.
   std::string written(std::vector<std::size_t>& places) {
     places.clear();
     for (std::size_t i = 0; i < m_shown.size(); ++i) {
@@ -83,7 +83,8 @@ class LineWriter {
   }
 
  private:
-  /// Ends stand right behind the word before, beginnings right before the next.
+  /// Closes and opens markers: ends stand right behind the word before, beginnings right before the
+  /// next.
   void turnTo(std::size_t i) {
     LetterStyle style = m_shown[i].style;
     const auto lasts = [&](LetterMark mark) { return part(style, mark); };
@@ -121,15 +122,15 @@ class LineWriter {
   Escapes m_escapes;
   std::vector<std::pair<std::size_t, std::size_t>> m_lasts;  ///< bold, italic: where it ends
   std::string m_written;
-  std::string m_blanks;  ///< that have not been written yet
+  std::string m_blanks;  ///< blanks that have not been written yet
   std::vector<LetterMark> m_open;
 };
 
-/// One line while its styles change.
+/// Holds one line while its styles change.
 struct Line {
   MarkupLine parsed;
   std::vector<ShownByte> shown;
-  std::optional<std::pair<std::size_t, std::size_t>> selected;  ///< first and last word's byte
+  std::optional<std::pair<std::size_t, std::size_t>> selected;  ///< first and last selected byte
 };
 
 std::vector<Line> linesOf(std::string_view text, TextRange selection) {
@@ -149,7 +150,7 @@ std::vector<Line> linesOf(std::string_view text, TextRange selection) {
   return lines;
 }
 
-/// As it would be written, and where its bytes are then; nothing where it says something else.
+/// Holds the line as it would be written, and the positions of its bytes in it.
 struct Written {
   std::string text;
   std::vector<std::size_t> places;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Markers of a callout's text put around what is selected, or taken away.
+// Puts markers around the selected part of a callout's text, or takes them away.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace sline::model {
 
-/// Bytes of UTF-8, whole characters.
+/// A range of UTF-8 bytes that covers whole characters.
 struct TextRange {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -18,14 +18,14 @@ struct TextRange {
 
 struct MarkedText {
   std::string text;
-  TextRange selection;  ///< what was selected; the cursor, where nothing was
+  TextRange selection;  ///< the former selection, or the cursor where nothing was selected
 };
 
 enum class LetterMark { bold, italic };
 
-/// All that is selected is of that style afterwards, or, where it was already, no longer; what is
-/// shown stays the same words. Where nothing is selected, a pair of markers around the cursor, or
-/// without the empty pair that is there.
+/// Gives the whole selection that style or, where it already has it, takes the style away; the
+/// visible words stay the same. Where nothing is selected, it puts a pair of markers around the
+/// cursor, or removes the empty pair that is there.
 MarkedText withLetterStyle(std::string_view text, TextRange selection, LetterMark mark);
 
 }  // namespace sline::model

@@ -16,7 +16,7 @@ void restoreLook(Style& style, const Style& before) {
   style.visible = visible;
 }
 
-/// Says of the style what would else be inherited otherwise.
+/// Answers in the style itself the fields that would now be inherited differently.
 void answer(Style& style, const ResolvedStyle& before, const ResolvedStyle& now) {
   forEachLookField([&](const auto& field) {
     if (before.*field.resolved != now.*field.resolved)
@@ -57,7 +57,7 @@ Edited withLocksKept(const Scene& before, Scene after) {
       if (const auto style = styles.find(node.id.value); style != styles.end())
         restoreLook(node.style, *style->second);
     after.setNodes(nodes);
-    // Only the topmost: what is below them inherits from them.
+    // Only the topmost locked nodes are changed, because those below inherit from them.
     for (Node& node : nodes)
       if (locked.contains(node.id.value) && !locked.contains(node.parent.value))
         answer(node.style, before.resolve(node.id), after.resolve(node.id));

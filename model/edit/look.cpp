@@ -29,11 +29,12 @@ Edited withInkAlone(const Scene& scene) {
     node.style.inkColour = Colour{0, 0, 0};
     if (node.isGroup())
       continue;
-    node.style.colour = Colour{255, 255, 255};  // of cut faces
+    node.style.colour = Colour{255, 255, 255};  // colour of the cut faces
     const ResolvedStyle style = scene.resolve(node.id);
     const bool shaded = style.gamma.value() > hatched.value();
     if (shaded) {
-      // As much darker as it was further on the way to its surface: what stood out still does.
+      // The tone is darkened by how far Γ was on the way to a shaded surface, so structures that
+      // stood out still do.
       constexpr float darker = 0.4f;
       node.style.hatchTone = HatchTone::clamped(
           style.hatchTone.value() * (1.0f + darker * (style.gamma.value() - hatched.value())));

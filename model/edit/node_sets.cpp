@@ -10,7 +10,7 @@ NodeSet setOf(std::span<const NodeId> ids) {
   return set;
 }
 
-// One pass each, because a parent stands before its children.
+// One pass each is enough because a parent stands before its children.
 
 NodeSet withAllBelow(const Scene& scene, NodeSet ids) {
   for (const Node& node : scene.nodes())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets of nodes, as edits need them.
+// Computes sets of nodes for edits.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,16 @@
 
 namespace sline::model {
 
-/// Ids of nodes, by value.
+/// Holds the ids of nodes, by value.
 using NodeSet = std::unordered_set<std::uint64_t>;
 
 NodeSet setOf(std::span<const NodeId> ids);
-/// The nodes and all below them.
+/// Returns the nodes and all below them.
 NodeSet withAllBelow(const Scene& scene, NodeSet ids);
-/// The nodes and all groups above them.
+/// Returns the nodes and all groups above them.
 NodeSet withAllAbove(const Scene& scene, NodeSet ids);
-/// Those of the ids that the scene has and above which no other of them stands, in tree order.
+/// Returns, in tree order, those of the ids that are in the scene and have no other of the ids
+/// above them.
 std::vector<NodeId> topmost(const Scene& scene, std::span<const NodeId> ids);
 
 }  // namespace sline::model

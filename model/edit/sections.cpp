@@ -12,7 +12,7 @@ bool sound(const Scene& scene, const Section& section) {
   return !planeFault(section.plane) && (section.scope == rootId || scene.find(section.scope));
 }
 
-/// The edit, or none where a structure would have too many sections.
+/// Returns the edit, or no change where a structure would have too many sections.
 Edited ifFewEnough(const Scene& before, Scene after) {
   const auto& nodes = after.nodes();
   const bool crowded = std::any_of(nodes.begin(), nodes.end(), [&after](const Node& node) {

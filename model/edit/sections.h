@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of section planes: Scene → Scene.
+// Edits section planes: Scene → Scene.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace sline::model {
 
-/// A sagittal, coronal or axial section that keeps the given side of what `scope` holds; at `mm`
-/// along x, y or z of LPS, else through the middle of the visible structures' bounds. Not yet in
-/// the scene.
+/// Returns a sagittal, coronal or axial section that keeps the given side of everything in `scope`;
+/// at `mm` along x, y or z of LPS, else through the middle of the visible structures' bounds. It is
+/// not yet in the scene.
 Section anatomicalSection(const Scene& scene, NodeId scope, AnatomicalView kept,
                           std::optional<float> mm = std::nullopt);
 
-/// Adds the section under a fresh id, last of all. A faulty plane, a scope that is not in the
-/// scene, or one section more than a structure can have (`maximumSections`), changes nothing.
+/// Adds the section under a fresh id at the end. A faulty plane, a scope that is not in the scene,
+/// or one section more than a structure can have (`maximumSections`) changes nothing.
 Edited withSection(const Scene& scene, const Section& section);
 /// Gives the section of that id all of `section` but its id; refuses what `withSection` refuses.
 Edited withSectionChanged(const Scene& scene, SectionId id, const Section& section);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What edits of looks have in common; for the rooms' own use.
+// Shares code between the edits of looks; for the use of this room only.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace sline::model {
 
-/// The scene with these nodes in place of its own, but for what locks keep from them.
+/// Returns the scene with these nodes in place of its own, except for changes that locks prevent.
 inline Edited withNodesRestyled(const Scene& scene, std::vector<Node> nodes) {
   if (nodes == scene.nodes())
     return {scene, false};

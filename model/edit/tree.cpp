@@ -18,7 +18,8 @@ Edited withNodesReplaced(const Scene& scene, std::vector<Node> nodes) {
   return edited;
 }
 
-/// The same, where what is locked might inherit otherwise.
+/// Returns the scene with these nodes while locked nodes keep their looks, for edits after which
+/// they might inherit differently.
 Edited ofSameLook(const Scene& scene, std::vector<Node> nodes) {
   if (nodes == scene.nodes())
     return {scene, false};
@@ -35,7 +36,7 @@ bool pointsAt(const Annotation& annotation, const NodeSet& nodes) {
   return std::any_of(annotation.anchors.begin(), annotation.anchors.end(), onOne);
 }
 
-/// Takes what is said of the nodes out of sections, annotations and saved views.
+/// Removes the nodes from sections, annotations and saved views.
 void forget(Scene& scene, const NodeSet& gone) {
   const auto cutsNothing = [&gone](const Section& section) {
     return section.scope != rootId && gone.contains(section.scope.value);
@@ -67,7 +68,7 @@ void forget(Scene& scene, const NodeSet& gone) {
   scene.setViews(std::move(views));
 }
 
-/// Nodes of which some are on their way: each comes to stand in tree order below its new parent.
+/// Returns the nodes in tree order below their new parents, after some of them have moved.
 std::vector<Node> inTreeOrder(const std::vector<Node>& nodes,
                               const std::unordered_map<std::uint64_t, std::vector<NodeId>>& below) {
   std::unordered_map<std::uint64_t, const Node*> byId;
@@ -75,7 +76,7 @@ std::vector<Node> inTreeOrder(const std::vector<Node>& nodes,
     byId[node.id.value] = &node;
   std::vector<Node> ordered;
   ordered.reserve(nodes.size());
-  std::vector<NodeId> waiting{rootId};  // the next one is the last
+  std::vector<NodeId> waiting{rootId};  // the last entry is the next to visit
   while (!waiting.empty()) {
     const NodeId id = waiting.back();
     waiting.pop_back();
@@ -87,7 +88,7 @@ std::vector<Node> inTreeOrder(const std::vector<Node>& nodes,
   return ordered;
 }
 
-/// What stands in each group, in its order.
+/// Returns the children of each group, in their order.
 std::unordered_map<std::uint64_t, std::vector<NodeId>> childrenOf(const std::vector<Node>& nodes) {
   std::unordered_map<std::uint64_t, std::vector<NodeId>> children;
   for (const Node& node : nodes)
@@ -95,7 +96,7 @@ std::unordered_map<std::uint64_t, std::vector<NodeId>> childrenOf(const std::vec
   return children;
 }
 
-/// The style that a node must say itself to look the same without the group above it.
+/// Returns the style that a node needs of its own to look the same without the group above it.
 Style handedDown(Style own, const Style& group) {
   const std::optional<bool> hidden = group.visible == false ? group.visible : own.visible;
   Style style = group;
@@ -142,7 +143,7 @@ Edited moved(const Scene& scene, std::span<const NodeId> ids, NodeId group, Node
   std::size_t place = 0;
   bool placed = false;
   for (const NodeId child : children[group.value]) {
-    // Where `before` itself moves, what follows it is meant.
+    // Where `before` itself moves, the position is that of the child that follows it.
     placed = placed || child == before;
     if (set.contains(child.value))
       continue;
@@ -197,7 +198,7 @@ Edited ungrouped(const Scene& scene, std::span<const NodeId> ids) {
   }
   if (gone.empty())
     return {scene, false};
-  // Tree order stays as it is: what was in a group follows right after it.
+  // Tree order stays valid: the children of a group follow right after it.
   std::unordered_map<std::uint64_t, Node> dissolved;
   std::vector<Node> nodes;
   for (Node node : scene.nodes()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of the tree: Scene → Scene. What is locked keeps its
-// name and its place and is not removed (model/edit/locks.h).
+// Edits the tree: Scene → Scene. A locked node keeps its name and its place and is not removed
+// (model/edit/locks.h).
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace sline::model {
 
-/// An empty or unchanged name changes nothing.
+/// Renames the node; an empty or unchanged name changes nothing.
 Edited renamed(const Scene& scene, NodeId id, const std::string& name);
 /// Removes the nodes and everything below them, the sections that cut nothing else, the annotations
-/// that point at them, and what saved views say of all these. What is locked stays, and so do the
-/// groups above it.
+/// that point at them, and their entries in saved views. Locked nodes stay, and so do the groups
+/// above them.
 Edited removed(const Scene& scene, std::span<const NodeId> ids);
 /// Moves the nodes (each with all below it) into the group, in tree order: before that child of the
 /// group, or to the end where `before` is none of its children. Moving a group into itself, or
@@ -22,15 +22,15 @@ Edited moved(const Scene& scene, std::span<const NodeId> ids, NodeId group, Node
 
 struct Grouped {
   Edited edited;
-  NodeId group;  ///< the new one; the root where there is none
+  NodeId group;  ///< the new group; the root where none was made
 };
-/// A new, empty group at the end of the group `parent`.
+/// Adds a new, empty group at the end of the group `parent`.
 Grouped withGroup(const Scene& scene, const std::string& name, NodeId parent = rootId);
-/// The nodes in a new group, which stands where the first of them stood.
+/// Puts the nodes into a new group, which stands where the first of them stood.
 Grouped grouped(const Scene& scene, std::span<const NodeId> ids, const std::string& name);
-/// Dissolves the groups among the nodes: what was in one takes its place and says itself what it
-/// inherited from it, so that it looks as before. Sections of the group alone go with it. A group
-/// that is locked, or holds something locked, stays.
+/// Dissolves the groups among the nodes: their children take the group's place and answer
+/// themselves what they inherited from it, so that they look as before. Sections of the group alone
+/// go with it. A group that is locked, or holds a locked node, stays.
 Edited ungrouped(const Scene& scene, std::span<const NodeId> ids);
 
 }  // namespace sline::model

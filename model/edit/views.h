@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saved views: what a scene looks like in one, and how one is made of what is seen. They are named
-// by where they stand, as their order is the tour's.
+// Edits saved views and converts between them and what is on screen. Views are identified by their
+// index, as their order is that of the tour.
 #pragma once
 
 #include <cstddef>
@@ -13,42 +13,46 @@ namespace sline::model {
 
 struct ShownScene {
   Scene scene;
-  std::vector<NodeId> absent;  ///< nodes the view speaks of that the scene lacks
+  std::vector<NodeId> absent;  ///< nodes that the view mentions but the scene lacks
 };
 
-/// The scene as the view shows it: its sections, looks and annotations, as far as it says; the rest
-/// stays as it is. Nodes that came after the view stay as they are.
+/// Returns the scene as the view shows it: with its sections, looks and annotations as far as it
+/// has any; everything else stays, and so do nodes that came after the view.
 ShownScene shown(const Scene& scene, const View& view);
 
-/// How all nodes look, such that `shown` brings it back: structures with what they inherit answered
-/// (but for ink of no colour of its own), groups with whether they are visible.
+/// Returns the looks of all nodes, from which `shown` restores the picture: structures with their
+/// inherited fields answered (except an ink without a colour of its own), groups with their
+/// visibility.
 std::vector<Look> looksOf(const Scene& scene);
 
-/// How many of the nodes and annotations that the view speaks of the scene lacks.
+/// Returns how many nodes and annotations the view mentions that the scene lacks.
 std::size_t absentFrom(const Scene& scene, const View& view);
 
-/// All that is seen now: camera, looks of all nodes, sections and the annotations that are shown.
+/// Returns a view of the current picture: camera, looks of all nodes, sections and the annotations
+/// that are shown.
 View viewOf(const Scene& scene, const Camera& camera, std::string name);
 
-/// The name without blanks at its ends; where another view goes by it (as `normalisedName`
-/// compares), with the first number behind it that none has: "Front 2". `but`: that view may.
+/// Returns the name without blanks at its ends; where another view already has it (as
+/// `normalisedName` compares), the first number that makes it unique is added: "Front 2". The view
+/// at `but` may have the name.
 std::string freeViewName(const Scene& scene, const std::string& wanted,
                          std::optional<std::size_t> but = std::nullopt);
 
 /// Returns the scene with these saved views instead of its own.
 Edited withViews(const Scene& scene, std::vector<View> views);
 
-/// The view stands last, by a free name. Without a name, or from a faulty camera, it is none.
+/// Adds the view at the end, by a free name. Without a name, or with a faulty camera, nothing
+/// changes.
 Edited withView(const Scene& scene, View view);
-/// The view shows what `seen` does, and keeps its name and what its file says beyond.
+/// Makes the view show what `seen` does; it keeps its name and the unread keys of its file.
 Edited withViewUpdated(const Scene& scene, std::size_t index, const View& seen);
-/// By a free name; no name changes nothing.
+/// Renames the view to a free name; an empty name changes nothing.
 Edited withViewRenamed(const Scene& scene, std::size_t index, const std::string& name);
-/// It stands at `to` afterwards; beyond the end is the end.
+/// Moves the view to index `to`; an index beyond the end means the end.
 Edited withViewMoved(const Scene& scene, std::size_t index, std::size_t to);
 Edited withoutView(const Scene& scene, std::size_t index);
 
-/// The scene with the key light, or without a word on it. A faulty light changes nothing.
+/// Returns the scene with the key light, or without one. A faulty light changes nothing.
 Edited withKeyLight(const Scene& scene, const std::optional<KeyLight>& light);
 
 }  // namespace sline::model

@@ -32,7 +32,7 @@ bool saysHidden(const Scene& scene, NodeId id) {
   return node && !node->style.visible.value_or(true);
 }
 
-/// The groups above a node, the nearest first.
+/// Returns the groups above a node, the nearest first.
 std::vector<NodeId> groupsAbove(const Scene& scene, NodeId id) {
   std::vector<NodeId> groups;
   const Node* node = scene.find(id);
@@ -41,7 +41,7 @@ std::vector<NodeId> groupsAbove(const Scene& scene, NodeId id) {
   return groups;
 }
 
-/// Opens the hidden groups above a node, but not what else is in them.
+/// Shows the hidden groups above a node, but not their other contents.
 Scene opened(Scene scene, NodeId id) {
   NodeId path = id;
   std::vector<NodeId> others;
@@ -73,7 +73,8 @@ Scene shown(Scene scene, NodeId id) {
   }
   if (!scene.find(id)->isGroup())
     return scene;
-  // Itself and all below; one pass, because a parent stands before its children.
+  // This collects the node and all below it; one pass is enough because a parent stands before its
+  // children.
   std::unordered_set<std::uint64_t> meant{id.value};
   std::vector<NodeId> hidden;
   for (const Node& node : scene.nodes()) {
@@ -86,7 +87,7 @@ Scene shown(Scene scene, NodeId id) {
   return hidden.empty() ? scene : withVisible(scene, hidden, true);
 }
 
-/// Hidden by nobody but itself.
+/// Tells whether the node is a group that is hidden by itself but by no group above it.
 bool aloneHides(const Scene& scene, NodeId id) {
   const Node* node = scene.find(id);
   if (!node || node->isGroup() || node->style.visible.value_or(true))
@@ -112,7 +113,7 @@ Edited withHidden(const Scene& scene, std::span<const NodeId> ids) {
 }
 
 Edited withShown(const Scene& scene, std::span<const NodeId> ids) {
-  // Most at once; the others ask for the groups above them, one by one.
+  // Most nodes are shown at once; the others need their groups above opened, one by one.
   std::vector<NodeId> alone;
   std::copy_if(ids.begin(), ids.end(), std::back_inserter(alone),
                [&scene](NodeId id) { return aloneHides(scene, id); });
@@ -128,7 +129,7 @@ Edited withOthersHidden(const Scene& scene, std::span<const NodeId> ids) {
   const NodeSet spared = withAllAbove(scene, named);
   std::vector<NodeId> others;
   for (const Node& node : scene.nodes()) {
-    // Below a hidden group nothing needs hiding, and all comes back with the group.
+    // Below a hidden group no node needs hiding, and all come back with the group.
     const bool besideThem = node.parent == rootId || (spared.contains(node.parent.value) &&
                                                       !named.contains(node.parent.value));
     if (besideThem && !spared.contains(node.id.value))
@@ -140,7 +141,7 @@ Edited withOthersHidden(const Scene& scene, std::span<const NodeId> ids) {
 }
 
 Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids) {
-  std::unordered_set<std::uint64_t> shown;  // the structures, and all that stands above them
+  std::unordered_set<std::uint64_t> shown;  // the structures and all groups above them
   for (const NodeId id : ids)
     for (const NodeId structure : scene.structuresBelow(id))
       for (const Node* node = scene.find(structure); node && shown.insert(node->id.value).second;
@@ -151,7 +152,7 @@ Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids) {
     const bool show = shown.contains(node.id.value);
     if (show && node.style.visible == false)
       node.style.visible = true;
-    // Below a hidden group nothing needs hiding, and all comes back with the group.
+    // Below a hidden group no node needs hiding, and all come back with the group.
     const bool parentShown = node.parent == rootId || shown.contains(node.parent.value);
     if (!show && parentShown)
       node.style.visible = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Showing and hiding: edits Scene → Scene.
+// Shows and hides nodes: Scene → Scene.
 #pragma once
 
 #include <span>
@@ -8,21 +8,21 @@
 
 namespace sline::model {
 
-/// What of a structure, or of the structures in a group, is shown.
+/// Says how much of a structure, or of the structures in a group, is shown.
 enum class Shown { none, some, all };
 Shown shownOf(const Scene& scene, NodeId id);
 
-/// Hides the nodes; what stands below them remembers its own state.
+/// Hides the nodes; the nodes below them remember their own state.
 Edited withHidden(const Scene& scene, std::span<const NodeId> ids);
-/// Shows the nodes. A hidden group comes back as it was before it was hidden; one that shows a
-/// part, or would show nothing, shows all. Where a group above is hidden, it is shown with nothing
+/// Shows the nodes. A hidden group comes back as it was before it was hidden; a group that shows
+/// only a part, or would show nothing, shows everything. A hidden group above is shown with nothing
 /// else in it.
 Edited withShown(const Scene& scene, std::span<const NodeId> ids);
-/// Hides what is not at or below the nodes and not above them. The nodes stay as they are, unlike
-/// with `withOnlyVisible`, which shows them.
+/// Hides everything that is neither at or below the nodes nor above them. The nodes stay as they
+/// are, unlike with `withOnlyVisible`, which shows them.
 Edited withOthersHidden(const Scene& scene, std::span<const NodeId> ids);
-/// Shows exactly the structures at or below the nodes: everything else is hidden, groups above the
-/// shown ones are made visible.
+/// Shows exactly the structures at or below the nodes: everything else is hidden, and groups above
+/// the shown ones are made visible.
 Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids);
 
 }  // namespace sline::model

@@ -18,7 +18,7 @@ std::vector<NodeId> structuresOf(const Scene& scene, std::span<const NodeId> ids
     const std::vector<NodeId> some = scene.structuresBelow(id);
     structures.insert(structures.end(), some.begin(), some.end());
   }
-  std::vector<NodeId> ordered;  // as in the tree, each once
+  std::vector<NodeId> ordered;  // in tree order, each once
   for (const Node& node : scene.nodes())
     if (std::find(structures.begin(), structures.end(), node.id) != structures.end())
       ordered.push_back(node.id);

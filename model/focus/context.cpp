@@ -13,31 +13,31 @@ namespace sline::model {
 namespace {
 
 constexpr float focusGamma = 4.3f;
-/// The pen of what is faded out: thin, should somebody show it by hand.
+/// The pen of structures that are faded out; it is thin in case the user shows them by hand.
 constexpr float faintPen = 0.4f;
 
-/// How one kind of structure grows with the amount.
+/// Describes how structures of one kind grow with the amount.
 struct Growth {
   float start = 0.0f;  ///< the amount at which it begins to appear
-  float full = 1.0f;   ///< and from which on its Γ stays
+  float full = 1.0f;   ///< the amount from which its Γ stays constant
   float lowGamma = 0.0f;
   float highGamma = 0.0f;
-  float lowPen = 0.0f;  ///< times the scene's pen
+  float lowPen = 0.0f;  ///< factor on the scene's pen
   float highPen = 1.0f;
-  float covering = 0.0f;  ///< how much of what lies behind it it hides
+  float covering = 0.0f;  ///< how much it hides of what lies behind it
 };
 
 float ramp(float low, float high, float x) {
   return std::clamp((x - low) / (high - low), 0.0f, 1.0f);
 }
 
-/// A filled structure before the targets would hide them.
+/// Returns how clear of the targets a structure is: filled and in front of them it would hide them.
 float clear(const Relation& r) {
   return 1.0f - glm::smoothstep(0.05f, 0.5f, r.hides);
 }
 
 Growth feederGrowth(const Relation& r) {
-  // One that comes to a target first, then the stem that it comes from.
+  // Vessels that come to a target appear first, then the stems from which they come.
   const float less = 1.0f - std::clamp(r.feeding, 0.5f, 1.0f);
   return {.start = 0.02f + 0.2f * less,
           .full = 0.6f,
@@ -59,7 +59,7 @@ Growth neighbourGrowth(const Relation& r) {
 }
 
 Growth shellGrowth(const Relation& r) {
-  // What hides most says best where all this is.
+  // The structures that hide most show best where everything is.
   return {.start = 0.3f + 0.35f * (1.0f - r.hides),
           .full = 1.0f,
           .lowGamma = 0.0f,
@@ -134,18 +134,19 @@ Style contextStyle(const Relation& relation, ContextAmount amount) {
 
 namespace {
 
-/// What bears on whether a structure may be drawn otherwise.
+/// Says whether a structure may be drawn differently.
 struct Standing {
-  bool locked = false;        ///< it or a group above it
-  bool hiddenByHand = false;  ///< it or a group above it
+  bool locked = false;        ///< true if it or a group above it is locked
+  bool hiddenByHand = false;  ///< true if it or a group above it is hidden by hand
 };
 
-/// What fades out ends without a trace of itself; people hide things as they are.
+/// Tells whether the focus hid a structure: it fades out to zero opacity, while users hide
+/// structures as they are.
 bool fadedOut(const Style& style) {
   return style.visible == false && style.opacity && style.opacity->value() <= 0.0f;
 }
 
-/// Of all nodes in one pass, because a parent stands before its children.
+/// Returns the standings of all nodes, in one pass because a parent stands before its children.
 std::unordered_map<std::uint64_t, Standing> standings(const Scene& scene) {
   std::unordered_map<std::uint64_t, Standing> standings;
   for (const Node& node : scene.nodes()) {

@@ -13,25 +13,27 @@ namespace sline::model {
 namespace {
 
 constexpr std::size_t samplesPerForm = 240;
-/// Of the samples, every so many is asked for the form around it.
+/// The form is measured around every sample of this stride.
 constexpr std::size_t formStride = 3;
 constexpr int linesAround = 6;
-/// Of an index's own: the key, the form and its tree.
+/// An index itself holds a mesh three times: by the key, the form and its tree.
 constexpr long holders = 3;
-/// A tube is at most this many times as wide one way as the other, and longer than that.
+/// A tube's cross-section is at most this many times as wide one way as the other, and its length
+/// exceeds that.
 constexpr float roundest = 2.2f;
 constexpr float flattest = 3.0f;
 
-/// The three widths of a solid around a sample: straight in from the surface, and from the middle
-/// of that way the least and the most across it. The shape-diameter function (Shapira, Shamir,
-/// Cohen-Or 2008) asks for the first alone; tubes, sheets and lumps differ in the other two.
+/// Holds the three widths of a solid around a sample: straight in from the surface, and from the
+/// middle of that way the least and the most across it. The shape-diameter function (Shapira,
+/// Shamir, Cohen-Or 2008) uses the first alone; tubes, sheets and lumps differ in the other two.
 struct Widths {
   float in = 0.0f;
   float least = 0.0f;
   float most = 0.0f;
 };
 
-/// Two directions across the normal; of the mirrored normal, mirrored but for their signs.
+/// Returns two directions across the normal; for the mirrored normal they are mirrored except for
+/// their signs.
 std::array<glm::vec3, 2> across(const glm::vec3& n) {
   const glm::vec3 size = glm::abs(n);
   const glm::vec3 axis = size.x <= size.y && size.x <= size.z ? glm::vec3(1, 0, 0)
@@ -41,8 +43,8 @@ std::array<glm::vec3, 2> across(const glm::vec3& n) {
   return {first, glm::cross(n, first)};
 }
 
-/// Along the line through a point inside, from surface to surface; as long as `endless` on a side
-/// where there is none.
+/// Returns the length of the line through an inner point from surface to surface; a side without a
+/// surface counts as `endless`.
 float chord(const Bvh& tree, const glm::vec3& inside, const glm::vec3& direction, float endless) {
   const auto way = [&](const glm::vec3& d) {
     const std::optional<Hit> hit = tree.nearest({inside, d, 0.0f, endless});
@@ -51,7 +53,8 @@ float chord(const Bvh& tree, const glm::vec3& inside, const glm::vec3& direction
   return way(direction) + way(-direction);
 }
 
-/// None where the surface is open: straight in there is nothing to come to.
+/// Returns the widths at a sample, or none where the surface is open: straight in there is no
+/// surface to meet.
 std::optional<Widths> widthsAt(const Form& form, const SurfaceSample& sample) {
   const float endless = 2.0f * form.radius;
   const std::optional<Hit> far =

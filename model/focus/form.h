@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a structure's form matters when another is in focus: read off its mesh alone, so it is
-// worked out once.
+// Measures those properties of a structure's form that matter when another structure is in focus.
+// They depend on its mesh alone, so they are computed once.
 #pragma once
 
 #include <map>
@@ -20,10 +20,10 @@ struct Form {
   BvhPtr tree;
   std::vector<SurfaceSample> samples;
   double area = 0.0;       ///< mm²
-  float radius = 0.0f;     ///< of the sphere around it, mm
-  float thickness = 0.0f;  ///< median way through it, straight in from the surface, mm
+  float radius = 0.0f;     ///< radius of its bounding sphere, mm
+  float thickness = 0.0f;  ///< median width straight in from the surface, mm
   /// The shares of the surface that belong to tubes (as thick one way as the other, and long) and
-  /// to sheets (far wider than thick both ways); the rest is of lumps.
+  /// to sheets (far wider than thick both ways); the rest belongs to lumps.
   float tube = 0.0f;
   float sheet = 0.0f;
 };
@@ -31,11 +31,11 @@ using FormPtr = std::shared_ptr<const Form>;
 
 FormPtr formOf(const MeshPtr& mesh);
 
-/// Forms that were worked out before, by mesh. May be asked from any thread.
+/// Keeps forms that were computed before, by mesh. May be used from any thread.
 class FormIndex {
  public:
   FormPtr of(const MeshPtr& mesh);
-  /// Forgets meshes that nobody else holds.
+  /// Forgets meshes that are not in use anywhere else.
   void trim();
 
  private:

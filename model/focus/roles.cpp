@@ -17,12 +17,14 @@ float falling(float low, float high, float x) {
   return 1.0f - glm::smoothstep(low, high, x);
 }
 
-/// How much of a tube a form is; sheets have tubes along their rims.
+/// Returns how tubular a form is; the share of sheets is subtracted because sheets have tubes along
+/// their rims.
 float tubular(const Form& form) {
   return form.tube - form.sheet;
 }
 
-/// What may come to a target: a tube far thinner than the target, and with less surface.
+/// Returns how much a form is like a branch that may come to a target: a tube far thinner than the
+/// target, with less surface.
 float branchLike(const Surroundings& surroundings, const Form& form) {
   const float unit = surroundings.radius();
   const auto surface = float(form.area / (4.0 * M_PI)) / (unit * unit);
@@ -30,14 +32,16 @@ float branchLike(const Surroundings& surroundings, const Form& form) {
          falling(1.0f, 2.0f, surface);
 }
 
-/// What such a one may come from: a tube, too, off the targets and not too thick.
+/// Returns how much a form is like a stem from which such a branch may come: also a tube, away from
+/// the targets and not too thick.
 float stemLike(const Surroundings& surroundings, const Form& form, float gap) {
   const float unit = surroundings.radius();
   return glm::smoothstep(0.45f, 0.6f, tubular(form)) * glm::smoothstep(0.05f, 0.15f, gap / unit) *
          falling(0.55f, 0.8f, form.thickness / unit);
 }
 
-/// How far from what it ends at a vessel may begin: right through, also where it is flat.
+/// Returns how far from its end a vessel is cut: its gap and right through its thickness, also
+/// where it is flat.
 float cutWidth(const Form& vessel, float gap) {
   return gap + 2.0f * vessel.thickness;
 }
@@ -48,7 +52,8 @@ float comingToTargets(const Surroundings& surroundings, const Party& party, cons
   float share = branchLike(surroundings, form) * falling(0.04f, 0.1f, facts.gap / unit);
   if (share < 0.5f)
     return share;
-  // A rib between an organ and the skin touches it as a vessel does, but there is no room behind.
+  // A rib between an organ and the skin touches the organ as a vessel does, but there is no room
+  // behind it.
   share *= glm::smoothstep(0.2f, 0.5f, surroundings.roomBeyond(party, facts.gap + 0.05f * unit));
   if (share < 0.5f)
     return share;
@@ -56,11 +61,11 @@ float comingToTargets(const Surroundings& surroundings, const Party& party, cons
   const Cut cut = cutNear(*party.mesh, [&](const glm::vec3& place) {
     return std::isfinite(surroundings.distanceTo(place, near));
   });
-  // One that passes by serves the targets less.
+  // A vessel that passes by serves the targets less.
   return cut.ends ? share : 0.4f * share;
 }
 
-/// How surely `branch`, which comes to a target, comes from `stem`.
+/// Returns how surely `branch`, which comes to a target, comes from `stem`.
 float comingFrom(const Surroundings& surroundings, float likely, const Party& stem,
                  const Party& branch) {
   // Blood comes to a vessel from a thicker one.
@@ -76,7 +81,7 @@ float comingFrom(const Surroundings& surroundings, float likely, const Party& st
   const Cut cut = cutNear(*branch.mesh, [&](const glm::vec3& place) {
     return std::isfinite(stem.form->tree->closest(place, near, near).distance);
   });
-  // What lies along another does not spring from it.
+  // A vessel that lies along another does not spring from it.
   constexpr double most = 0.3;
   return cut.ends && cut.share <= most ? share : 0.0f;
 }
@@ -109,8 +114,9 @@ std::vector<Feeding> feedings(const Surroundings& surroundings, std::span<const 
 
 namespace {
 
-/// Wide, hides something of the targets, and the scene ends behind it; what lies against the
-/// targets with much of itself is beside them rather than around them.
+/// Tells whether a structure is a shell: it is wide, hides part of the targets, and the scene ends
+/// behind it. A structure with much of itself against the targets is beside them rather than around
+/// them.
 bool isShell(const Relation& r) {
   constexpr float something = 0.1f;
   return r.hides >= something &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what was measured to what a structure is.
+// Derives each structure's role from the measurements.
 #pragma once
 
 #include "model/focus/analysis.h"
@@ -7,14 +7,14 @@
 
 namespace sline::model {
 
-/// How much of a vessel that comes to the targets a structure is.
+/// Says how far a structure is a vessel that comes to the targets.
 struct Feeding {
   float direct = 0.0f;  ///< 0 … 1
-  float stem = 0.0f;    ///< that it is one such vessel's stem
+  float stem = 0.0f;    ///< how surely it is the stem of one such vessel
   NodeId through;       ///< that vessel
 };
 
-/// For each party.
+/// Returns the feeding of each party.
 std::vector<Feeding> feedings(const Surroundings& surroundings, std::span<const Party> parties,
                               std::span<const Facts> facts, const std::stop_token& stop);
 

@@ -15,9 +15,9 @@ glm::dvec3 twiceArea(const Mesh& mesh, const Triangle& t) {
   return glm::cross(glm::dvec3(positions[t[1]]) - a, glm::dvec3(positions[t[2]]) - a);
 }
 
-/// The i-th point of a sequence that fills the triangle evenly: Roberts, "The Unreasonable
-/// Effectiveness of Quasirandom Sequences" (2018), folded at the diagonal. The corners count by
-/// their indices and not by their order around the triangle, which a mirror turns.
+/// Returns the i-th point of a sequence that fills the triangle evenly: Roberts, "The Unreasonable
+/// Effectiveness of Quasirandom Sequences" (2018), folded at the diagonal. The corners are taken by
+/// index and not by their order around the triangle, which a mirror reverses.
 glm::vec3 pointIn(const Mesh& mesh, Triangle t, std::size_t i) {
   constexpr double plastic = 1.32471795724474602596;
   std::sort(t.begin(), t.end());

@@ -9,17 +9,17 @@
 
 namespace sline::model {
 
-/// A place on a surface and the unit normal of its triangle, outward.
+/// A sample is a place on a surface and the outward unit normal of its triangle.
 struct SurfaceSample {
   glm::vec3 place{0.0f};
   glm::vec3 normal{0.0f};
 };
 
-/// Points spread evenly over the area, whatever the size of the triangles; always the same for the
-/// same mesh, and mirrored for its mirror image. None where the mesh has no area.
+/// Returns points spread evenly over the area, whatever the size of the triangles; always the same
+/// for the same mesh, and mirrored for its mirror image. None where the mesh has no area.
 std::vector<SurfaceSample> surfaceSamples(const Mesh& mesh, std::size_t count);
 
-/// mm².
+/// Returns the area in mm².
 double surfaceArea(const Mesh& mesh);
 
 }  // namespace sline::model

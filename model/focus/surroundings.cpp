@@ -13,13 +13,13 @@ namespace sline::model {
 namespace {
 
 constexpr std::size_t targetSamples = 256;
-/// Surfaces lie against each other where they are nearer than this times the targets' size:
+/// Surfaces lie against each other where they are nearer than this factor times the targets' size:
 /// segmentations leave a voxel between neighbours.
 constexpr float againstShare = 0.1f;
 constexpr float endless = std::numeric_limits<float>::infinity();
 
-/// To the points of a lattice on a cube's surface, 2n + 1 along an edge: each mirror image of the
-/// set is the set.
+/// Returns the directions to the points of a lattice on a cube's surface with 2n + 1 points along
+/// an edge; each mirror image of the set is the set itself.
 std::vector<glm::vec3> directionsAround(int n) {
   std::vector<glm::vec3> directions;
   for (int x = -n; x <= n; ++x)
@@ -30,13 +30,13 @@ std::vector<glm::vec3> directionsAround(int n) {
   return directions;
 }
 
-/// From where the targets are looked at: a cube's sides, edges and corners.
+/// Returns the directions from which the targets are looked at: a cube's sides, edges and corners.
 const std::vector<glm::vec3>& sides() {
   static const std::vector<glm::vec3> directions = directionsAround(1);
   return directions;
 }
 
-/// In which it is noted how far things reach.
+/// Returns the directions along which the extents are measured.
 const std::vector<glm::vec3>& sectors() {
   static const std::vector<glm::vec3> directions = directionsAround(3);
   return directions;
@@ -81,7 +81,8 @@ Surroundings::Surroundings(std::span<const Party> parties, const std::optional<C
   m_radius = float(std::sqrt(area / (4.0 * M_PI)));
   m_thickness = float(thickness / area);
   for (const Party* target : m_targets) {
-    // As many of each as its share of the surface, so that their order does not matter.
+    // Each target gets samples by its share of the surface, so that the order of targets does not
+    // matter.
     const double share = target->form->area / area;
     const auto count = std::size_t(std::ceil(double(targetSamples) * share));
     for (const SurfaceSample& sample : surfaceSamples(*target->mesh, count))

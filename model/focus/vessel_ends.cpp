@@ -13,7 +13,7 @@ namespace sline::model {
 
 namespace {
 
-/// Sets of vertices that grow together (Tarjan 1975, with path halving).
+/// Joins sets of vertices (Tarjan 1975, with path halving).
 class Unions {
  public:
   explicit Unions(std::size_t count) : m_parent(count) {
@@ -33,7 +33,7 @@ class Unions {
 struct Part {
   double area = 0.0;
   bool comesNear = false;
-  std::map<std::uint32_t, double> pieces;  ///< area of each, by one of its vertices
+  std::map<std::uint32_t, double> pieces;  ///< area of each piece, by one of its vertices
 };
 
 double areaOf(const Mesh& mesh, const Triangle& t) {

@@ -8,14 +8,14 @@
 
 namespace sline::model {
 
-/// What comes of a mesh when all of it that is near something is taken away.
+/// Describes the rest of a mesh after everything near another structure is taken away.
 struct Cut {
-  bool ends = true;    ///< of each connected part that comes near, what is left hangs together
-  double share = 0.0;  ///< of the surface that went
+  bool ends = true;    ///< whether the rest of each connected part that comes near is one piece
+  double share = 0.0;  ///< share of the surface that was taken away
 };
 
-/// A vessel that ends at something leaves one piece, one that passes by leaves two. Pieces of less
-/// than a tenth of their part count for nothing.
+/// Takes the mesh apart. A vessel that ends at the structure leaves one piece, one that passes by
+/// leaves two. Pieces of less than a tenth of their part do not count.
 Cut cutNear(const Mesh& mesh, const std::function<bool(const glm::vec3&)>& near);
 
 }  // namespace sline::model

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pivoting in the manner of B. Gärtner, "Fast and Robust Smallest Enclosing Balls" (ESA 1999): a
-// small support set is solved exactly, the farthest point outside joins it, until none is outside.
+// Finds the sphere by pivoting as in B. Gärtner, "Fast and Robust Smallest Enclosing Balls" (ESA
+// 1999): a small support set is solved exactly and the farthest point outside joins it, until no
+// point is outside.
 #include "model/geometry/bounding_sphere.h"
 
 #include <algorithm>
@@ -22,8 +23,9 @@ struct Ball {
   }
 };
 
-/// The smallest ball with all given points (1 to 4) on its surface; none where they are dependent.
-/// Its centre is q0 + Σ λi·(qi − q0), and |centre − qi| = |centre − q0| is linear in λ.
+/// Finds the smallest ball with all given points (1 to 4) on its surface; returns false where they
+/// are dependent. Its centre is q0 + Σ λi·(qi − q0), and |centre − qi| = |centre − q0| is linear in
+/// λ.
 bool circumscribed(const std::vector<glm::dvec3>& q, Ball& ball) {
   const std::size_t n = q.size() - 1;
   glm::dmat3 gram(1.0);
@@ -50,7 +52,7 @@ bool circumscribed(const std::vector<glm::dvec3>& q, Ball& ball) {
   return true;
 }
 
-/// The smallest ball around at most five points, by trying every subset as its support.
+/// Returns the smallest ball around at most five points, by trying every subset as its support.
 Ball smallestOfFew(const std::vector<glm::dvec3>& points, std::vector<glm::dvec3>& support) {
   Ball best;
   std::vector<glm::dvec3> subset;

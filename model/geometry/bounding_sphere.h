@@ -7,8 +7,9 @@
 
 namespace sline::model {
 
-/// The smallest sphere around the points, to 1e-5 of its radius. Its radius is the feature size F
-/// that makes every threshold dimensionless (S §3.1, METHOD §1). No points: radius 0.
+/// Returns the smallest sphere around the points, to 1e-5 of its radius. Its radius is the feature
+/// size F that makes every threshold dimensionless (S §3.1, METHOD §1). Without points the radius
+/// is 0.
 Sphere smallestBoundingSphere(std::span<const glm::vec3> points);
 
 }  // namespace sline::model

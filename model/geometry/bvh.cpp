@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t trianglesPerLeaf = 4;
 constexpr glm::vec3 noDirection(0.0f);
 
-/// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), both sides.
+/// Intersects a ray with both sides of a triangle as in Möller and Trumbore, "Fast, Minimum Storage
+/// Ray/Triangle Intersection" (1997).
 std::optional<Hit> intersect(const Ray& ray, const Mesh& mesh, std::uint32_t triangle) {
   const auto& [a, b, c] = mesh.triangles()[triangle];
   const glm::vec3 p0 = mesh.positions()[a];
@@ -45,14 +46,15 @@ float squared(const glm::vec3& v) {
   return glm::dot(v, v);
 }
 
-/// From the origin to the segment a … a + e.
+/// Returns the squared distance from the origin to the segment a … a + e.
 float squaredToSegment(const glm::vec3& a, const glm::vec3& e) {
   const float length = squared(e);
   const float t = length > 0.0f ? std::clamp(-glm::dot(a, e) / length, 0.0f, 1.0f) : 0.0f;
   return squared(a + t * e);
 }
 
-/// From the origin to the triangle: to its plane where the foot lies inside, else to an edge.
+/// Returns the squared distance from the origin to the triangle: to its plane where the foot of the
+/// perpendicular lies inside, else to an edge.
 float squaredToTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const glm::vec3 n = glm::cross(b - a, c - a);
   const float area = squared(n);
@@ -103,7 +105,7 @@ void Bvh::traverse(const Ray& ray, const Visit& visit) const {
   const auto entry = [&](std::size_t node) {
     const glm::vec3 t0 = (m_nodes[node].low - r.origin) * inverse;
     const glm::vec3 t1 = (m_nodes[node].high - r.origin) * inverse;
-    // fmin/fmax drop the NaN of 0·∞ on a slab's own plane.
+    // fmin and fmax drop the NaN of 0·∞ on a slab's own plane.
     float near = r.nearest;
     float far = r.farthest;
     for (glm::length_t k = 0; k < 3; ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bounding-volume hierarchy for rays and distances: a balanced binary tree over the spatial
-// order, so that building it is a few passes over the triangles.
+// Builds a bounding-volume hierarchy for rays and distances: a balanced binary tree over the
+// spatial order, which takes only a few passes over the triangles.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@
 
 namespace sline::model {
 
-/// origin + t·direction for t in [nearest, farthest]; the direction need not be a unit vector.
+/// A ray is origin + t·direction for t in [nearest, farthest]; the direction need not be a unit
+/// vector.
 struct Ray {
   glm::vec3 origin{0.0f};
   glm::vec3 direction{0.0f, 0.0f, 1.0f};
@@ -26,7 +27,7 @@ struct Hit {
   float v = 0.0f;
 };
 
-/// The point of a surface nearest to another point.
+/// Holds the point of a surface nearest to another point.
 struct Closest {
   float distance = std::numeric_limits<float>::infinity();
   std::uint32_t triangle = 0;
@@ -37,12 +38,12 @@ class Bvh {
   Bvh(MeshPtr mesh, std::vector<std::uint32_t> order);
 
   const Mesh& mesh() const { return *m_mesh; }
-  /// The first hit along the ray; both sides of a triangle count.
+  /// Returns the first hit along the ray; both sides of a triangle count.
   std::optional<Hit> nearest(const Ray& ray) const;
-  /// True where anything lies on the ray.
+  /// Tells whether the ray hits any triangle.
   bool blocked(const Ray& ray) const;
-  /// Infinitely far where there is no triangle nearer than `farthest`. Any triangle no farther than
-  /// `enough` may be given for the closest.
+  /// Returns the closest point, infinitely far away where no triangle is nearer than `farthest`.
+  /// Any triangle no farther than `enough` may be returned as the closest.
   Closest closest(const glm::vec3& point, float enough = 0.0f,
                   float farthest = std::numeric_limits<float>::infinity()) const;
 

@@ -62,12 +62,13 @@ void bound(Cluster& cluster, const Source& source, std::span<const std::uint32_t
   cluster.coneCosine = cosine;
 }
 
-/// Numbers the vertices of one cluster after another: which cluster saw a vertex last, and as what.
+/// Numbers the vertices of one cluster after another by remembering which cluster used a vertex
+/// last, and its number there.
 class LocalNumbers {
  public:
   explicit LocalNumbers(std::size_t vertexCount) : m_seen(vertexCount, {0, 0}) {}
   void startCluster() { ++m_cluster; }
-  /// The vertex's number in this cluster; a new one is appended to `vertices`.
+  /// Returns the vertex's number in this cluster; a new vertex is appended to `vertices`.
   std::uint32_t number(std::uint32_t vertex, std::vector<std::uint32_t>& vertices,
                        std::size_t first) {
     Seen& seen = m_seen[vertex];
@@ -87,7 +88,7 @@ class LocalNumbers {
   std::uint32_t m_cluster = 0;
 };
 
-/// Appends clusters of the faces in order; one that would use too many vertices ends early.
+/// Appends clusters of the faces in order; a cluster that would use too many vertices ends early.
 void cut(Clusters& clusters, const Mesh& mesh) {
   LocalNumbers numbers(mesh.vertexCount());
   const std::size_t count = clusters.triangles.size();
@@ -114,7 +115,7 @@ void cut(Clusters& clusters, const Mesh& mesh) {
   }
 }
 
-/// Copies what views read into cluster order.
+/// Copies the values that views read into cluster order.
 ClusterVertices gathered(const Source& source, const std::vector<std::uint32_t>& vertices) {
   ClusterVertices fields;
   for (auto* group : {&fields.position, &fields.normal})
@@ -163,7 +164,8 @@ Clusters buildClusters(const Mesh& mesh, std::vector<std::uint32_t> order,
 Facing facing(const Cluster& cluster, const EyePoint& eye) {
   const glm::vec3 toEye = eye.atInfinity ? eye.value : eye.value - cluster.bounds.centre;
   const float distance = glm::length(toEye);
-  // α: opening of the normal cone; β: how much the line of sight turns within the bounding sphere.
+  // α is the opening of the normal cone; β is how much the line of sight turns within the bounding
+  // sphere.
   const float sinBeta = eye.atInfinity ? 0.0f : cluster.bounds.radius / std::max(distance, 1e-30f);
   const float cosAlpha = cluster.coneCosine;
   if (!(sinBeta < 1.0f) || !(cosAlpha > 0.0f))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of neighbouring triangles with bounds on position, normal and curvature, so that a view can
-// skip most of a surface without looking at its triangles (METHOD §10).
+// Cuts a surface into runs of neighbouring triangles with bounds on position, normal and curvature,
+// so that a view can skip most of the surface without looking at its triangles (METHOD §10).
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 namespace sline::model {
 
 struct Cluster {
-  std::uint32_t firstTriangle = 0;  ///< in Clusters::triangles
+  std::uint32_t firstTriangle = 0;  ///< index into Clusters::triangles
   std::uint32_t triangleCount = 0;
-  std::uint32_t firstVertex = 0;  ///< in Clusters::vertices
+  std::uint32_t firstVertex = 0;  ///< index into Clusters::vertices
   std::uint32_t vertexCount = 0;
   Sphere bounds;
   glm::vec3 coneAxis{0.0f};      ///< mean direction of its normals
@@ -24,11 +24,11 @@ struct Cluster {
   float highestCurvature = 0.0f;
 };
 
-/// What line extraction reads of every vertex of a cluster for every view, copied into cluster
-/// order as structure of arrays (index: Clusters::vertices), so that the loop over it runs on whole
-/// vector registers without gathering. `s` is the shape operator as a symmetric matrix in space
-/// (xx, xy, xz, yy, yz, zz; 1/mm): since S·n = 0, κr·|w|² = dᵀ·S·d / |d|² for any vector d to the
-/// eye.
+/// Holds the values that line extraction reads for every vertex of a cluster in every view, copied
+/// into cluster order as a structure of arrays (index: Clusters::vertices), so that the loop over
+/// them runs on whole vector registers without gathering. `s` is the shape operator as a symmetric
+/// matrix in space (xx, xy, xz, yy, yz, zz; 1/mm): since S·n = 0, κr·|w|² = dᵀ·S·d / |d|² for any
+/// vector d to the eye.
 struct ClusterVertices {
   std::array<std::vector<float>, 3> position;
   std::array<std::vector<float>, 3> normal;
@@ -40,9 +40,9 @@ struct Clusters {
   static constexpr std::uint32_t maximumVertices = 255;
 
   std::vector<Cluster> items;
-  std::vector<std::uint32_t> triangles;  ///< mesh triangle of each slot, in spatial order
-  std::vector<std::uint32_t> vertices;   ///< mesh vertices of each cluster, each once
-  /// Per slot, into its cluster's vertices.
+  std::vector<std::uint32_t> triangles;  ///< the mesh's triangle in each slot, in spatial order
+  std::vector<std::uint32_t> vertices;   ///< the mesh's vertices of each cluster, each once
+  /// For each slot, the indices into its cluster's vertices.
   std::vector<std::array<std::uint8_t, 3>> localTriangles;
   ClusterVertices fields;
 };
@@ -51,9 +51,9 @@ struct Clusters {
 Clusters buildClusters(const Mesh& mesh, std::vector<std::uint32_t> order,
                        std::span<const glm::vec3> normals, const Curvature& curvature);
 
-/// What a viewpoint can say about a cluster from its bounds alone.
+/// Says how a cluster faces a viewpoint, as far as its bounds alone tell.
 enum class Facing { front, back, mixed };
-/// `eye` is a position, or for a parallel projection the unit direction towards the eye.
+/// `eye` is a position or, for a parallel projection, the unit direction towards the eye.
 struct EyePoint {
   glm::vec3 value;
   bool atInfinity = false;

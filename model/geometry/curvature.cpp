@@ -10,17 +10,17 @@
 namespace sline::model {
 
 namespace {
-/// Two unit vectors that span a plane; the plane's normal is u × v.
+/// Two unit vectors span a plane with the normal u × v.
 struct Frame {
   glm::vec3 u;
   glm::vec3 v;
 };
 
-/// A symmetric 2×2 tensor in some frame: (uu, uv, vv).
+/// Holds a symmetric 2×2 tensor in some frame: (uu, uv, vv).
 using Tensor = glm::vec3;
 
-/// Any tangent frame of a unit normal, without branches that jump nearby (Duff et al., "Building an
-/// Orthonormal Basis, Revisited", JCGT 2017).
+/// Returns a tangent frame of a unit normal, without branches that jump nearby (Duff et al.,
+/// "Building an Orthonormal Basis, Revisited", JCGT 2017).
 Frame tangentFrame(const glm::vec3& n) {
   const float sign = std::copysign(1.0f, n.z);
   const float a = -1.0f / (sign + n.z);
@@ -28,7 +28,8 @@ Frame tangentFrame(const glm::vec3& n) {
   return {{1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
 }
 
-/// The frame after the smallest rotation that takes `from` to `to` (Rodrigues; unit normals).
+/// Returns the frame after the smallest rotation that takes `from` to `to` (Rodrigues; unit
+/// normals).
 Frame turned(const Frame& frame, const glm::vec3& from, const glm::vec3& to) {
   const float cosine = glm::dot(from, to);
   if (cosine <= -0.99999f)
@@ -38,7 +39,7 @@ Frame turned(const Frame& frame, const glm::vec3& from, const glm::vec3& to) {
   return {frame.u - along * glm::dot(frame.u, across), frame.v - along * glm::dot(frame.v, across)};
 }
 
-/// The axes of one frame written in another of the same plane: u = (a, b), v = (c, d).
+/// Holds the axes of one frame written in another frame of the same plane: u = (a, b), v = (c, d).
 struct Axes {
   float a, b, c, d;
 };
@@ -53,7 +54,7 @@ Tensor changed(const Tensor& t, const Axes& x) {
           t.x * x.c * x.c + 2.0f * t.y * x.c * x.d + t.z * x.d * x.d};
 }
 
-/// C(w1, w2, w3) for vectors given as (first, second) components; C is symmetric.
+/// Returns C(w1, w2, w3) for vectors given as (first, second) components; C is symmetric.
 float applied(const glm::vec4& t, glm::vec2 w1, glm::vec2 w2, glm::vec2 w3) {
   const float xx = w1.x * w2.x;
   const float xy = w1.x * w2.y + w1.y * w2.x;
@@ -67,7 +68,8 @@ glm::vec4 changed(const glm::vec4& t, const Axes& x) {
   return {applied(t, u, u, u), applied(t, u, u, v), applied(t, u, v, v), applied(t, v, v, v)};
 }
 
-/// Solves A·x = b in place for a symmetric positive definite A by LDLᵀ; false where A is singular.
+/// Solves A·x = b in place for a symmetric positive definite A by LDLᵀ; returns false where A is
+/// singular.
 template <std::size_t N>
 bool solve(std::array<std::array<float, N>, N>& a, std::array<float, N>& b) {
   for (std::size_t i = 0; i < N; ++i) {
@@ -92,9 +94,10 @@ bool solve(std::array<std::array<float, N>, N>& a, std::array<float, N>& b) {
   return true;
 }
 
-/// What both estimates need of a triangle; computed once, read from each of its vertices.
+/// Holds the values of a triangle that both estimates need; computed once, read from each of its
+/// vertices.
 struct Face {
-  glm::vec3 u;  ///< along the edge from corner 1 to corner 2; a zero vector: a face without area
+  glm::vec3 u;  ///< along the edge from corner 1 to corner 2; zero for a face without area
   glm::vec3 normal;
   glm::vec3 areas;  ///< the part of the triangle that belongs to each corner
   Frame frame() const { return {u, glm::cross(normal, u)}; }
@@ -103,17 +106,18 @@ struct Face {
 
 using Edges = std::array<glm::vec3, 3>;
 
-/// edges[j] lies opposite corner j.
+/// Returns the edges; edges[j] lies opposite corner j.
 Edges edgesOf(const Mesh& mesh, const Triangle& t) {
   const auto p = mesh.positions();
   return {p[t[2]] - p[t[1]], p[t[0]] - p[t[2]], p[t[1]] - p[t[0]]};
 }
 
-/// For each corner the part of the triangle nearer to it than to the others (Voronoi area; Meyer et
-/// al., "Discrete Differential-Geometry Operators", 2002, but exact for obtuse triangles).
+/// Returns for each corner the area of the part of the triangle nearer to it than to the others
+/// (Voronoi area; Meyer et al., "Discrete Differential-Geometry Operators", 2002, but exact for
+/// obtuse triangles).
 glm::vec3 cornerAreas(const Edges& e, float area) {
   const glm::vec3 squared{glm::dot(e[0], e[0]), glm::dot(e[1], e[1]), glm::dot(e[2], e[2])};
-  // The dot product of the two edges that leave each corner.
+  // Each entry is the dot product of the two edges that leave a corner.
   const glm::vec3 dots{-glm::dot(e[1], e[2]), -glm::dot(e[2], e[0]), -glm::dot(e[0], e[1])};
   for (glm::length_t j = 0; j < 3; ++j) {
     if (dots[j] > 0.0f)
@@ -126,7 +130,7 @@ glm::vec3 cornerAreas(const Edges& e, float area) {
     areas[j] = area - areas[next] - areas[last];
     return areas;
   }
-  // ⅛·Σ |edge|²·cot(angle opposite to it), cot = dot / 2·area
+  // The shares are ⅛·Σ |edge|²·cot(opposite angle), with cot = dot / 2·area.
   const glm::vec3 shares = squared * dots / (16.0f * area);
   return {shares[1] + shares[2], shares[2] + shares[0], shares[0] + shares[1]};
 }
@@ -148,7 +152,7 @@ std::vector<Face> makeFaces(const Mesh& mesh) {
   return faces;
 }
 
-/// R §3: the tensor that best explains how normals differ along the three edges.
+/// Returns the tensor that best explains how normals differ along the three edges (R §3).
 Tensor faceTensor(const Face& face, const Edges& edges, const std::array<glm::vec3, 3>& normals) {
   const Frame frame = face.frame();
   std::array<std::array<float, 3>, 3> a{};
@@ -170,7 +174,8 @@ Tensor faceTensor(const Face& face, const Edges& edges, const std::array<glm::ve
   return solve(a, b) ? Tensor(b[0], b[1], b[2]) : Tensor(0.0f);
 }
 
-/// The same one order up (R §4): how the corners' tensors, turned into the face, differ.
+/// Returns the derivative that best explains how the corners' tensors, turned into the face, differ
+/// (R §4): the same fit one order higher.
 glm::vec4 faceDerivative(const Face& face, const Edges& edges,
                          const std::array<Tensor, 3>& corners) {
   const Frame frame = face.frame();
@@ -187,7 +192,7 @@ glm::vec4 faceDerivative(const Face& face, const Edges& edges,
     b[2] += 2.0f * e.y * change.y + e.x * change.z;
     b[3] += e.y * change.z;
   }
-  // The mixed entry stands twice in the tensor, so it counts twice.
+  // The mixed entry occurs twice in the tensor, so it counts twice.
   a[1][1] = 2.0f * a[0][0] + a[3][3];
   a[2][1] = 2.0f * a[1][0];
   a[2][2] = a[0][0] + 2.0f * a[3][3];
@@ -195,7 +200,7 @@ glm::vec4 faceDerivative(const Face& face, const Edges& edges,
   return solve(a, b) ? glm::vec4(b[0], b[1], b[2], b[3]) : glm::vec4(0.0f);
 }
 
-/// The mesh and what was computed of it so far.
+/// Holds the mesh and the results computed from it so far.
 struct Work {
   const Mesh& mesh;
   std::span<const glm::vec3> normals;
@@ -222,15 +227,15 @@ T averaged(const Work& work, std::size_t vertex, const std::vector<T>& perFace,
   return weights > 0.0f ? sum / weights : T(0.0f);
 }
 
-/// The frame turned within its plane so that the tensor becomes diagonal, the larger |κ| first.
+/// Turns the frame within its plane so that the tensor becomes diagonal, with the larger |κ| first.
 void diagonalise(const Tensor& t, const Frame& frame, glm::vec3& e1, glm::vec2& k) {
   const float mean = 0.5f * (t.x + t.z);
   const float half = 0.5f * (t.x - t.z);
   const float radius = std::hypot(half, t.y);
-  // With the larger |κ| being mean ± radius, e1 is the eigenvector of that sign.
+  // The larger |κ| is mean ± radius, and e1 is the eigenvector of that sign.
   const float sign = mean < 0.0f ? -1.0f : 1.0f;
   k = {mean + sign * radius, mean - sign * radius};
-  // Half the angle of (half, uv), computed on the side that loses no digits.
+  // This is half the angle of (half, uv), computed on the side that loses no digits.
   const float x = sign * half;
   const float y = sign * t.y;
   glm::vec2 d =
@@ -240,7 +245,7 @@ void diagonalise(const Tensor& t, const Frame& frame, glm::vec3& e1, glm::vec2& 
   e1 = d.x * frame.u + d.y * frame.v;
 }
 
-/// One step of one-ring averaging of the vertex tensors (written in their own tangent frames).
+/// Averages the vertex tensors (written in their own tangent frames) over the one-ring once.
 std::vector<Tensor> smoothed(const Work& work, const std::vector<Tensor>& tensors) {
   std::vector<Tensor> result(tensors.size());
   parallelFor(tensors.size(), 2048, [&](std::size_t v) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curvature tensor and its derivative at every vertex, after S. Rusinkiewicz, "Estimating
-// Curvatures and Their Derivatives on Triangle Meshes" (3DPVT 2004), in the sign convention of
-// METHOD §1: convex surfaces with outward normals have positive curvature.
+// Estimates the curvature tensor and its derivative at every vertex, after S. Rusinkiewicz,
+// "Estimating Curvatures and Their Derivatives on Triangle Meshes" (3DPVT 2004), in the sign
+// convention of METHOD §1: convex surfaces with outward normals have positive curvature.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -15,9 +15,9 @@
 
 namespace sline::model {
 
-/// One entry per vertex. The second principal direction is e2 = n × e1. Curvatures are in 1/mm with
-/// |κ1| ≥ |κ2|; the derivative tensor's four numbers, in 1/mm², are C(e1,e1,e1), C(e1,e1,e2),
-/// C(e1,e2,e2) and C(e2,e2,e2). Vertices without faces have zero tensors.
+/// Holds one entry per vertex. The second principal direction is e2 = n × e1. Curvatures are in
+/// 1/mm with |κ1| ≥ |κ2|; the derivative tensor's four numbers, in 1/mm², are C(e1,e1,e1),
+/// C(e1,e1,e2), C(e1,e2,e2) and C(e2,e2,e2). Vertices without faces have zero tensors.
 struct Curvature {
   std::vector<glm::vec3> e1;
   std::vector<glm::vec2> k;
@@ -25,8 +25,8 @@ struct Curvature {
 };
 
 struct CurvatureOptions {
-  /// One-ring averaging steps of the tensor before its derivative is taken (METHOD §5, a choice of
-  /// style for surfaces from label maps). 0 leaves the estimate as R gives it.
+  /// The number of one-ring averaging steps of the tensor before its derivative is taken (METHOD
+  /// §5, a choice of style for surfaces from label maps). 0 leaves the estimate as R gives it.
   int smoothingSteps = 0;
 };
 

@@ -7,8 +7,8 @@
 
 namespace sline::model {
 
-/// Mean length of the triangles' edges, each triangle's three counted; 0 without triangles. In the
-/// unit of the positions.
+/// Returns the mean length of the edges, counting all three of each triangle, in the unit of the
+/// positions; 0 without triangles.
 float meanEdgeLength(std::span<const glm::vec3> positions, std::span<const Triangle> triangles);
 
 }  // namespace sline::model

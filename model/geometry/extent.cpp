@@ -9,7 +9,8 @@
 namespace sline::model {
 
 Extent extentOf(const Mesh& mesh) {
-  // From the middle of the box, or what is far from the origin would lose its digits.
+  // Coordinates are taken from the middle of the box, since a mesh far from the origin would lose
+  // its digits.
   const glm::dvec3 origin =
       mesh.bounds().empty() ? glm::dvec3(0.0) : glm::dvec3(mesh.bounds().centre());
   double area = 0.0;

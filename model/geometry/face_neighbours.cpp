@@ -7,7 +7,7 @@
 namespace sline::model {
 
 namespace {
-/// The one triangle besides `self` that runs along the edge from b to a, or none.
+/// Returns the only triangle besides `self` that runs along the edge from b to a, or `none`.
 std::uint32_t neighbour(const Mesh& mesh, const VertexFaces& faces, std::uint32_t self,
                         const std::array<std::uint32_t, 2>& edge) {
   std::uint32_t found = FaceNeighbours::none;

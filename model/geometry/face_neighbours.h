@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangle lies across each edge, for walking over a surface.
+// Tells which triangle lies across each edge, for walking over a surface.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ class FaceNeighbours {
   static constexpr std::uint32_t none = 0xffffffffu;
 
   explicit FaceNeighbours(const Mesh& mesh);
-  /// Across the edge opposite to `corner` (0 … 2); `none` at a border and where more than two
-  /// triangles meet or the two disagree about which side is outside.
+  /// Returns the triangle across the edge opposite to `corner` (0 … 2), or `none` at a border and
+  /// where more than two triangles meet or the two disagree about which side is outside.
   std::uint32_t across(std::uint32_t triangle, int corner) const {
     return m_across[triangle][std::size_t(corner)];
   }

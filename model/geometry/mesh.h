@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A triangle mesh that never changes. Everything that draws, measures or saves a structure holds a
-// `MeshPtr`, so a scene can be copied freely and read from any thread without a lock.
+// Defines a triangle mesh that never changes. All code that draws, measures or saves a structure
+// holds a `MeshPtr`, so a scene can be copied freely and read from any thread without a lock.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@
 
 namespace sline::model {
 
-/// Three vertex indices, counter-clockwise when seen from outside.
+/// Holds three vertex indices, counter-clockwise when seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// An axis-aligned box; `empty()` until a point was added.
+/// An axis-aligned box is `empty()` until a point is added.
 struct Box {
   glm::vec3 low{std::numeric_limits<float>::infinity()};
   glm::vec3 high{-std::numeric_limits<float>::infinity()};
@@ -32,28 +32,29 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-/// A sphere around points.
+/// A sphere that encloses points.
 struct Sphere {
   glm::vec3 centre{0.0f};
   float radius = 0.0f;
 };
 
-/// Positions (millimetres, patient frame LPS unless its maker says otherwise) and triangles, as
-/// structure of arrays. Invariants: every index is in range, every coordinate is finite, and there
-/// are fewer than 2^31 of each.
+/// Holds positions (millimetres, patient frame LPS unless the function that made it says otherwise)
+/// and triangles as a structure of arrays. Invariants: every index is in range, every coordinate is
+/// finite, and there are fewer than 2^31 of each.
 class Mesh {
  public:
-  /// Checks the invariants; the error's reason names the first vertex or triangle at fault.
+  /// Checks the invariants and makes the mesh; the error's reason names the first vertex or
+  /// triangle at fault.
   static Result<Mesh> create(std::vector<glm::vec3> positions, std::vector<Triangle> triangles);
 
   std::span<const glm::vec3> positions() const { return m_positions; }
   std::span<const Triangle> triangles() const { return m_triangles; }
   std::size_t vertexCount() const { return m_positions.size(); }
   std::size_t triangleCount() const { return m_triangles.size(); }
-  /// Of all vertices, used by a triangle or not.
+  /// Returns the box around all vertices, used by a triangle or not.
   const Box& bounds() const { return m_bounds; }
 
-  /// Bit-equal positions and triangles.
+  /// Tells whether positions and triangles are equal bit for bit.
   bool operator==(const Mesh& other) const {
     return m_positions == other.m_positions && m_triangles == other.m_triangles;
   }

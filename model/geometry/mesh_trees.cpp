@@ -10,7 +10,7 @@ namespace sline::model {
 
 namespace {
 
-/// One mesh's tree while somebody holds it.
+/// Holds one mesh's tree while it is in use.
 struct Place {
   std::mutex making;
   std::weak_ptr<const Bvh> tree;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounding-volume trees by mesh: one for each mesh, whoever asks.
+// Keeps bounding-volume trees by mesh, one shared tree for each mesh.
 #pragma once
 
 #include <map>
@@ -12,15 +12,15 @@ namespace sline::model {
 
 using BvhPtr = std::shared_ptr<const Bvh>;
 
-/// Returns the mesh's tree, which is made when it is first asked for and goes when nobody holds it
-/// any more: all who hold it at one time hold the same. May be called from any thread; who asks
-/// while another makes it waits.
+/// Returns the mesh's tree, which is made on the first request and freed when the last holder lets
+/// go of it; all holders at one time share it. May be called from any thread; a caller waits while
+/// another one makes the tree.
 BvhPtr treeOf(const MeshPtr& mesh);
 
-/// Returns how many trees there are in memory, of all meshes.
+/// Returns how many trees of all meshes there are in memory.
 std::size_t treesInMemory();
 
-/// The trees that somebody uses again and again, held until told otherwise. For one thread.
+/// Holds the trees that its owner uses again and again until told otherwise. For one thread.
 class MeshTrees {
  public:
   const Bvh& of(const MeshPtr& mesh);

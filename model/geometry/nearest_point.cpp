@@ -11,7 +11,7 @@ namespace {
 
 using Weights = std::array<double, 2>;
 
-/// Of the point on the segment from a to b, the share of b.
+/// Returns the weight of b at the point on the segment from a to b that is nearest to p.
 double shareOnSegment(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p) {
   const glm::dvec3 along = b - a;
   const double length = glm::dot(along, along);
@@ -22,12 +22,13 @@ glm::dvec3 at(const std::array<glm::dvec3, 3>& t, const Weights& w) {
   return t[0] + w[0] * (t[1] - t[0]) + w[1] * (t[2] - t[0]);
 }
 
-/// The foot of the perpendicular where that lies inside, else the nearest point of the three sides.
+/// Returns the weights of the foot of the perpendicular where that lies inside, else of the nearest
+/// point of the three sides.
 Weights nearestIn(const std::array<glm::dvec3, 3>& t, const glm::dvec3& p) {
   const glm::dvec3 u = t[1] - t[0];
   const glm::dvec3 v = t[2] - t[0];
   const glm::dvec3 d = p - t[0];
-  // Normal equations of |d − a u − b v|² → min.
+  // These are the normal equations of |d − a u − b v|² → min.
   const double uu = glm::dot(u, u);
   const double uv = glm::dot(u, v);
   const double vv = glm::dot(v, v);

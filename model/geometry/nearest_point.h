@@ -10,14 +10,15 @@
 
 namespace sline::model {
 
-/// A point of a mesh.
+/// Holds a point of a mesh.
 struct PointOnMesh {
   std::uint32_t triangle = 0;
-  std::array<float, 2> weights{};  ///< barycentric, of the triangle's second and third corner
+  std::array<float, 2>
+      weights{};  ///< barycentric weights of the triangle's second and third corner
   glm::vec3 place{0.0f};
 };
 
-/// The point of the surface that is nearest to `p`, of several the one in the first triangle; none
+/// Returns the point of the surface nearest to `p`; of several the one in the first triangle; none
 /// where the mesh has no triangle.
 std::optional<PointOnMesh> nearestPoint(const Mesh& mesh, const glm::vec3& p);
 

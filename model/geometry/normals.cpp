@@ -9,8 +9,8 @@
 namespace sline::model {
 
 namespace {
-/// The face's contribution at corner `vertex`: cross product of the corner's edges over the product
-/// of their squared lengths (Max 1999, eq. for sphere-exact weights).
+/// Returns the face's contribution at corner `vertex`: the cross product of the corner's edges over
+/// the product of their squared lengths (Max 1999, eq. for sphere-exact weights).
 glm::vec3 cornerNormal(const Mesh& mesh, const Triangle& t, std::uint32_t vertex) {
   const std::size_t corner = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
   const auto positions = mesh.positions();

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::uint32_t nowhere = ~0u;
 
-/// An edge that is not horizontal, from its lower to its upper end; levels number the heights of
-/// all ends from below.
+/// An edge that is not horizontal runs from its lower to its upper end; levels number the heights
+/// of all ends from below.
 struct Edge {
   glm::dvec2 low;
   glm::dvec2 high;
@@ -21,7 +21,7 @@ struct Edge {
   double xAt(double y) const { return low.x + (y - low.y) / (high.y - low.y) * (high.x - low.x); }
 };
 
-/// What lies between two edges from one level to another.
+/// A trapezoid is the area between two edges from one level to another.
 struct Trapezoid {
   std::uint32_t left;
   std::uint32_t right;
@@ -62,15 +62,16 @@ class Sweep {
     std::uint32_t edge;
     double x;  ///< in the middle of the slab
   };
-  /// A gap that may go on above.
+  /// A gap that may continue in the next slab.
   struct Open {
     std::uint32_t right = nowhere;
     std::uint32_t since = 0;
-    std::uint32_t seen = nowhere;  ///< the last slab it was found in
+    std::uint32_t seen = nowhere;  ///< the last slab in which it was found
   };
 
-  /// To multiples of a length below what a float of the outline's size can tell apart. Ends that
-  /// differ by roundings alone would otherwise make slabs too thin to say what is left and right.
+  /// Rounds heights to multiples of a length below the resolution of a float of the outline's size.
+  /// Ends that differ by rounding alone would otherwise make slabs too thin to tell left from
+  /// right.
   static void snapHeights(std::vector<std::array<glm::dvec2, 2>>& edges) {
     double largest = 0.0;
     for (const auto& edge : edges)
@@ -89,7 +90,7 @@ class Sweep {
                          m_heights.begin());
   }
 
-  /// The very same number from every trapezoid that has this corner.
+  /// Returns exactly the same number for every trapezoid that has this corner.
   double cornerX(std::uint32_t edge, std::uint32_t atLevel) const {
     const Edge& e = m_edges[edge];
     if (atLevel == e.lowLevel)
@@ -100,7 +101,7 @@ class Sweep {
   void findTrapezoids() {
     std::vector<Active> active;
     std::vector<Open> open(m_edges.size());  // by left edge
-    std::vector<std::uint32_t> lefts;        // of all open gaps
+    std::vector<std::uint32_t> lefts;        // left edges of all open gaps
     std::size_t next = 0;
     for (std::uint32_t slab = 0; slab + 1 < m_heights.size(); ++slab) {
       std::erase_if(active, [&](const Active& a) { return m_edges[a.edge].highLevel <= slab; });
@@ -127,7 +128,8 @@ class Sweep {
       close(left, open[left], std::uint32_t(m_heights.size() - 1));
   }
 
-  /// Hardly anything moves from one slab to the next, so insertion beats a full sort.
+  /// Sorts by insertion, which beats a full sort because the order hardly changes from one slab to
+  /// the next.
   void sortAcross(std::vector<Active>& active, double y) const {
     for (Active& a : active)
       a.x = m_edges[a.edge].xAt(y);
@@ -146,8 +148,8 @@ class Sweep {
     gap.right = nowhere;
   }
 
-  /// Corners of all trapezoids on each level, from left to right: those within a trapezoid's side
-  /// become corners of its triangles too.
+  /// Collects the corners of all trapezoids on each level from left to right: those within a
+  /// trapezoid's side become corners of its triangles too.
   FlatFill triangulated() const {
     std::vector<std::vector<double>> corners(m_heights.size());
     for (const Trapezoid& t : m_trapezoids)
@@ -177,7 +179,7 @@ class Sweep {
     return fill;
   }
 
-  /// Triangles between two rows of points, given by their first and last.
+  /// Adds the triangles between two rows of points, each given by its first and last point.
   static void zip(std::array<std::uint32_t, 2> below, std::array<std::uint32_t, 2> above,
                   FlatFill& fill) {
     const auto add = [&fill](std::uint32_t a, std::uint32_t b, std::uint32_t c) {

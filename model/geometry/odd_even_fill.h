@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Filling of outlines in the plane by the odd-even rule: inside is where a ray to the outside meets
-// the outline an odd number of times. Nested loops give holes, and islands in them; edges may cross
-// or be left over, which shifts the fill by no more than such edges are long.
+// Fills outlines in the plane by the odd-even rule: a point is inside if a ray from it to the
+// outside meets the outline an odd number of times. Nested loops give holes, and islands in them;
+// edges may cross or be left over, which shifts the fill by no more than the length of such edges.
 #pragma once
 
 #include <array>
@@ -13,14 +13,15 @@
 
 namespace sline::model {
 
-/// Triangles without T-junctions: where two of them touch, they share whole edges.
+/// Holds triangles without T-junctions: where two of them touch, they share whole edges.
 struct FlatFill {
   std::vector<glm::dvec2> points;
   std::vector<Triangle> triangles;  ///< counter-clockwise
   double area = 0.0;
 };
 
-/// The edges may come in any order and direction; those of a loop share their ends to the last bit.
+/// Fills the outline given by its edges, which may come in any order and direction; the edges of a
+/// loop share their ends to the last bit.
 FlatFill oddEvenFill(std::span<const std::array<glm::dvec2, 2>> edges);
 
 }  // namespace sline::model

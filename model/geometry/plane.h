@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plane that cuts: what lies on the side its normal points to is taken away.
+// Defines a cutting plane; everything on the side to which its normal points is taken away.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 
 namespace sline::model {
 
-/// ⟨normal, p⟩ = offset. Kept is where ⟨normal, p⟩ ≤ offset, so the normal points out of the cut
-/// face. Patient frame LPS.
+/// The plane is ⟨normal, p⟩ = offset and keeps ⟨normal, p⟩ ≤ offset, so the normal points out of
+/// the cut face. Patient frame LPS.
 struct Plane {
-  glm::vec3 normal{0.0f, 0.0f, 1.0f};  ///< unit
-  float offset = 0.0f;                 ///< mm along the normal from the origin
+  glm::vec3 normal{0.0f, 0.0f, 1.0f};  ///< unit vector
+  float offset = 0.0f;                 ///< mm from the origin along the normal
 
-  /// Millimetres; positive where things are taken away.
+  /// Returns the signed distance in millimetres, positive on the side that is taken away.
   double distance(const glm::vec3& p) const {
     return glm::dot(glm::dvec3(normal), glm::dvec3(p)) - double(offset);
   }
@@ -24,13 +24,13 @@ struct Plane {
   bool operator==(const Plane&) const = default;
 };
 
-/// True where all planes keep the point.
+/// Tells whether all planes keep the point.
 inline bool keptByAll(std::span<const Plane> planes, const glm::vec3& p) {
   return std::all_of(planes.begin(), planes.end(), [&](const Plane& c) { return c.keeps(p); });
 }
 
-/// Two unit vectors that span the plane, with u × v = normal; v is as upright (+z, then −y) as it
-/// can be.
+/// Two unit vectors span the plane, with u × v = normal; v is as upright (+z, then −y) as it can
+/// be.
 struct PlaneAxes {
   glm::dvec3 u;
   glm::dvec3 v;

@@ -13,7 +13,7 @@ namespace sline::model {
 namespace {
 
 constexpr std::size_t clustersPerTask = 48;
-/// Where more ends than this are loose, the surface has no inside worth closing.
+/// A surface with more loose ends than this has no inside worth closing.
 constexpr std::size_t mostLooseEnds = 512;
 
 class Cutter {
@@ -34,8 +34,8 @@ class Cutter {
     glm::vec3 normal;
   };
 
-  /// Where the plane crosses the edge between two vertices, always computed from the lower number,
-  /// so that both triangles at the edge get the very same point.
+  /// Returns where the plane crosses the edge between two vertices, always computed from the lower
+  /// number, so that both triangles at the edge get exactly the same point.
   Crossing crossing(std::uint32_t a, std::uint32_t b) const {
     if (b < a)
       std::swap(a, b);
@@ -79,7 +79,7 @@ struct PointHash {
   }
 };
 
-/// An end that an odd number of segments have, so that a line breaks off there.
+/// A loose end belongs to an odd number of segments, so a line breaks off there.
 struct LooseEnd {
   glm::vec3 position;
   glm::vec3 normal;
@@ -108,7 +108,7 @@ std::vector<LooseEnd> looseEnds(const std::vector<CutSegment>& segments) {
   return loose;
 }
 
-/// Joins loose ends pair by pair, each with the nearest that is left.
+/// Joins loose ends in pairs, each with the nearest that is left.
 void bridgeGaps(std::vector<CutSegment>& segments) {
   std::vector<LooseEnd> loose = looseEnds(segments);
   if (loose.size() > mostLooseEnds)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays against surfaces that planes cut: what of the ray is kept, what it meets first.
+// Intersects rays with surfaces that planes cut: which part of the ray is kept, and what it meets
+// first.
 #pragma once
 
 #include <cstddef>
@@ -12,30 +13,32 @@
 
 namespace sline::model {
 
-/// The part of a ray that planes keep, in multiples of its direction.
+/// Holds the part of a ray that planes keep, in multiples of its direction.
 struct KeptSpan {
   double nearest = 0.0;
   double farthest = std::numeric_limits<double>::infinity();
-  /// The planes it ends at, by their index; absent at an end of the ray itself.
+  /// The indices of the planes at which the part ends; absent at an end of the ray itself.
   std::optional<std::size_t> entered;
   std::optional<std::size_t> left;
 
   bool empty() const { return !(nearest <= farthest); }
 };
 
-/// Returns what all planes together keep of the ray.
+/// Returns the part of the ray that all planes together keep.
 KeptSpan keptSpan(const Ray& ray, std::span<const Plane> planes);
 
-/// Returns the ray between the ends of keptSpan; `nearest` beyond `farthest` where that is nothing.
+/// Returns the ray between the ends of keptSpan; `nearest` is beyond `farthest` where nothing is
+/// left.
 Ray keptPart(const Ray& ray, std::span<const Plane> planes);
 
-/// Returns whether the ray meets the box, in doubt yes: what it does not meet needs no tree.
+/// Tells whether the ray meets the box, and says yes in doubt; an object whose box is missed needs
+/// no tree.
 bool reaches(const Ray& ray, const Box& box);
 
-/// Where a ray meets what planes leave of a surface.
+/// Holds the place where a ray meets what planes leave of a surface.
 struct CutHit {
   Hit hit;
-  bool cutFace = false;  ///< a plane's face, which has no triangles: `hit.t` is where it is entered
+  bool cutFace = false;  ///< a cut face, which has no triangles: `hit.t` is where it is entered
 };
 
 /// Returns the nearest place on the part of the ray that the planes keep. A ray that enters at a

@@ -27,7 +27,7 @@ struct Key {
   std::uint32_t triangle;
 };
 
-/// Stable least-significant-digit radix sort by code.
+/// Sorts by code with a stable least-significant-digit radix sort.
 void sortByCode(std::vector<Key>& keys) {
   constexpr int digitBits = 10;
   std::vector<Key> other(keys.size());

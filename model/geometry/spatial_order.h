@@ -8,8 +8,8 @@
 
 namespace sline::model {
 
-/// The triangles of the mesh along a Z-order curve through their centroids: neighbours in the list
-/// are neighbours in space. Clusters and the bounding-volume hierarchy both cut this list.
+/// Returns the triangles of the mesh along a Z-order curve through their centroids: neighbours in
+/// the list are neighbours in space. Clusters and the bounding-volume hierarchy both cut this list.
 std::vector<std::uint32_t> spatialOrder(const Mesh& mesh);
 
 }  // namespace sline::model

@@ -14,7 +14,7 @@
 namespace sline::model {
 
 namespace {
-/// The median over the vertices of the smaller radius of curvature.
+/// Returns the median over the vertices of the smaller radius of curvature.
 float medianRadius(std::span<const glm::vec2> curvatures) {
   if (curvatures.empty())
     return 0.0f;
@@ -26,8 +26,9 @@ float medianRadius(std::span<const glm::vec2> curvatures) {
   return 1.0f / *middle;
 }
 
-/// Of F: what the rims of holes may be long together before a surface counts as a sheet. The worst
-/// of 40 muscles and vessels drawn as solids has 0.3; an open tube as long as it is wide has 4.
+/// The rims of holes may be this long together, in units of F, before a surface counts as a sheet.
+/// The worst of 40 muscles and vessels drawn as solids has 0.3; an open tube as long as it is wide
+/// has 4.
 constexpr float longestRim = 0.5f;
 }  // namespace
 

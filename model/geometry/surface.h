@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that is computed once per mesh (METHOD §2) and then only read: what line extraction and
-// drawing start from.
+// Computes the values that are needed once per mesh (METHOD §2) and then only read: line extraction
+// and drawing start from them.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace sline::model {
 
 struct Surface {
   MeshPtr mesh;
-  std::vector<glm::vec3> normals;  ///< unit, outward; one per vertex
+  std::vector<glm::vec3> normals;  ///< unit vectors pointing outward; one per vertex
   Curvature curvature;
   Clusters clusters;
   Sphere boundingSphere;
@@ -22,8 +22,8 @@ struct Surface {
   float filigreeSize = 0.0f;  ///< F_c = min(F, median of 1/max(|κ1|, |κ2|)), mm (METHOD §1)
   float meanEdge = 0.0f;      ///< mm
   bool closed = false;        ///< every edge has two triangles
-  /// Closed but for specks, the rims of its holes being shorter than F/2 together: its section is
-  /// filled (METHOD §7).
+  /// True for a surface that is closed but for specks: the rims of its holes are shorter than F/2
+  /// together. Its section is filled (METHOD §7).
   bool solid = false;
 };
 using SurfacePtr = std::shared_ptr<const Surface>;

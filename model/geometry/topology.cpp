@@ -16,7 +16,7 @@ VertexFaces::VertexFaces(const Mesh& mesh)
   for (const Triangle& t : triangles)
     for (const std::uint32_t v : t)
       ++m_first[v];
-  // Exclusive sums, shifted by the fill below to become the start of each row.
+  // Exclusive sums are shifted by the fill below to become the start of each row.
   std::exclusive_scan(m_first.begin(), m_first.end(), m_first.begin(), 0u);
   for (std::size_t f = 0; f < triangles.size(); ++f)
     for (const std::uint32_t v : triangles[f])
@@ -53,7 +53,7 @@ EdgeCount countEdges(const Mesh& mesh, const VertexFaces& vertexFaces) {
       neighbours.clear();
       for (const std::uint32_t f : vertexFaces[v])
         for (const std::uint32_t w : mesh.triangles()[f])
-          if (w > v)  // each edge once, at its lower vertex
+          if (w > v)  // visits each edge once, at its lower vertex
             countNeighbour(neighbours, w);
       for (const Neighbour& n : neighbours) {
         openHere += n.uses == 1;
@@ -83,7 +83,7 @@ double rimLength(const Mesh& mesh, const VertexFaces& vertexFaces) {
 }
 
 Components connectedComponents(const Mesh& mesh) {
-  // Union-find over vertices with path halving.
+  // This is union-find over vertices with path halving.
   std::vector<std::uint32_t> parent(mesh.vertexCount());
   std::iota(parent.begin(), parent.end(), 0u);
   const auto root = [&parent](std::uint32_t v) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who touches whom: faces around a vertex, borders, connected components.
+// Finds which parts of a mesh touch: faces around a vertex, borders, connected components.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace sline::model {
 
-/// For each vertex the triangles that use it, ascending (compressed sparse rows).
+/// Lists for each vertex the triangles that use it, ascending (compressed sparse rows).
 class VertexFaces {
  public:
   explicit VertexFaces(const Mesh& mesh);
@@ -23,17 +23,18 @@ class VertexFaces {
   std::vector<std::uint32_t> m_faces;
 };
 
-/// How the edges of a mesh are shared. Vertices are compared by index.
+/// Counts how the edges of a mesh are shared. Vertices are compared by index.
 struct EdgeCount {
   std::size_t open = 0;         ///< used by one triangle
   std::size_t nonManifold = 0;  ///< used by three or more
   bool closed() const { return open == 0 && nonManifold == 0; }
 };
 EdgeCount countEdges(const Mesh& mesh, const VertexFaces& vertexFaces);
-/// Length of all edges that an odd number of triangles share, mm: the rims of holes.
+/// Returns the total length in mm of the edges that an odd number of triangles share: the rims of
+/// holes.
 double rimLength(const Mesh& mesh, const VertexFaces& vertexFaces);
 
-/// Connected components over shared vertices.
+/// Holds the connected components over shared vertices.
 struct Components {
   std::size_t count = 0;
   std::vector<std::uint32_t> ofTriangle;  ///< component of each triangle, numbered from 0

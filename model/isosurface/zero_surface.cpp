@@ -16,7 +16,7 @@ namespace sline::model {
 
 ZeroSurface zeroSurface(const SampledBox& box) {
   vtkNew<vtkFloatArray> values;
-  // Flying edges only reads.
+  // The flying edges filter only reads the values.
   values->SetArray(const_cast<float*>(box.values.data()), vtkIdType(box.values.size()), 1);
   vtkNew<vtkImageData> image;
   image->SetDimensions(box.size.x, box.size.y, box.size.z);

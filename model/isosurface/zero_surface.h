@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface where a sampled field is zero (flying edges, Schroeder, Maynard and Geveci 2015, as
-// VTK has it).
+// Extracts the surface where a sampled field is zero (flying edges, Schroeder, Maynard and Geveci
+// 2015, in VTK's implementation).
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,12 @@
 
 namespace sline::model {
 
-/// A field's values at the nodes of a box-shaped grid, x fastest; `values` outlives its use.
+/// Holds a field's values at the nodes of a box-shaped grid, x fastest; the memory behind `values`
+/// must outlive its use.
 struct SampledBox {
-  glm::ivec3 size{0};      ///< nodes along each axis; as many values as their product
-  glm::dvec3 origin{0.0};  ///< of the first node
-  glm::dvec3 step{1.0};    ///< from node to node
+  glm::ivec3 size{0};      ///< nodes along each axis; their product is the number of values
+  glm::dvec3 origin{0.0};  ///< position of the first node
+  glm::dvec3 step{1.0};    ///< distance between neighbouring nodes
   std::span<const float> values;
 };
 
@@ -25,7 +26,7 @@ struct ZeroSurface {
   std::vector<Triangle> triangles;
 };
 
-/// In the grid's coordinates; which way round the triangles go is not promised.
+/// Returns the surface in the grid's coordinates; the orientation of the triangles is not promised.
 ZeroSurface zeroSurface(const SampledBox& box);
 
 }  // namespace sline::model

@@ -14,7 +14,8 @@ std::uint32_t previousInTriangle(std::uint32_t halfEdge) {
   return halfEdge % 3 == 0 ? halfEdge + 2 : halfEdge - 1;
 }
 
-/// Half-edges that lie across from each other and run opposite ways, in two triangles.
+/// Returns the half-edges that lie across from each other and run in opposite directions, in two
+/// triangles.
 std::vector<std::uint32_t> twoSided(std::span<const Triangle> triangles, const HalfEdges& edges) {
   const auto from = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
   std::vector<std::uint32_t> opposites(edges.count(), HalfEdges::open);
@@ -28,7 +29,7 @@ std::vector<std::uint32_t> twoSided(std::span<const Triangle> triangles, const H
   return opposites;
 }
 
-/// Gives all corners of the fan around `start` the vertex. True where the fan is open.
+/// Gives the vertex to all corners of the fan around `start`. Returns true where the fan is open.
 bool walkFan(CutSurface& cut, std::uint32_t start, std::uint32_t vertex) {
   std::uint32_t corner = start;
   for (;;) {

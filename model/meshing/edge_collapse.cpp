@@ -49,8 +49,8 @@ void place(CollapseMesh& mesh, Vertex v, const glm::dvec3& p) {
   mesh.set_point(v, {p.x, p.y, p.z});
 }
 
-/// The cut surface, put together from the half-edges that are known already: add_face() would
-/// search for them again, and takes three times as long. Vertices at rims and cuts are locked.
+/// Builds the cut surface from the half-edges that are known already: add_face() would search for
+/// them again, and takes three times as long. Vertices at rims and cuts are locked.
 CollapseMesh collapseMesh(const Mesh& surface, const CutSurface& cut, const glm::dvec3& centre) {
   CollapseMesh mesh;
   mesh.reserve(cut.originals.size(), cut.corners.size() / 2, surface.triangleCount());
@@ -91,7 +91,7 @@ CollapseMesh collapseMesh(const Mesh& surface, const CutSurface& cut, const glm:
   return mesh;
 }
 
-/// Σ area · (n·p + d)² as a polynomial in p.
+/// Holds Σ area · (n·p + d)² as a polynomial in p.
 struct Quadric {
   glm::dmat3 a{0.0};
   glm::dvec3 b{0.0};
@@ -112,12 +112,12 @@ struct Quadric {
     area += other.area;
     return *this;
   }
-  /// Root mean square distance from the planes.
+  /// Returns the root mean square distance from the planes.
   double distance(const glm::dvec3& p) const {
     const double sum = glm::dot(p, a * p) + 2.0 * glm::dot(b, p) + c;
     return area > 0.0 ? std::sqrt(std::max(0.0, sum) / area) : 0.0;
   }
-  /// The best place, where the planes leave it open the one nearest to `near`.
+  /// Returns the best place or, where the planes leave it open, the best one nearest to `near`.
   glm::dvec3 best(const glm::dvec3& near) const {
     const double weak = 1e-3 * area + 1e-30;
     const glm::dmat3 held = a + glm::dmat3(weak);
@@ -125,15 +125,16 @@ struct Quadric {
   }
 };
 
-/// What an edge costs, and where its vertex goes: OpenMesh's own ModQuadricT leaves it at one end
-/// of the edge, which takes 20 to 50 % more triangles for the same bound, and knows no tolerances.
+/// Computes the cost of an edge and the place of its vertex: OpenMesh's own ModQuadricT leaves the
+/// vertex at one end of the edge, which takes 20 to 50 % more triangles for the same bound, and
+/// knows no tolerances.
 class QuadricModule : public Module {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<QuadricModule>;
 
   explicit QuadricModule(CollapseMesh& mesh) : Module(mesh, false) {}
 
-  /// One tolerance for each vertex of the mesh.
+  /// Sets one tolerance for each vertex of the mesh.
   void setTolerances(std::vector<float> tolerances) { m_tolerances = std::move(tolerances); }
 
   void initialize() override {
@@ -166,7 +167,7 @@ class QuadricModule : public Module {
     place(mesh(), info.v1, m_target);
   }
 
-  /// Where the vertex would go that stays.
+  /// Returns the place to which the remaining vertex would move.
   glm::dvec3 target(const CollapseInfo& info) {
     const glm::dvec3 kept = placeOf(mesh(), info.v1);
     if (mesh().status(info.v1).locked())
@@ -189,15 +190,16 @@ class QuadricModule : public Module {
   glm::dvec3 m_target{0.0};
 };
 
-/// 1 for an equilateral triangle, 0 without area.
+/// Returns 1 for an equilateral triangle, 0 for one without area.
 double roundness(const std::array<glm::dvec3, 3>& p, double twiceArea) {
   const glm::dvec3 e[] = {p[1] - p[0], p[2] - p[1], p[0] - p[2]};
   const double squares = glm::dot(e[0], e[0]) + glm::dot(e[1], e[1]) + glm::dot(e[2], e[2]);
   return squares > 0.0 ? 2.0 * std::sqrt(3.0) * twiceArea / squares : 0.0;
 }
 
-/// Looks at the triangles around both vertices that stay: turned by more than 75° or made needles,
-/// they would show. ModNormalFlippingT and ModAspectRatioT judge a vertex that stays where it was.
+/// Checks the triangles around both vertices that remain: turned by more than 75° or made needles,
+/// they would be visible. ModNormalFlippingT and ModAspectRatioT judge a vertex that stays where it
+/// was.
 class ShapeModule : public Module {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<ShapeModule>;
@@ -235,8 +237,8 @@ class ShapeModule : public Module {
   QuadricModule* m_places = nullptr;
 };
 
-/// The link condition where the surface was cut, of which OpenMesh's own test knows nothing: no
-/// edge may come to join the originals of two vertices that another edge joins already.
+/// Checks the link condition where the surface was cut, which OpenMesh's own test does not know: no
+/// new edge may join the originals of two vertices that another edge joins already.
 class SeamModule : public Module {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<SeamModule>;
@@ -263,7 +265,7 @@ class SeamModule : public Module {
     return isCopied(v) || std::any_of(ring.begin(), ring.end(), isCopied);
   }
 
-  /// Around all copies of the vertex, as originals, ascending.
+  /// Returns the neighbours of all copies of the vertex, as originals, ascending.
   std::vector<std::uint32_t> neighbours(Vertex v) {
     std::vector<std::uint32_t> ring;
     const auto first = std::uint32_t(v.idx());
@@ -281,14 +283,14 @@ class SeamModule : public Module {
   const CutSurface* m_cut = nullptr;
 };
 
-/// Takes the cheapest edge of all each time. OpenMesh's own DecimaterT keeps the best edge of each
-/// vertex instead and looks again at the vertices around the one that went: it takes that the other
+/// Takes the cheapest of all edges each time. OpenMesh's own DecimaterT keeps the best edge of each
+/// vertex instead and looks again at the vertices around the removed one: it assumes that the other
 /// stays where it is, and asks all modules about each of some forty edges after every step.
 class EdgeDecimater : public OpenMesh::Decimater::BaseDecimaterT<CollapseMesh> {
  public:
   using BaseDecimaterT::BaseDecimaterT;
 
-  /// False where `goesOn` said no.
+  /// Returns false where `goesOn` returned false.
   bool decimate(QuadricModule& costs, const std::function<bool()>& goesOn) {
     m_versions.assign(mesh().n_edges(), 0);
     for (const auto edge : mesh().edges())
@@ -316,15 +318,16 @@ class EdgeDecimater : public OpenMesh::Decimater::BaseDecimaterT<CollapseMesh> {
  private:
   struct Candidate {
     float cost;
-    int halfEdge;           ///< from the vertex that goes to the one that stays
-    std::uint32_t version;  ///< of the edge when it was offered
+    int halfEdge;           ///< from the vertex that is removed to the one that remains
+    std::uint32_t version;  ///< version of the edge when it was offered
     bool operator<(const Candidate& other) const {
       // The queue hands out the largest; ties go by number, so that the result is always the same.
       return std::tie(cost, halfEdge) > std::tie(other.cost, other.halfEdge);
     }
   };
 
-  /// What the other modules say is asked when its turn comes: most edges change before.
+  /// Offers an edge at its quadric cost. The other modules are asked only when its turn comes,
+  /// since most edges change before.
   void offer(HalfEdge halfEdge, QuadricModule& costs) {
     if (mesh().status(mesh().from_vertex_handle(halfEdge)).locked())
       halfEdge = mesh().opposite_halfedge_handle(halfEdge);
@@ -336,11 +339,11 @@ class EdgeDecimater : public OpenMesh::Decimater::BaseDecimaterT<CollapseMesh> {
       m_queue.push({cost, halfEdge.idx(), version});
   }
 
-  std::vector<std::uint32_t> m_versions;  ///< of each edge: how often it was offered
+  std::vector<std::uint32_t> m_versions;  ///< for each edge, how often it was offered
   std::priority_queue<Candidate> m_queue;
 };
 
-/// The copies of a vertex become one again.
+/// Merges the copies of each vertex again.
 Collapsed sewn(const CollapseMesh& mesh, const CutSurface& cut, const glm::dvec3& centre,
                std::size_t vertexCount) {
   Collapsed out;
@@ -368,7 +371,7 @@ Collapsed withEdgesCollapsed(const Mesh& mesh, std::span<const float> tolerances
                              const std::function<bool()>& goesOn) {
   if (mesh.triangleCount() == 0)
     return {};
-  // From the centre, so that squares keep their digits.
+  // Coordinates are taken from the centre, so that squares keep their digits.
   const glm::dvec3 centre = mesh.bounds().centre();
   const CutSurface cut = cutOpen(mesh.vertexCount(), mesh.triangles());
   CollapseMesh open = collapseMesh(mesh, cut, centre);

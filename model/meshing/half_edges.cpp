@@ -7,8 +7,8 @@ namespace sline::model {
 
 HalfEdges::HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangles)
     : m_opposite(triangles.size() * 3, open) {
-  // Half-edges in rows by the smaller of their two vertices; a row is short, so that pairing within
-  // it is cheaper than sorting all edges.
+  // Half-edges stand in rows by the smaller of their two vertices; a row is short, so that pairing
+  // within it is cheaper than sorting all edges.
   const auto from = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
   const auto to = [&](std::uint32_t h) { return triangles[h / 3][(h + 1) % 3]; };
   const auto low = [&](std::uint32_t h) { return std::min(from(h), to(h)); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangles meet at which edges. Half-edge 3·t + k runs from corner k of triangle t to the
-// next corner.
+// Finds which triangles meet at which edges. Half-edge 3·t + k runs from corner k of triangle t to
+// the next corner.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,8 @@ class HalfEdges {
 
   HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangles);
 
-  /// The other half-edge of the same edge, whichever way it runs; `open` or `shared` without one.
+  /// Returns the other half-edge of the same edge, whatever its direction; `open` or `shared`
+  /// without one.
   std::uint32_t opposite(std::uint32_t halfEdge) const { return m_opposite[halfEdge]; }
   bool hasOpposite(std::uint32_t halfEdge) const { return m_opposite[halfEdge] < shared; }
   std::size_t count() const { return m_opposite.size(); }
@@ -28,10 +29,10 @@ class HalfEdges {
  private:
   std::vector<std::uint32_t> m_opposite;
   std::size_t m_openCount = 0;
-  std::size_t m_sharedCount = 0;  ///< half-edges, not edges
+  std::size_t m_sharedCount = 0;  ///< counts half-edges, not edges
 };
 
-/// The next half-edge of the same triangle.
+/// Returns the next half-edge of the same triangle.
 inline std::uint32_t nextInTriangle(std::uint32_t halfEdge) {
   return halfEdge % 3 == 2 ? halfEdge - 2 : halfEdge + 1;
 }

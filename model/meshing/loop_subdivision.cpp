@@ -13,12 +13,12 @@ namespace sline::model {
 
 namespace {
 
-/// What the old vertices gather from their surroundings.
+/// Collects what the old vertices need from their surroundings.
 struct Gathered {
   std::vector<glm::vec3> inner;        ///< sum over neighbours
-  std::vector<std::uint16_t> valence;  ///< neighbours along edges
+  std::vector<std::uint16_t> valence;  ///< number of neighbours along edges
   std::vector<glm::vec3> border;       ///< sum over neighbours along border edges
-  std::vector<std::uint16_t> borders;  ///< border edges
+  std::vector<std::uint16_t> borders;  ///< number of border edges
 };
 
 double loopBeta(double valence) {
@@ -52,7 +52,7 @@ class LoopStep {
  private:
   std::uint32_t from(std::uint32_t h) const { return m_triangles[h / 3][h % 3]; }
   std::uint32_t to(std::uint32_t h) const { return from(nextInTriangle(h)); }
-  /// The corner across the edge from its triangle's side.
+  /// Returns the corner of the half-edge's triangle that lies opposite the edge.
   std::uint32_t across(std::uint32_t h) const { return to(nextInTriangle(h)); }
   bool first(std::uint32_t h) const { return !m_edges.hasOpposite(h) || m_edges.opposite(h) > h; }
 
@@ -72,7 +72,7 @@ class LoopStep {
       ++g.valence[b];
       if (m_edges.hasOpposite(h))
         continue;
-      // An edge of many triangles counts as many borders, which fixes its ends.
+      // An edge of many triangles counts as several borders, which fixes its ends.
       g.border[a] += m_positions[b];
       g.border[b] += m_positions[a];
       ++g.borders[a];
@@ -138,7 +138,7 @@ std::vector<glm::vec3> limitPositions(const std::vector<glm::vec3>& positions,
     glm::vec3 sum(0.0f);
     for (const std::uint32_t other : ring)
       sum += positions[other];
-    // The limit of an inner vertex (Loop 1987, §4).
+    // This is the limit of an inner vertex (Loop 1987, §4).
     const float n = float(ring.size());
     const float chi = float(1.0 / (3.0 / (8.0 * loopBeta(n)) + n));
     limit[v] = (1.0f - n * chi) * positions[v] + chi * sum;

@@ -11,7 +11,7 @@ namespace sline::model {
 
 namespace {
 
-/// A connected piece over edges with exactly two triangles.
+/// A piece is connected over edges with exactly two triangles.
 struct Piece {
   std::vector<std::uint32_t> triangles;
   Box box;
@@ -27,7 +27,8 @@ double area(const Triangle& t, Positions p) {
   return 0.5 * glm::length(glm::cross(glm::dvec3(p[t[1]]) - a, glm::dvec3(p[t[2]]) - a));
 }
 
-/// Two half-edges that run the same way belong to triangles turned against each other.
+/// Tells whether two half-edges run in the same direction, so that their triangles are turned
+/// against each other.
 bool sameDirection(Triangles triangles, std::uint32_t a, std::uint32_t b) {
   return triangles[a / 3][a % 3] == triangles[b / 3][b % 3];
 }
@@ -106,7 +107,7 @@ class CrossingCounter {
     const glm::dvec3 a = glm::dvec3(m_positions[t[0]]) - from;
     const glm::dvec3 b = glm::dvec3(m_positions[t[1]]) - from;
     const glm::dvec3 c = glm::dvec3(m_positions[t[2]]) - from;
-    // Half-open in y, so that a ray through a shared edge or vertex counts once.
+    // The test is half-open in y, so that a ray through a shared edge or vertex counts once.
     if ((a.y > 0) == (b.y > 0) && (b.y > 0) == (c.y > 0))
       return false;
     const glm::dvec3 n = glm::cross(b - a, c - a);
@@ -132,7 +133,8 @@ bool contains(const Box& outer, const Box& inner) {
          outer.high.x > inner.high.x && outer.high.y > inner.high.y && outer.high.z > inner.high.z;
 }
 
-/// For each piece whether it is closed and lies inside an odd number of other closed ones.
+/// Returns for each piece whether it is closed and lies inside an odd number of other closed
+/// pieces.
 std::vector<char> cavities(const std::vector<Piece>& pieces, Positions p, Triangles triangles) {
   std::vector<char> odd(pieces.size(), 0);
   std::vector<std::size_t> closed;
@@ -153,7 +155,8 @@ std::vector<char> cavities(const std::vector<Piece>& pieces, Positions p, Triang
         continue;
       if (!counter)
         counter = std::make_unique<CrossingCounter>(outer, p, triangles);
-      // The middle of a face, a hair off the lattices on which segmentations lie.
+      // The ray starts near the middle of a face, slightly off the lattices on which segmentations
+      // lie.
       const Triangle& t = triangles[inner.triangles.front()];
       const glm::dvec3 from =
           0.351 * glm::dvec3(p[t[0]]) + 0.337 * glm::dvec3(p[t[1]]) + 0.312 * glm::dvec3(p[t[2]]);
@@ -168,7 +171,7 @@ void turn(Triangles triangles, const Piece& piece) {
     std::swap(triangles[t][1], triangles[t][2]);
 }
 
-/// Applies the walk's answer, keeping whichever of its two orientations most of the area has.
+/// Applies the walk's result, keeping the orientation that most of the area has.
 void makeConsistent(const Piece& piece, Positions p, Triangles triangles,
                     const std::vector<signed char>& flip) {
   double kept = 0.0;

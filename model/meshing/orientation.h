@@ -16,8 +16,7 @@ struct Orientation {
 
 /// Turns triangles so that neighbours agree; in each piece the majority by area decides. Closed
 /// pieces face outward by their signed volume, those inside an odd number of others (parity of the
-/// crossings of a ray, METHOD §1) inward. Pieces that cannot agree with themselves stay as they
-/// are.
+/// crossings of a ray, METHOD §1) inward. Pieces without a consistent orientation stay as they are.
 Orientation orient(std::span<const glm::vec3> positions, std::span<Triangle> triangles,
                    const HalfEdges& edges);
 

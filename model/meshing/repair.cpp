@@ -69,10 +69,10 @@ void removeMarked(std::vector<Triangle>& triangles, const std::vector<char>& rem
   triangles.resize(kept);
 }
 
-/// For each vertex the first one at exactly the same place.
+/// Returns for each vertex the first one at exactly the same place.
 std::vector<std::uint32_t> firstAtSamePlace(const std::vector<glm::vec3>& positions) {
   const auto key = [&](std::uint32_t v) {
-    // -0 and 0 are the same place.
+    // Adding 0 makes -0 and 0 the same place.
     const glm::vec3 p = positions[v] + 0.0f;
     return std::array{std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y),
                       std::bit_cast<std::uint32_t>(p.z)};
@@ -121,8 +121,8 @@ int mergeSeams(std::vector<glm::vec3>& positions, std::vector<Triangle>& triangl
   return count;
 }
 
-/// Faces that name a vertex twice always go; those without area only where they hang on by less
-/// than three edges, for elsewhere their going would open the surface.
+/// Marks faces that name a vertex twice, and those without area where fewer than three edges hold
+/// them; elsewhere their removal would open the surface.
 std::size_t markDegenerate(const std::vector<glm::vec3>& positions,
                            const std::vector<Triangle>& triangles, std::vector<char>& remove) {
   std::vector<std::uint32_t> flat;

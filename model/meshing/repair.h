@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What real files get wrong and drawing relies on: faces twice or without area, vertices twice at a
-// seam, neighbours turned against each other, surfaces inside out.
+// Repairs faults of real files that drawing cannot bear: duplicate faces or faces without area,
+// duplicate vertices at a seam, neighbours turned against each other, surfaces inside out.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct RepairReport {
   int faces() const { return degenerateFaces + duplicateFaces + turnedFaces; }
 };
 
-/// Mends in place: removes repeated and degenerate faces, merges equal vertices where that closes
+/// Repairs in place: removes repeated and degenerate faces, merges equal vertices where that closes
 /// the surface, makes each connected piece consistent (the majority decides), turns closed pieces
 /// outward by their signed volume and cavities (closed pieces inside an odd number of others)
 /// inward. A mesh without these faults keeps every bit. Indices must be in range, coordinates

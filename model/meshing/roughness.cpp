@@ -16,7 +16,8 @@ namespace {
 
 using Complex = std::complex<float>;
 
-/// In-place radix-2 Fourier transform (Cooley and Tukey 1965); the size is a power of two.
+/// Performs an in-place radix-2 Fourier transform (Cooley and Tukey 1965); the size is a power of
+/// two.
 void fourierTransform(std::vector<Complex>& x) {
   const std::size_t n = x.size();
   for (std::size_t i = 1, j = 0; i < n; ++i) {
@@ -42,7 +43,7 @@ void fourierTransform(std::vector<Complex>& x) {
   }
 }
 
-/// Σ exp(2πi·x/period) over the coordinates along one axis; at most `samples` of them.
+/// Returns Σ exp(2πi·x/period) over the coordinates along one axis; at most `samples` of them.
 std::complex<double> wave(std::span<const glm::vec3> positions, int axis, float period,
                           std::size_t samples = std::numeric_limits<std::size_t>::max()) {
   const std::size_t stride = 1 + positions.size() / std::max<std::size_t>(1, samples);
@@ -52,7 +53,8 @@ std::complex<double> wave(std::span<const glm::vec3> positions, int axis, float 
   return sum;
 }
 
-/// The transform knows the period to half a bin; a search around it finds its true length.
+/// Finds the true length of a period, which the transform knows to half a bin, by a search around
+/// it.
 float refined(std::span<const glm::vec3> positions, int axis, float low, float high) {
   for (int i = 0; i < 24; ++i) {
     const float a = low + (high - low) / 3.0f;
@@ -70,7 +72,8 @@ struct Period {
   float power = 0.0f;
 };
 
-/// The period between half and twice the mean edge that the coordinates along one axis repeat with.
+/// Returns the strongest period of the coordinates along one axis, between half and twice the mean
+/// edge.
 Period strongestPeriod(std::span<const glm::vec3> positions, int axis, float meanEdge) {
   float low = positions.front()[axis];
   float high = low;
@@ -81,7 +84,7 @@ Period strongestPeriod(std::span<const glm::vec3> positions, int axis, float mea
   const float shortest = 0.4f * meanEdge;
   const float longest = 1.6f * meanEdge;
   const float extent = high - low;
-  // A few periods must fit, else the shape itself is mistaken for one.
+  // A few periods must fit, or else the shape itself would be mistaken for one.
   if (!(extent > 3.0f * longest) || extent > 1e5f * meanEdge)
     return {};
   const float bin = 0.25f * shortest;
@@ -102,7 +105,8 @@ Period strongestPeriod(std::span<const glm::vec3> positions, int axis, float mea
   for (std::size_t k = first; k <= last; ++k)
     if (power(k) > best.power)
       best = {periodAt(k), power(k)};
-  // Marching cubes put vertices on the grid and half-way between: the double period is the grid's.
+  // Marching cubes put vertices on the grid and half-way between, so the double period is that of
+  // the grid.
   Period twice;
   for (std::size_t k = first; k <= last; ++k)
     if (std::abs(periodAt(k) - 2.0f * best.length) < 0.05f * best.length && power(k) > twice.power)
@@ -156,7 +160,7 @@ bool isGreyValueSurface(std::span<const glm::vec3> positions, const VoxelGrid& g
       between += std::polar(1.0, 2.0 * std::numbers::pi * double(off[2]));
     }
   }
-  // On the surface of a label map the third coordinate is always the same, half-way.
+  // On the surface of a label map the third coordinate always lies half-way.
   return double(onEdges) > 0.9 * double(positions.size()) &&
          std::abs(between) < 0.8 * double(onEdges);
 }

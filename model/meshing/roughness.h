@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does a surface come from a label map, whose steps it then shows? Its vertices tell (METHOD §5:
-// "whether the steps repeat along one axis"): even after smoothing and decimation they repeat along
-// the axes with the spacing of the voxels, which is also the height of the steps.
+// Detects whether a surface comes from a label map, whose steps it would then show. Its vertices
+// tell (METHOD §5: "whether the steps repeat along one axis"): even after smoothing and decimation
+// they repeat along the axes with the spacing of the voxels, which is also the height of the steps.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,22 +12,25 @@
 
 namespace sline::model {
 
-/// The voxel grid behind a surface: its spacing along x, y and z, 0 where none shows.
+/// Describes the voxel grid behind a surface: its spacing along x, y and z, 0 where none shows.
 struct VoxelGrid {
   glm::vec3 spacing{0.0f};
-  /// Power of the period among the vertices' coordinates, in units of what vertices without any
-  /// order would show (whose largest is about the logarithm of the number of periods tried).
+  /// The power of the period among the vertices' coordinates, in units of the power that vertices
+  /// without any order would show (whose largest is about the logarithm of the number of periods
+  /// tried).
   glm::vec3 power{0.0f};
 
   bool found() const { return spacing.x > 0.0f || spacing.y > 0.0f || spacing.z > 0.0f; }
-  /// The height of a step on a face with that normal: the grid's spacing across the surface.
+  /// Returns the height of a step on a face with that normal: the grid's spacing across the
+  /// surface.
   float stepHeight(const glm::vec3& normal) const;
 };
 
 VoxelGrid findVoxelGrid(std::span<const glm::vec3> positions, float meanEdge);
 
-/// True for an isosurface of a smooth field by marching cubes: two coordinates of each vertex lie
-/// on the grid, the third anywhere between. Such a surface lies on a grid but has no steps.
+/// Tells whether the surface is an isosurface of a smooth field by marching cubes: two coordinates
+/// of each vertex lie on the grid, the third anywhere between. Such a surface lies on a grid but
+/// has no steps.
 bool isGreyValueSurface(std::span<const glm::vec3> positions, const VoxelGrid& grid);
 
 }  // namespace sline::model

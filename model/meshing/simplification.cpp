@@ -17,7 +17,7 @@ namespace {
 constexpr int attempts = 8;
 constexpr int mostCells = 6;
 
-/// Calls visit(point) for the middles of the equal parts into which a grid divides the triangle.
+/// Calls visit(point) for the centres of the equal parts into which a grid divides the triangle.
 template <class Visit>
 void forSamples(const Mesh& mesh, std::size_t triangle, float spacing, const Visit& visit) {
   const auto& [i, j, k] = mesh.triangles()[triangle];
@@ -37,18 +37,19 @@ void forSamples(const Mesh& mesh, std::size_t triangle, float spacing, const Vis
     }
 }
 
-/// What lies too far from another surface.
+/// Lists the places that lie too far from another surface.
 struct Deviations {
   float most = 0.0f;
   std::vector<std::uint32_t> beyond;   ///< triangles with a sample farther than the bound
-  std::vector<std::uint32_t> nearest;  ///< and the triangle of the other surface nearest to it
+  std::vector<std::uint32_t> nearest;  ///< for each, the nearest triangle of the other surface
 };
 
-/// Only the largest distance and those beyond the bound matter, so most searches may stop early.
+/// Finds the deviations. Only the largest distance and those beyond the bound matter, so most
+/// searches may stop early.
 Deviations deviations(const Mesh& mesh, const Bvh& from, float spacing, float bound) {
   std::vector<Closest> farthest(mesh.triangleCount(), Closest{0.0f, 0});
   std::atomic<float> most = 0.0f;
-  // Each vertex once, with the last of its triangles.
+  // Each vertex is visited once, with the last of its triangles.
   std::vector<std::uint32_t> owner(mesh.vertexCount());
   for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t)
     for (const std::uint32_t v : mesh.triangles()[t])
@@ -77,7 +78,7 @@ Deviations deviations(const Mesh& mesh, const Bvh& from, float spacing, float bo
   return found;
 }
 
-/// Halves the tolerance of the triangle's vertices and of those around them.
+/// Halves the tolerance of the triangles' vertices and of those around them.
 class Tightening {
  public:
   explicit Tightening(const Mesh& mesh) : m_mesh(mesh), m_core(mesh.vertexCount(), 0) {}

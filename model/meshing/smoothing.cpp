@@ -18,11 +18,12 @@ namespace sline::model {
 
 namespace {
 
-/// METHOD §5: mean edges longer than this share of the feature size are too coarse to draw.
+/// By METHOD §5, mean edges longer than this share of the feature size are too coarse to draw.
 constexpr float coarsestEdge = 0.02f;
-/// How far a surface must swing about its smoothed copy, in step heights, to be called stepped.
+/// A surface that swings about its smoothed copy by at least this, in step heights, counts as
+/// stepped.
 constexpr float leastSwing = 0.08f;
-/// Power of a grid that no mesh without one reaches, in all and along two of its axes (seen: 90 and
+/// A mesh without a grid never reaches this power, in all and along two of its axes (seen: 90 and
 /// 24 among 260 clean anatomical meshes, several hundred on most organs of a label map).
 constexpr float certainPower = 100.0f;
 constexpr float certainAxisPower = 30.0f;
@@ -41,7 +42,8 @@ bool showsGrid(const SurfaceMeasure& surface) {
           (surface.vertices >= 400 && power > 0.5f * float(surface.vertices)));
 }
 
-/// The spacing along one axis that most of the power of all surfaces agrees on, within 3 %.
+/// Returns the spacing along one axis on which most of the power of all surfaces agrees, within 3
+/// %.
 float commonSpacing(std::span<const SurfaceMeasure> surfaces, int axis) {
   float best = 0.0f;
   float bestPower = 0.0f;
@@ -61,7 +63,7 @@ float commonSpacing(std::span<const SurfaceMeasure> surfaces, int axis) {
   return best;
 }
 
-/// The centre of the box goes to the origin, where floats are finest.
+/// Moves the centre of the box to the origin, where floats are finest.
 std::vector<glm::vec3> centred(std::span<const glm::vec3> positions, const glm::vec3& centre) {
   std::vector<glm::vec3> result(positions.begin(), positions.end());
   for (glm::vec3& p : result)
@@ -75,10 +77,9 @@ struct Filtered {
   std::vector<float> displacement;  ///< along the normal, without its local mean
 };
 
-/// Low-passed positions. The filter also shrinks thin tubes; that part of the movement, which is
-/// the same for a whole neighbourhood, is taken back (the idea of J. Vollmer et al., "Improved
-/// Laplacian Smoothing of Noisy Surface Meshes", 1999), so that only what swings to and fro is
-/// removed.
+/// Returns low-passed positions. The filter also shrinks thin tubes; that part of the movement,
+/// which is the same for a whole neighbourhood, is undone (the idea of J. Vollmer et al., "Improved
+/// Laplacian Smoothing of Noisy Surface Meshes", 1999), so that only oscillations are removed.
 Filtered filtered(const std::vector<glm::vec3>& positions, std::span<const Triangle> triangles,
                   const VertexRings& rings, const SincFilter& filter) {
   constexpr int neighbourhood = 40;  // averages over about five edges
@@ -112,9 +113,9 @@ void limitMoves(std::vector<glm::vec3>& after, std::span<const glm::vec3> before
   });
 }
 
-/// Cutting moves off at their limits leaves kinks. Rounds of low-pass and limit together lead to a
-/// smooth surface within the limits, as in S. Gibson, "Constrained Elastic Surface Nets" (1998),
-/// but with G. Taubin's pair of steps (1995), which does not shrink.
+/// Smooths the positions within the limits, since cutting moves off at them leaves kinks. Rounds of
+/// low-pass and limit together lead to a smooth surface, as in S. Gibson, "Constrained Elastic
+/// Surface Nets" (1998), but with G. Taubin's pair of steps (1995), which does not shrink.
 void relaxWithin(std::vector<glm::vec3>& positions, std::span<const glm::vec3> before,
                  std::span<const float> limits, const VertexRings& rings) {
   constexpr int rounds = 20;
@@ -140,7 +141,7 @@ void relaxWithin(std::vector<glm::vec3>& positions, std::span<const glm::vec3> b
   }
 }
 
-/// The rms of the swing, in step heights of the grid.
+/// Returns the rms of the swing, in step heights of the grid.
 float swing(const Filtered& f, const VoxelGrid& grid) {
   double square = 0.0;
   std::size_t count = 0;
@@ -168,7 +169,7 @@ void smoothPositions(std::vector<glm::vec3>& positions, std::span<const Triangle
   Filtered after = filtered(before, triangles, rings, filter);
   if (!asked && swing(after, grid) < leastSwing)
     return;
-  // Half a step height; where no grid is known, half an edge.
+  // The limit is half a step height or, where no grid is known, half an edge.
   const float edge = rings.meanEdge(before);
   std::vector<float> limits(before.size());
   for (std::size_t v = 0; v < limits.size(); ++v)
@@ -182,8 +183,8 @@ void smoothPositions(std::vector<glm::vec3>& positions, std::span<const Triangle
       positions[v] = after.positions[v] + box.centre();
 }
 
-/// The mean angle between the two triangles at an edge, in radians. Above about 45° a surface is a
-/// polyhedron on purpose (a box, a plate), not a coarse organ.
+/// Returns the mean angle between the two triangles at an edge, in radians. Above about 45° a
+/// surface is a polyhedron on purpose (a box, a plate), not a coarse organ.
 float meanBend(std::span<const glm::vec3> positions, std::span<const Triangle> triangles,
                const HalfEdges& edges) {
   const auto normal = [&](std::uint32_t t) {

@@ -10,8 +10,8 @@ VertexRings::VertexRings(std::size_t vertexCount, std::span<const Triangle> tria
                          const HalfEdges& edges)
     : m_first(vertexCount + 2, 0), m_border(vertexCount, 0) {
   const auto from = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
-  // Each edge once: by the smaller of its half-edges. Edges of three triangles come three times,
-  // which only makes their (fixed) vertices' rings longer.
+  // This visits each edge once, by the smaller of its half-edges. Edges of three triangles are
+  // visited three times, which only makes their (fixed) vertices' rings longer.
   const auto forEachEdge = [&](const auto& visit) {
     for (std::uint32_t h = 0; h < edges.count(); ++h) {
       if (edges.hasOpposite(h) && edges.opposite(h) < h)

@@ -10,8 +10,8 @@
 
 namespace sline::model {
 
-/// The neighbours of each vertex along edges (compressed sparse rows), and which vertices lie on an
-/// edge that has not exactly two triangles.
+/// Lists the neighbours of each vertex along edges (compressed sparse rows), and which vertices lie
+/// on an edge that has not exactly two triangles.
 class VertexRings {
  public:
   VertexRings(std::size_t vertexCount, std::span<const Triangle> triangles, const HalfEdges& edges);
@@ -21,7 +21,7 @@ class VertexRings {
     return {m_neighbours.data() + m_first[vertex], m_neighbours.data() + m_first[vertex + 1]};
   }
   bool onBorder(std::size_t vertex) const { return m_border[vertex] != 0; }
-  /// Mean length of the edges; 0 without edges.
+  /// Returns the mean length of the edges; 0 without edges.
   float meanEdge(std::span<const glm::vec3> positions) const;
 
  private:
@@ -30,7 +30,8 @@ class VertexRings {
   std::vector<char> m_border;
 };
 
-/// Unit vertex normals weighted by area, for measuring; vertices without faces get (0, 0, 0).
+/// Returns unit vertex normals weighted by area, for measuring; vertices without faces get (0, 0,
+/// 0).
 std::vector<glm::vec3> areaNormals(std::span<const glm::vec3> positions,
                                    std::span<const Triangle> triangles);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t grain = 16384;
 
-/// The Chebyshev series at k: cos(n·acos(1 − k/2)) is T_n there.
+/// Returns the value of the Chebyshev series at k: cos(n·acos(1 − k/2)) is T_n there.
 double response(const std::vector<double>& c, double k) {
   const double theta = std::acos(1.0 - 0.5 * k);
   double sum = 0.0;
@@ -33,7 +33,7 @@ std::vector<double> seriesFor(double cutoff, int iterations) {
 
 std::vector<double> coefficientsFor(const SincFilter& filter) {
   // The window rounds the step off; moving the cutoff outwards brings the response at the pass band
-  // back to 1 (Taubin et al. §4). It grows with the cutoff there, so bisection finds it.
+  // back to 1 (Taubin et al. §4). The response grows with the cutoff there, so bisection finds it.
   const double band = std::acos(1.0 - 0.5 * double(filter.passBand));
   double low = 0.0;
   double high = std::numbers::pi - band;
@@ -53,8 +53,8 @@ std::vector<double> coefficientsFor(const SincFilter& filter) {
 }  // namespace
 
 std::vector<double> sincCoefficients(const SincFilter& filter) {
-  // All surfaces of a file are smoothed alike, and finding these takes longer than smoothing a
-  // small one.
+  // The coefficients are kept, since all surfaces of a file are smoothed alike and finding the
+  // coefficients takes longer than smoothing a small one.
   struct Known {
     SincFilter filter;
     std::vector<double> coefficients;
@@ -69,7 +69,8 @@ std::vector<glm::vec3> windowedSinc(std::span<const glm::vec3> positions, const 
                                     const SincFilter& filter) {
   const std::vector<double> c = sincCoefficients(filter);
   const std::size_t count = positions.size();
-  // x_0 = x; x_1 = x − K·x/2; x_{n+1} = (2 − K)·x_n − x_{n−1} with K = 1 − mean over the ring.
+  // The recurrence is x_0 = x; x_1 = x − K·x/2; x_{n+1} = (2 − K)·x_n − x_{n−1} with K = 1 − mean
+  // over the ring.
   std::vector<glm::vec3> before(positions.begin(), positions.end());
   std::vector<glm::vec3> now(count);
   std::vector<glm::vec3> sum(count);

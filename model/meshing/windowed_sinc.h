@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Low-pass filtering of a surface: G. Taubin, T. Zhang, G. Golub, "Optimal Surface Smoothing as
-// Filter Design" (ECCV 1996). The transfer function is a Hamming-windowed sinc, expanded in
-// Chebyshev polynomials of the umbrella operator, so that one iteration costs one visit of all
-// rings.
+// Low-pass filters a surface: G. Taubin, T. Zhang, G. Golub, "Optimal Surface Smoothing as Filter
+// Design" (ECCV 1996). The transfer function is a Hamming-windowed sinc, expanded in Chebyshev
+// polynomials of the umbrella operator, so that one iteration costs one visit of all rings.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -15,16 +14,17 @@ namespace sline::model {
 
 struct SincFilter {
   int iterations = 60;
-  float passBand = 0.05f;  ///< in [0, 2]; waves longer than 2π/acos(1 − passBand) edges stay
+  float passBand = 0.05f;  ///< in [0, 2]; waves longer than 2π/acos(1 − passBand) edges are kept
   bool operator==(const SincFilter&) const = default;
 };
 
-/// The filtered positions; border vertices stay. Coordinates should be near the origin.
+/// Returns the filtered positions; border vertices stay. Coordinates should be near the origin.
 std::vector<glm::vec3> windowedSinc(std::span<const glm::vec3> positions, const VertexRings& rings,
                                     const SincFilter& filter);
 
-/// Coefficients of T_0 … T_n in 1 − k/2, k ∈ [0, 2] an eigenvalue of the umbrella operator; the
-/// function they make is 1 at 0 and at least 0.99 … at most 1.01 up to the pass band.
+/// Returns the coefficients of T_0 … T_n in 1 − k/2, where k ∈ [0, 2] is an eigenvalue of the
+/// umbrella operator; their function is 1 at 0 and at least 0.99 … at most 1.01 up to the pass
+/// band.
 std::vector<double> sincCoefficients(const SincFilter& filter);
 
 /// Replaces each value by the mean over its ring and itself, that many times (borders too).

@@ -7,14 +7,14 @@
 namespace sline::model {
 
 namespace {
-/// Heights of the picture.
+/// Measured in heights of the picture.
 constexpr float farthestOffset = 100.0f;
 
 bool sound(const Anchor& anchor) {
   if (const auto* place = std::get_if<glm::vec3>(&anchor))
     return std::isfinite(place->x) && std::isfinite(place->y) && std::isfinite(place->z);
   const auto& [second, third] = std::get<SurfacePoint>(anchor).weights;
-  // Barycentric weights that were rounded may sum to a little more than 1.
+  // Rounded barycentric weights may sum to a little more than 1.
   constexpr float most = 1.0f + 1e-5f;
   return second >= 0.0f && third >= 0.0f && second + third <= most;
 }

@@ -16,8 +16,8 @@ namespace sline::model {
 
 namespace {
 
-/// Inside the box the near plane stands at this part of the far plane's distance: 1 in 4096 leaves
-/// 12 of a 24-bit depth buffer's bits at the far end.
+/// With the eye inside the box, the near plane stands at this fraction of the far plane's distance:
+/// 1 in 4096 leaves 12 of a 24-bit depth buffer's bits at the far end.
 constexpr double nearestShare = 1.0 / 4096.0;
 
 struct Axes {
@@ -26,7 +26,8 @@ struct Axes {
   glm::dvec3 back;
 };
 
-/// In double precision, so that a scene a billion times smaller gives the same picture.
+/// Returns the axes in double precision, so that a scene a billion times smaller gives the same
+/// picture.
 Axes axesOf(const Camera& camera) {
   const glm::dvec3 back = glm::normalize(glm::dvec3(camera.eye) - glm::dvec3(camera.target));
   const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(camera.up), back));
@@ -49,7 +50,7 @@ struct Interval {
   double length() const { return high - low; }
 };
 
-/// Points along the camera's axes: right, up, back.
+/// Holds the extent of points along the camera's axes: right, up, back.
 struct Extent {
   Interval right;
   Interval up;
@@ -57,21 +58,22 @@ struct Extent {
   double size() const { return std::max({right.length(), up.length(), back.length()}); }
 };
 
-/// How far points may lie from the line of sight, per depth from the eye: towards smaller and
-/// towards larger coordinates. One may be negative.
+/// Says how far points may lie from the line of sight per unit of depth from the eye, towards
+/// smaller and towards larger coordinates. One of the two may be negative.
 struct Slopes {
   double low;
   double high;
 };
 
-/// Within shares `low` and `high` of a picture whose half is that tangent.
+/// Returns the slopes between the shares `low` and `high` of a picture; `tangent` is that of half
+/// its opening angle.
 Slopes slopesWithin(double tangent, double low, double high) {
   return {(1.0 - 2.0 * low) * tangent, (1.0 - 2.0 * high) * tangent};
 }
 
-/// One axis of a perspective fit. A point at (lateral r, depth b) is seen from an eye at (er, eb)
-/// where r − er ≤ high·(eb − b) and er − r ≤ low·(eb − b): two half-planes each, of which only the
-/// outermost count.
+/// Fits one axis of a perspective. A point at (lateral r, depth b) is seen from an eye at (er, eb)
+/// where r − er ≤ high·(eb − b) and er − r ≤ low·(eb − b): each point gives two half-planes, of
+/// which only the outermost count.
 struct Support {
   Slopes slopes;
   double above = -std::numeric_limits<double>::infinity();  ///< max of r + high·b
@@ -83,8 +85,8 @@ struct Support {
   double nearestEye() const { return (above + below) / (slopes.low + slopes.high); }
 };
 
-/// The lateral eye position from which the outermost points on both sides lie equally far from
-/// their ends of the picture; found by bisection, since the difference of the two falls
+/// Returns the lateral eye position from which the outermost points on both sides lie equally far
+/// from their ends of the picture; found by bisection, since the difference of the two falls
 /// monotonically.
 double centredEye(std::span<const glm::dvec2> lateralAndDepth, const Interval& range,
                   double eyeDepth, const Slopes& allowed) {
@@ -104,7 +106,7 @@ double centredEye(std::span<const glm::dvec2> lateralAndDepth, const Interval& r
   return 0.5 * (low + high);
 }
 
-/// The eye in the camera's axes.
+/// Returns the position of the eye in the camera's axes.
 glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const Extent& extent,
                           const Slopes& across, const Slopes& upwards) {
   Support horizontal{across};
@@ -113,7 +115,7 @@ glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const Extent& e
     horizontal.add(p.x, p.z);
     vertical.add(p.y, p.z);
   }
-  // A needle along the line of sight would otherwise end in the eye.
+  // This keeps the eye out of the points where they form a needle along the line of sight.
   const double clear = extent.back.high + 1e-3 * extent.size();
   const double depth = std::max({horizontal.nearestEye(), vertical.nearestEye(), clear});
 
@@ -126,7 +128,7 @@ glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const Extent& e
   return {right, centredEye(lateral, extent.up, depth, upwards), depth};
 }
 
-/// Near and far along the line of sight, a little outside the box.
+/// Returns near and far along the line of sight, a little outside the box.
 Interval depthRange(const Camera& camera, const Box& bounds) {
   const Axes axes = axesOf(camera);
   const glm::dvec3 eye(camera.eye);
@@ -143,7 +145,7 @@ Interval depthRange(const Camera& camera, const Box& bounds) {
   const double room = 1e-3 * depth.length() + 1e-5 * (std::abs(depth.middle()) + focus);
   Interval range{depth.low - room, depth.high + room};
   if (camera.projection == Projection::perspective) {
-    if (range.high <= 0.0)  // all of it lies behind the eye: nothing to see, but a sound matrix
+    if (range.high <= 0.0)  // the whole box lies behind the eye: nothing to see, but a valid matrix
       range.high = focus;
     range.low = std::max(range.low, nearestShare * range.high);
   }
@@ -332,7 +334,7 @@ std::optional<std::string_view> cameraFault(const Camera& camera) {
   const glm::dvec3 eye(camera.eye);
   const glm::dvec3 target(camera.target);
   const double distance = glm::length(eye - target);
-  // Nearer than the coordinates' own rounding, the direction would be noise.
+  // At a distance below the coordinates' own rounding, the direction would be noise.
   if (!(distance > 1e-6 * std::max(glm::length(eye), glm::length(target))))
     return "eye and target are the same point";
   const double upLength = glm::length(glm::dvec3(camera.up));

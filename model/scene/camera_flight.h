@@ -5,12 +5,13 @@
 
 namespace sline::model {
 
-/// A short way from one camera to another: it turns by the shortest arc, and what it looks at
-/// grows or shrinks evenly.
+/// Describes a short way from one camera to another: it turns by the shortest arc, and what it
+/// looks at grows or shrinks evenly.
 class CameraFlight {
  public:
   CameraFlight(const Camera& from, const Camera& to) : m_from(from), m_to(to) {}
-  /// `part` of the time, 0 … 1; slow at both ends, and exactly the last camera at the end.
+  /// Returns the camera at `part` of the time, 0 … 1; it moves slowly at both ends and is exactly
+  /// the last camera at the end.
   Camera at(double part) const;
 
  private:

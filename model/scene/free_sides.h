@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fitting a camera to a part of the picture: what stands at the picture's sides keeps its room.
+// Fits a camera to a part of the picture, so that objects at the picture's sides keep their room.
 #pragma once
 
 #include "model/scene/camera.h"
 
 namespace sline::model {
 
-/// What a fitted camera keeps free at each side, as shares of the picture's width or height.
-/// Opposite ones together are less than 1.
+/// Says how much a fitted camera keeps free at each side, as shares of the picture's width or
+/// height. Opposite sides together are less than 1.
 struct FreeSides {
   double left = 0.05;
   double right = 0.05;
@@ -16,8 +16,9 @@ struct FreeSides {
   bool operator==(const FreeSides&) const = default;
 };
 
-/// As `fitted` without them: the points are centred in what the sides leave, as large as it lets
-/// them be. The camera is not turned; it stands aside where opposite sides differ.
+/// Fits the camera like `fitted` without sides, but centres the points in the area that the sides
+/// leave, as large as possible. The camera is not turned; it moves sideways where opposite sides
+/// differ.
 Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect,
               const FreeSides& sides);
 

@@ -10,22 +10,22 @@
 
 namespace sline::model {
 
-/// Over the draughtsman's left shoulder, as plates of anatomy are lit; unit, in the camera's frame
-/// (right, up, back).
+/// The light comes from over the draughtsman's left shoulder, as plates of anatomy are lit; a unit
+/// vector in the camera's frame (right, up, back).
 inline constexpr glm::vec3 upperLeftLight{-0.538f, 0.606f, 0.586f};
 
-/// The key light, which turns with the camera.
+/// The key light turns with the camera.
 struct KeyLight {
-  glm::vec3 towards = upperLeftLight;  ///< unit, in the camera's frame
+  glm::vec3 towards = upperLeftLight;  ///< unit vector in the camera's frame
   bool shades = false;  ///< lights shading too, besides the light at the eye; else hatching alone
-  std::string unread;   ///< as Node::unread
+  std::string unread;   ///< like Node::unread
   bool operator==(const KeyLight&) const = default;
 };
 
-/// What makes a light unusable, for an error message.
+/// Returns what makes a light unusable, for an error message.
 inline std::optional<std::string_view> lightFault(const KeyLight& light) {
   const float length = glm::length(light.towards);
-  // A comparison that NaN does not pass.
+  // NaN does not pass this comparison.
   return std::abs(length - 1.0f) < 1e-3f
              ? std::nullopt
              : std::optional<std::string_view>("the direction towards the light is no unit vector");

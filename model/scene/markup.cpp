@@ -10,15 +10,15 @@ namespace {
 
 constexpr std::size_t boldLength = 2;
 constexpr std::size_t italicLength = 1;
-/// Of asterisks that mean something: both end, both begin.
+/// The longest run of asterisks with a meaning ends both styles and begins both.
 constexpr std::size_t longestMarker = 2 * (boldLength + italicLength);
 
 std::size_t lengthOf(const LetterStyle& style) {
   return (style.bold ? boldLength : 0) + (style.italic ? italicLength : 0);
 }
 
-/// Plain bytes, or asterisks in a row: those that end something first, those that begin something
-/// last, others between them.
+/// A piece is plain bytes or a run of asterisks: those that end a style come first, those that
+/// begin one last, others between them.
 struct Piece {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -86,7 +86,7 @@ class LineParser {
     flush(m_end);
   }
 
-  /// What the asterisks end, and what they may begin.
+  /// Finds which styles the asterisks end, and which they may begin.
   void pair(std::size_t at) {
     Piece& piece = m_pieces[at];
     std::size_t rest = piece.end - piece.begin;
@@ -111,7 +111,7 @@ class LineParser {
     return {.italic = m_italic && asterisks % boldLength == italicLength};
   }
 
-  /// What began within what ends has no partner.
+  /// Ends the style; a style that began within the one that ends stays without a partner.
   void end(const LetterStyle& style) {
     if (style.bold)
       m_pieces[*m_bold].begins.bold = true;
@@ -138,9 +138,9 @@ class LineParser {
 
   std::string_view m_text;
   MarkupLine m_line;
-  std::size_t m_end = 0;  ///< of what is not blank
+  std::size_t m_end = 0;  ///< end of the line without its trailing blanks
   std::vector<Piece> m_pieces;
-  std::optional<std::size_t> m_bold;  ///< piece that may begin it
+  std::optional<std::size_t> m_bold;  ///< index of the piece that may begin bold
   std::optional<std::size_t> m_italic;
   LetterStyle m_style;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What callouts are written in: a small part of Markdown, nothing of HTML. `**bold**`, `*italic*`,
-// one within the other; a line that begins with "- " is an item of a list; after a backslash `*`,
-// `-` and `\` are what they look like. A marker begins where a word does and ends where one ends,
-// in the same line; one without a partner stays as it was typed.
+// Parses the language of callouts: a small part of Markdown, without any HTML. It has `**bold**`
+// and `*italic*`, also nested; a line that begins with "- " is an item of a list; after a backslash
+// `*`, `-` and `\` are shown as they are. A marker begins where a word does and ends where one
+// ends, in the same line; one without a partner stays as it was typed.
 #pragma once
 
 #include <cstddef>
@@ -20,17 +20,17 @@ struct LetterStyle {
   bool operator==(const LetterStyle&) const = default;
 };
 
-/// Bytes of a text that are shown as they stand.
+/// Marks bytes of a text that are shown as they are.
 struct MarkupSpan {
   std::size_t begin = 0;
   std::size_t end = 0;
   LetterStyle style;
 };
 
-/// Bytes of one line; what no span has are markers and blanks at either end.
+/// Marks the bytes of one line; those in no span are markers and blanks at either end.
 struct MarkupLine {
   std::size_t begin = 0;
-  std::size_t end = 0;      ///< of the line, without its line break
+  std::size_t end = 0;      ///< end of the line, without its line break
   std::size_t content = 0;  ///< where its words begin
   bool bullet = false;
   std::vector<MarkupSpan> spans;
@@ -54,16 +54,16 @@ constexpr bool isMarkupBlank(char c) {
   return c == ' ' || c == '\t' || c == '\r';
 }
 
-/// Of UTF-8, as many lines as the text has. Takes time and memory linear in the text.
+/// Parses UTF-8 text and returns as many lines as it has. Takes time and memory linear in the text.
 std::vector<MarkupLine> parsedMarkup(std::string_view text);
-/// What the lines show, neighbouring runs of different styles; without blank lines before the first
-/// and after the last that shows something.
+/// Returns the visible content of the lines, in which neighbouring runs have different styles,
+/// without blank lines at the beginning and the end.
 std::vector<MarkedLine> markedLines(std::string_view text);
 
-/// What an annotation of that kind shows where styles cannot be: of a callout lines without
-/// markers, lists with bullets. Other kinds' texts are plain anyway.
+/// Returns what an annotation of that kind shows where styles are not available: a callout without
+/// markers, with bullets for lists. The texts of other kinds are plain anyway.
 std::string plainText(AnnotationKind kind, const std::string& text);
-/// In the language, else the scene's own.
+/// Returns the plain text in the language, or the scene's own where there is none.
 std::string plainTextIn(const Annotation& annotation, const std::string& language);
 
 }  // namespace sline::model

@@ -16,7 +16,7 @@ std::vector<ResolvedStyle> resolveAll(const Scene& scene) {
     styles.push_back(node.style);
     resolved.emplace_back();
     resolved.back().visible = node.style.visible.value_or(true);
-    // A parent stands before its children.
+    // Parents stand before their children.
     if (const Node* parent = scene.find(node.parent)) {
       const auto place = std::size_t(parent - scene.nodes().data());
       inherit(styles.back(), styles[place]);

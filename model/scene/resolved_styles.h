@@ -8,15 +8,15 @@
 
 namespace sline::model {
 
-/// `Scene::resolve` of every node, in the order of `Scene::nodes`, in one pass.
+/// Returns `Scene::resolve` of every node, in the order of `Scene::nodes`, in one pass.
 std::vector<ResolvedStyle> resolveAll(const Scene& scene);
 
 struct ResolvedStructure {
-  const Node* node = nullptr;  ///< of the scene that was asked
+  const Node* node = nullptr;  ///< a node of the scene that was passed in
   ResolvedStyle style;
 };
-/// The structures at or below any of the nodes (the root: all), each once, in tree order, in one
-/// pass however many are asked for.
+/// Returns the structures at or below any of the nodes (the root: all), each once, in tree order,
+/// in one pass for any number of nodes.
 std::vector<ResolvedStructure> resolvedBelow(const Scene& scene, std::span<const NodeId> ids);
 
 }  // namespace sline::model

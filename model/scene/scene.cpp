@@ -15,7 +15,7 @@ namespace {
 using IdSet = std::unordered_set<std::uint64_t>;
 
 /// Calls visit(index, node) for the node and everything below it, in tree order; the root is above
-/// every node. One pass, because a parent stands before its children.
+/// every node. One pass is enough because a parent stands before its children.
 template <class Visit>
 void forEachBelow(const std::vector<Node>& nodes, NodeId id, const Visit& visit) {
   IdSet inside{id.value};
@@ -136,7 +136,7 @@ std::vector<Section> Scene::sectionsOf(NodeId id) const {
 
 NodeId Scene::append(Node node) {
   assert(node.parent == rootId || find(node.parent));
-  // Who builds a tree appends mostly to what came last.
+  // Building a tree appends mostly below the last node.
   std::size_t position = m_nodes.size();
   if (node.parent != rootId && !isBelow(m_nodes.back().id, node.parent))
     forEachBelow(m_nodes, node.parent,
@@ -146,7 +146,7 @@ NodeId Scene::append(Node node) {
   const bool last = position == m_nodes.size();
   m_nodes.insert(m_nodes.begin() + std::ptrdiff_t(position), std::move(node));
   if (last)
-    m_places.push_back({id.value, position});  // no id is higher
+    m_places.push_back({id.value, position});  // no id is higher than this
   else
     index();
   return id;

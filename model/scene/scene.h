@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene is a value: a tree of groups and structures with their styles, copied freely because
-// meshes sit behind shared pointers. An edit is a function Scene → Scene (model/edit); undo is the
-// previous value; whoever draws or saves takes a copy and needs no lock.
+// Defines the scene as a value: a tree of groups and structures with their styles, copied freely
+// because meshes sit behind shared pointers. An edit is a function Scene → Scene (model/edit); undo
+// is the previous value; code that draws or saves takes a copy and needs no lock.
 #pragma once
 
 #include <array>
@@ -24,106 +24,110 @@
 
 namespace sline::model {
 
-/// Of a file's bytes, to see later whether it has changed.
+/// Identifies a file's bytes, to see later whether the file has changed.
 struct Fingerprint {
-  std::uint64_t bytes = 0;  ///< its length
+  std::uint64_t bytes = 0;  ///< the file's length
   std::uint32_t crc = 0;    ///< CRC-32 (IEEE 802.3)
   bool operator==(const Fingerprint&) const = default;
 };
 
-/// What intensities of a scan a structure was made of; without a bound, all on that side.
+/// Holds the range of a scan's intensities from which a structure was made; a missing bound leaves
+/// that side open.
 struct IntensityRange {
   std::optional<float> low;
   std::optional<float> high;
   bool operator==(const IntensityRange&) const = default;
 };
 
-/// Where a structure came from and what import did to it.
+/// Says where a structure came from and what import did to it.
 struct Provenance {
   std::string file;          ///< file name without its folder
   std::string frame;         ///< "LPS", "RAS" or "file": how the file's coordinates were read
-  std::string frameReason;   ///< what decided it
+  std::string frameReason;   ///< what decided the frame
   int smoothingSteps = 0;    ///< 0: the mesh is the file's own
   int refinementSteps = 0;   ///< Loop subdivisions
   int repairedFaces = 0;     ///< turned, removed as duplicates or without area
   float displacementMm = 0;  ///< the farthest any vertex moved
-  float mmPerUnit = 1;       ///< how long the file's unit was taken to be
-  std::string unitReason;    ///< what decided it
+  float mmPerUnit = 1;       ///< the length taken for the file's unit
+  std::string unitReason;    ///< what decided the unit
   int decimatedFrom = 0;     ///< triangles before decimation; 0: there was none
-  float decimationMm = 0;    ///< the farthest it took the surface from where it was, as measured
-  std::string part;          ///< which of the file's surfaces; empty where it has no other
-  std::optional<Fingerprint> fingerprint;     ///< of the file
-  std::optional<IntensityRange> intensities;  ///< where its file is a scan
-  /// What a scene around the file did to it: the rows of an affine map of RAS millimetres.
+  float decimationMm = 0;    ///< the farthest that decimation moved the surface, as measured
+  std::string part;          ///< which of the file's surfaces; empty if it has only one
+  std::optional<Fingerprint> fingerprint;     ///< fingerprint of the file
+  std::optional<IntensityRange> intensities;  ///< set where the file is a scan
+  /// The transform that a scene around the file applied: the rows of an affine map of RAS
+  /// millimetres.
   std::optional<std::array<float, 12>> transform;
   bool operator==(const Provenance&) const = default;
 };
 
-/// A group (no mesh) or a structure (a mesh).
+/// A node is a group (no mesh) or a structure (a mesh).
 struct Node {
   NodeId id;
   NodeId parent = rootId;
   std::string name;
   Style style;
-  bool locked = false;  ///< this and all below it are not to be picked or changed by hand
+  bool locked = false;  ///< true: this and everything below it cannot be picked or changed by hand
   MeshPtr mesh;         ///< null for a group
   Provenance provenance;
-  std::string unread;  ///< what its scene file says beyond this, as a JSON object; kept for saving
+  std::string unread;  ///< further keys of its scene file, as a JSON object; kept for saving
 
   bool isGroup() const { return !mesh; }
   bool operator==(const Node&) const = default;
 };
 
-/// How a view shows a node: what the style answers replaces what the node says itself, the rest
-/// stays.
+/// Says how a view shows a node: the style's answers replace the node's own, all others stay.
 struct Look {
   NodeId node;
   Style style;
-  std::string unread;  ///< as Node::unread
+  std::string unread;  ///< like Node::unread
   bool operator==(const Look&) const = default;
 };
 
-/// A saved view. What is absent is left as the scene has it.
+/// A saved view leaves what it does not mention as the scene has it.
 struct View {
   std::string name;
   Camera camera;
   std::optional<std::vector<Section>> sections;
-  std::optional<std::vector<Look>> looks;                ///< at most one for a node
-  std::optional<std::vector<AnnotationId>> annotations;  ///< those shown, of all
-  std::string unread;                                    ///< as Node::unread
+  std::optional<std::vector<Look>> looks;                ///< at most one for each node
+  std::optional<std::vector<AnnotationId>> annotations;  ///< those shown; all others are hidden
+  std::string unread;                                    ///< like Node::unread
   bool operator==(const View&) const = default;
 };
 
-/// Nodes stand in tree order: a parent before its children, siblings in their order on screen.
+/// A scene lists its nodes in tree order: a parent before its children, siblings in their order on
+/// screen.
 class Scene {
  public:
   const std::vector<Node>& nodes() const { return m_nodes; }
   const std::vector<View>& views() const { return m_views; }
   const std::vector<Section>& sections() const { return m_sections; }
   const std::vector<Annotation>& annotations() const { return m_annotations; }
-  /// Absent: whoever draws decides.
+  /// Returns the key light; where it is absent, the renderer decides.
   const std::optional<KeyLight>& keyLight() const { return m_keyLight; }
 
-  /// Null where there is no such node (or for the root). As quick as a search in a sorted list.
+  /// Returns the node, or null where there is none of that id (or for the root). As quick as a
+  /// search in a sorted list.
   const Node* find(NodeId id) const;
   std::vector<NodeId> children(NodeId parent) const;
-  /// Every structure at or below the node, in tree order; the root means all.
+  /// Returns every structure at or below the node, in tree order; the root means all.
   std::vector<NodeId> structuresBelow(NodeId id) const;
-  /// True for the node itself and for everything below it.
+  /// Tells whether the node is the ancestor itself or stands below it.
   bool isBelow(NodeId id, NodeId ancestor) const;
-  /// "Group / Subgroup" above the node; empty at the top.
+  /// Returns "Group / Subgroup" above the node; empty at the top.
   std::string groupPath(NodeId id) const;
-  /// The style with inheritance applied: the nearest answer upwards wins; a hidden group hides all
-  /// below it.
+  /// Returns the style with inheritance applied: the nearest answer upwards wins; a hidden group
+  /// hides everything below it.
   ResolvedStyle resolve(NodeId id) const;
-  /// Structures and groups of that name (case and the difference between space, '_' and '-' are
-  /// ignored).
+  /// Returns the structures and groups of that name (case and the difference between space, '_' and
+  /// '-' are ignored).
   std::vector<NodeId> named(std::string_view name) const;
-  /// Of all visible structures at or below the node; empty where there are none.
+  /// Returns the box around all visible structures at or below the node; empty where there are
+  /// none.
   Box visibleBounds(NodeId id = rootId) const;
-  /// The node itself or a group above it is locked.
+  /// Tells whether the node itself or a group above it is locked.
   bool isLocked(NodeId id) const;
-  /// The enabled sections that cut the node, its own and those of the groups above it.
+  /// Returns the enabled sections that cut the node, its own and those of the groups above it.
   std::vector<Section> sectionsOf(NodeId id) const;
 
   /// Appends a node after the last descendant of its parent and gives it a fresh id.
@@ -135,27 +139,28 @@ class Scene {
   SectionId appendSection(Section section);
   /// Replaces the sections; asserts that ids are unique and planes without fault.
   void setSections(std::vector<Section> sections);
-  /// Where it is: LPS, millimetres; absent where its structure or triangle is not in the scene.
+  /// Returns the place of the anchor in LPS, millimetres; absent where its structure or triangle is
+  /// not in the scene.
   std::optional<glm::vec3> placeOf(const Anchor& anchor) const;
   /// Appends an annotation and gives it a fresh id.
   AnnotationId appendAnnotation(Annotation annotation);
   /// Replaces the annotations; asserts that ids are unique and annotations without fault.
   void setAnnotations(std::vector<Annotation> annotations);
   void setKeyLight(std::optional<KeyLight> light) { m_keyLight = std::move(light); }
-  /// Scans kept with the scene; each without fault.
+  /// Returns the scans kept with the scene; each is without fault.
   const std::vector<Scan>& scans() const { return m_scans; }
   void setScans(std::vector<Scan> scans);
-  /// As Node::unread, of the file as a whole.
+  /// Returns the unread keys of the file as a whole, like Node::unread.
   const std::string& unread() const { return m_unread; }
   void setUnread(std::string unread) { m_unread = std::move(unread); }
 
   bool operator==(const Scene&) const = default;
 
  private:
-  /// Where a node is, sorted by id.
+  /// Holds where a node is; places are sorted by id.
   struct Place {
     std::uint64_t id = 0;
-    std::size_t index = 0;  ///< in m_nodes
+    std::size_t index = 0;  ///< index in m_nodes
     auto operator<=>(const Place&) const = default;
   };
   std::vector<Place>::const_iterator placeBefore(std::uint64_t id) const;
@@ -177,7 +182,8 @@ class Scene {
 /// Returns the meshes of all structures, each once.
 std::set<MeshPtr> meshesOf(const Scene& scene);
 
-/// Lower case, '_' and '-' as spaces, runs of spaces as one: how names are compared.
+/// Returns the name in the form in which names are compared: lower case, '_' and '-' as spaces,
+/// runs of spaces as one.
 std::string normalisedName(std::string_view name);
 
 }  // namespace sline::model

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section planes: what of the scene is cut away so that its inside can be seen.
+// Defines section planes, which cut parts of the scene away so that its inside can be seen.
 #pragma once
 
 #include <compare>
@@ -22,41 +22,43 @@ struct SectionId {
   auto operator<=>(const SectionId&) const = default;
 };
 
-/// Cuts every structure at or below `scope`. Solids (see Surface) get a cut face in their colour
-/// with an inked outline; sheets are cut open.
+/// A section cuts every structure at or below `scope`. Solids (see Surface) get a cut face in their
+/// colour with an inked outline; sheets are cut open.
 struct Section {
   SectionId id;
   std::string name;
   Plane plane;
   NodeId scope = rootId;
   bool enabled = true;
-  bool hatched = false;  ///< strokes at 45° on the cut faces
-  std::string unread;    ///< as Node::unread
+  bool hatched = false;  ///< whether the cut faces have strokes at 45°
+  std::string unread;    ///< like Node::unread
   bool operator==(const Section&) const = default;
 };
 
-/// How many sections may cut one structure.
+/// The number of sections that may cut one structure.
 inline constexpr std::size_t maximumSections = 8;
 
-/// The anatomical plane that has the given side to keep: sagittal for left and right, coronal for
+/// Returns the anatomical plane that keeps the given side: sagittal for left and right, coronal for
 /// anterior and posterior, axial for superior and inferior. `mm` is the plane's place along x, y or
 /// z of LPS.
 Plane anatomicalPlane(AnatomicalView kept, float mm);
-/// 0 for the sides of a sagittal plane, 1 of a coronal, 2 of an axial one: its axis of LPS.
+/// Returns the axis of LPS across which the side's plane stands: 0 for sagittal, 1 for coronal and
+/// 2 for axial.
 int axisOf(AnatomicalView side);
 
-/// 0, 1 or 2 where the plane stands across the x, y or z axis of LPS; absent for an oblique one.
+/// Returns 0, 1 or 2 where the plane stands across the x, y or z axis of LPS; absent for an oblique
+/// plane.
 std::optional<int> axisAcross(const Plane& plane);
-/// The side that such a plane keeps; absent for an oblique one.
+/// Returns the side that an anatomical plane keeps; absent for an oblique plane.
 std::optional<AnatomicalView> keptSide(const Plane& plane);
-/// Where a plane stands, in millimetres: along its axis of LPS (positive towards the left, the back
-/// and the head), an oblique one along its normal.
+/// Returns where a plane stands, in millimetres: along its axis of LPS (positive towards the left,
+/// the back and the head), for an oblique plane along its normal.
 double positionOf(const Plane& plane);
 
-/// The planes of the sections, in their order.
+/// Returns the planes of the sections, in their order.
 std::vector<Plane> planesOf(std::span<const Section> sections);
 
-/// What makes a plane unusable, for an error message.
+/// Returns what makes a plane unusable, for an error message.
 std::optional<std::string_view> planeFault(const Plane& plane);
 
 }  // namespace sline::model

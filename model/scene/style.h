@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a structure is drawn. A `Style` says only what its node says itself; what it leaves open
-// comes from the group above (`Scene::resolve`), and at the top from `ResolvedStyle`'s own
-// defaults. Each field has a row in model/scene/style_fields.h.
+// Defines how a structure is drawn. A `Style` holds only the answers of its own node; the fields it
+// leaves open come from the group above (`Scene::resolve`), and at the top from the defaults of
+// `ResolvedStyle`. Each field has a row in model/scene/style_fields.h.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@
 
 namespace sline::model {
 
-/// What an unfilled structure does to what is behind it: nothing, hides it (in the background's
-/// colour), covers it with a flat thin wash of its own colour (METHOD §7, interior), or lets it
-/// show faintly, as through tracing paper.
+/// Says how an unfilled structure treats the things behind it: leaves them, hides them (in the
+/// background's colour), covers them with a flat thin wash of its own colour (METHOD §7, interior),
+/// or lets them show faintly, as through tracing paper.
 enum class Fill { none, paper, tint, veil };
 inline constexpr std::array<std::string_view, 4> fillNames{"none", "paper", "tint", "veil"};
-/// Names of the values in files and on the command line, in their order.
+/// Returns the names of the values in files and on the command line, in their order.
 inline std::span<const std::string_view> namesOf(Fill /*any*/) {
   return fillNames;
 }
@@ -36,15 +36,15 @@ struct Style {
   bool operator==(const Style&) const = default;
 };
 
-/// A style with every question answered.
+/// A resolved style answers every field.
 struct ResolvedStyle {
   Colour colour{200, 200, 200};
-  std::optional<Colour> inkColour;  ///< absent: black, on a dark background white
+  std::optional<Colour> inkColour;  ///< absent: black, or white on a dark background
   Gamma gamma = Gamma::clamped(2.0f);
   Opacity opacity = Opacity::clamped(1.0f);
   Fill fill = Fill::none;
-  bool visible = true;     ///< false also where a group above is hidden
-  float penWeight = 1.0f;  ///< times the scene's pen of 2 λ (METHOD §4)
+  bool visible = true;     ///< also false where a group above is hidden
+  float penWeight = 1.0f;  ///< factor on the scene's pen of 2 λ (METHOD §4)
   HatchDensity hatchDensity = HatchDensity::clamped(1.0f);
   HatchTone hatchTone = HatchTone::clamped(1.0f);
   bool operator==(const ResolvedStyle&) const = default;

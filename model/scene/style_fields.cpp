@@ -15,7 +15,7 @@ void answerField(std::optional<T>& resolved, const std::optional<T>& own) {
   resolved = own;
 }
 
-/// Stands for any answer.
+/// Converts to an answer of any type.
 struct AnyAnswer {
   template <class T>
   operator std::optional<T>() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of a style, each described once. Whatever deals with all of them – inheritance, edits,
+// Describes each field of a style once. All code that deals with every field – inheritance, edits,
 // blending, scene files, presets, glTF – walks this list, so a new field is two members in
 // model/scene/style.h and a row here. Panel and command line name the rows that a person sets.
 #pragma once
@@ -13,17 +13,18 @@
 
 namespace sline::model {
 
-/// One question that a style answers. `Own` is the member of `Style`, `Resolved` that of
+/// Describes one field that a style answers. `Own` is the member of `Style`, `Resolved` that of
 /// `ResolvedStyle`.
 template <auto Own, auto Resolved>
 struct StyleField {
   using Value = typename std::remove_cvref_t<decltype(std::declval<Style>().*Own)>::value_type;
   static constexpr auto own = Own;
   static constexpr auto resolved = Resolved;
-  /// Whether a structure is shown is no part of its look: groups above hide it whatever it says.
+  /// False for visibility, which is not part of a structure's look: groups above can hide it
+  /// whatever its own answer.
   static constexpr bool isLook = !std::same_as<Value, bool>;
 
-  std::string_view key;      ///< its name in scene files, words parted by "_"
+  std::string_view key;      ///< its name in scene files, with "_" between words
   Limits<float> plain = {};  ///< limits of a plain number; a `Bounded` has its own
 
   Limits<float> limits() const {
@@ -62,7 +63,7 @@ constexpr void forEachStyleField(const Visit& visit) {
   visit(style_fields::hatchTone);
 }
 
-/// The same for those that are part of a look: all but whether the structure is shown.
+/// Calls visit(field) for the fields that are part of a look: all but the visibility.
 template <class Visit>
 void forEachLookField(const Visit& visit) {
   forEachStyleField([&visit](const auto& field) {
@@ -71,25 +72,25 @@ void forEachLookField(const Visit& visit) {
   });
 }
 
-/// Takes over what `above`, the style of a group further up, answers of a look and the style does
-/// not.
+/// Takes those answers of a look from `above`, the style of a group further up, that the style
+/// lacks.
 void inherit(Style& style, const Style& above);
-/// Answers the look of the resolved style by the style; what that leaves open stays as it is, but
-/// for the ink, which then goes with the background.
+/// Sets the look of the resolved style to the style's answers; fields without an answer stay as
+/// they are, except for the ink, which then follows the background.
 void answer(ResolvedStyle& resolved, const Style& style);
 /// Sets those fields of the style that `patch` answers.
 void patch(Style& style, const Style& patch);
-/// Clears those fields of the style that `which` answers, whatever it answers.
+/// Clears those fields of the style that `which` answers, whatever the answers are.
 void forget(Style& style, const Style& which);
-/// Returns those answers of the style for whose fields `which` has any.
+/// Returns those answers of the style whose fields `which` also answers.
 Style picked(const Style& style, const Style& which);
-/// Returns a style that answers every field of a look as the resolved one does, and whether it is
-/// shown; an ink that goes with the background stays unanswered.
+/// Returns a style that answers every field of a look, and the visibility, as the resolved style
+/// does; an ink that follows the background stays unanswered.
 Style answersOf(const ResolvedStyle& resolved);
-/// Returns a style that answers every field of a look, for `which`.
+/// Returns a style that answers every field of a look, for use as `which`.
 Style wholeLook();
 
-/// Returns the key without "_", as JSON of other makers and settings have it: "inkColour".
+/// Returns the key in camel case, as JSON of other makers and settings have it: "inkColour".
 std::string camelCase(std::string_view key);
 
 }  // namespace sline::model

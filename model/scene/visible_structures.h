@@ -9,20 +9,20 @@
 namespace sline::model {
 
 struct VisibleStructure {
-  const Node* node = nullptr;  ///< of the scene that was asked
+  const Node* node = nullptr;  ///< a node of the scene that was passed in
   ResolvedStyle style;
 };
 
-/// Returns the structures that can be seen, in tree order, in one pass: those with triangles that
-/// neither their own style nor a group's hides.
+/// Returns the visible structures in tree order, in one pass: those that have triangles and are
+/// hidden neither by their own style nor by a group.
 std::vector<VisibleStructure> visibleStructures(const Scene& scene);
 
-/// Returns the points of them all that no section takes away, and those where sections cut edges;
-/// LPS, millimetres.
+/// Returns the points of all visible structures that no section takes away, and those where
+/// sections cut edges; LPS, millimetres.
 std::vector<glm::vec3> visiblePoints(const Scene& scene);
 
-/// Returns the camera, not turned, fitted to the visible points themselves: a slanted structure
-/// leaves much of its box empty. As it was where nothing is visible.
+/// Returns the camera, not turned, fitted to the visible points themselves, because a slanted
+/// structure leaves much of its box empty. Where nothing is visible it stays as it was.
 Camera fittedToVisible(const Scene& scene, const Camera& camera, float aspect,
                        const FreeSides& sides = {});
 

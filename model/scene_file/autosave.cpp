@@ -21,7 +21,7 @@ ZipMember memberFor(const AutosaveSource& source) {
   return {std::string(sourceMember), json.dump(1, ' ', false, Json::error_handler_t::replace)};
 }
 
-/// Empty where the copy does not say.
+/// Returns the source, empty where the copy does not name it.
 AutosaveSource sourceFrom(const fs::path& copy) {
   AutosaveSource source;
   const Result<std::string> bytes = readText(copy, largestCopy);
@@ -50,7 +50,7 @@ fs::path userAutosaveFolder() {
 }
 
 Result<Autosave> Autosave::begin(const fs::path& folder) {
-  std::error_code ignored;  // a folder that is missing after all is the lock's error
+  std::error_code ignored;  // if the folder is still missing, the lock reports the error
   fs::create_directories(folder, ignored);
   for (int number = 1;; ++number) {
     const fs::path file = folder / (std::to_string(processNumber()) + "-" + std::to_string(number) +

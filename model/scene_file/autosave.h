@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Copies of unsaved work, and finding them again after a crash. Each open document has one scene
-// file of its own in a folder of the user's, locked while its program runs: a copy that nobody
-// locks was left by a program that did not end as it should.
+// Keeps copies of unsaved work and finds them again after a crash. Each open document has its own
+// scene file in a folder of the user's, locked while its program runs: an unlocked copy was left by
+// a program that did not end as it should.
 #pragma once
 
 #include <chrono>
@@ -14,26 +14,26 @@
 
 namespace sline::model {
 
-/// Where the copies lie: $XDG_STATE_HOME/sline/autosave, else ~/.local/state/sline/autosave; empty
-/// where neither is known. The folder need not exist.
+/// Returns the folder of the copies: $XDG_STATE_HOME/sline/autosave, else
+/// ~/.local/state/sline/autosave; empty where neither is known. The folder need not exist.
 std::filesystem::path userAutosaveFolder();
 
-/// Which document a copy is of.
+/// Says which document a copy belongs to.
 struct AutosaveSource {
   std::string title;
-  std::filesystem::path file;  ///< empty: never saved
+  std::filesystem::path file;  ///< empty if it was never saved
   bool operator==(const AutosaveSource&) const = default;
 };
 
-/// The copy of one open document.
+/// Keeps the copy of one open document.
 class Autosave {
  public:
-  /// Makes the folder where it is missing and takes a name in it; no file yet.
+  /// Makes the folder where it is missing and reserves a name in it, without writing a file yet.
   static Result<Autosave> begin(const std::filesystem::path& folder);
 
   /// Replaces the copy, whole or not at all. May run on any thread, one call at a time.
   Status keep(const SceneDocument& document, const AutosaveSource& source) const;
-  /// The document was saved or let go: there is nothing to recover.
+  /// Removes the copy, once the document was saved or let go and there is nothing to recover.
   void discard() const;
   const std::filesystem::path& file() const { return m_lock.file(); }
 
@@ -42,22 +42,22 @@ class Autosave {
   FileLock m_lock;
 };
 
-/// A copy whose program has gone.
+/// A copy whose program is no longer running.
 struct Recoverable {
   std::filesystem::path copy;
   AutosaveSource source;
   std::filesystem::file_time_type when;
 };
 
-/// The newest first.
+/// Returns the copies that can be recovered, the newest first.
 std::vector<Recoverable> recoverableIn(const std::filesystem::path& folder);
-/// The document as it was kept.
+/// Returns the document as it was kept.
 Result<SceneDocument> recovered(const Recoverable& found);
 /// Removes the copy, unless a program has taken it meanwhile.
 void forget(const Recoverable& found);
 
-/// When the next copy is due: a while after the first change that the last one lacks, and at once
-/// after a large change.
+/// Tells when the next copy is due: a while after the first change that the last copy lacks, and at
+/// once after a large change.
 class AutosaveClock {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -71,7 +71,7 @@ class AutosaveClock {
     m_large = m_large || large;
   }
   bool due(Time now) const { return m_unkept && (m_large || now - m_since >= m_every); }
-  /// All changes so far are kept, or saved.
+  /// Notes that all changes so far are kept, or saved.
   void kept() { m_unkept = m_large = false; }
 
  private:

@@ -12,8 +12,8 @@
 namespace sline::model {
 
 namespace {
-/// CRC-32 of IEEE 802.3, bits reflected, byte by byte (Sarwate, "Computation of cyclic redundancy
-/// checks via table look-up", CACM 31(8), 1988).
+/// The polynomial is that of CRC-32 of IEEE 802.3, bits reflected, byte by byte (Sarwate,
+/// "Computation of cyclic redundancy checks via table look-up", CACM 31(8), 1988).
 constexpr std::uint32_t polynomial = 0xedb88320u;
 
 constexpr std::array<std::uint32_t, 256> remainders() {

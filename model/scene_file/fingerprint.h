@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fingerprints of files: enough to see that one has changed, not to keep anybody from forging one.
+// Computes fingerprints of files: enough to see that a file has changed, but no protection against
+// forgery.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +12,7 @@
 namespace sline::model {
 
 Fingerprint fingerprintOf(std::string_view bytes);
-/// Reads the file piece by piece.
+/// Returns the file's fingerprint, reading the file piece by piece.
 Result<Fingerprint> fingerprintOfFile(const std::filesystem::path& file);
 
 }  // namespace sline::model

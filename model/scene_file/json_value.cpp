@@ -18,8 +18,8 @@ Error refusal(std::size_t byte, const std::string& reason) {
   return {.where = "byte " + std::to_string(byte), .reason = reason};
 }
 
-/// Counts brackets, commas and colons outside of texts before a parser makes anything of them, so
-/// that a small text cannot ask for a large machine.
+/// Counts brackets, commas and colons outside of texts before anything is parsed, so that a small
+/// text cannot demand much time or memory.
 class Census {
  public:
   explicit Census(const JsonLimits& limits) : m_limits(limits) {}
@@ -62,12 +62,13 @@ class Census {
   }
 
   JsonLimits m_limits;
-  std::vector<std::size_t> m_keys;  ///< of each object that is open
+  std::vector<std::size_t> m_keys;  ///< number of keys of each open object
   std::size_t m_values = 0;
   std::string m_reason;
 };
 
-/// The library's message without its own number: "[json.exception.parse_error.101] parse error …".
+/// Returns the library's message without its own number: "[json.exception.parse_error.101] parse
+/// error …".
 std::string plainMessage(std::string_view message) {
   const std::size_t end = message.find("] ");
   return std::string(end == std::string_view::npos ? message : message.substr(end + 2));
@@ -95,7 +96,8 @@ double jsonNumber(float value) {
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   double nearest = double(value);
   std::from_chars(digits.data(), end, nearest);
-  // A float of those digits is this one; a double of them, made a float, could be its neighbour.
+  // A float read from those digits is this one; a double read from them and converted to float
+  // could be its neighbour.
   return float(nearest) == value ? nearest : double(value);
 }
 

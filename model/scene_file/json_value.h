@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading JSON that nobody vouches for: each value knows its place, the first thing that is wrong
-// is remembered with it, and what nobody asked for is handed back.
+// Reads JSON that is not trusted: each value knows its place, the first fault is remembered with
+// its place, and unused keys are handed back.
 #pragma once
 
 #include <array>
@@ -17,7 +17,8 @@
 
 namespace sline::model {
 
-/// Keys sorted: an object of a million keys takes no more than its share of time.
+/// Holds JSON with sorted keys, so that an object of a million keys takes no more than its share of
+/// time.
 using Json = nlohmann::json;
 
 struct JsonLimits {
@@ -27,25 +28,25 @@ struct JsonLimits {
   int depth = 64;
 };
 
-/// The text as a value; the error's `where` is a byte ("byte 84").
+/// Parses the text; the error's `where` is a byte ("byte 84").
 Result<Json> parseJson(std::string_view text, const JsonLimits& limits = {});
 
-/// The double that prints with no more digits than the float needs, so that 0.1f is written 0.1;
-/// made a float again it is the same bit for bit. The value must be finite.
+/// Returns the double that prints with no more digits than the float needs, so that 0.1f is written
+/// 0.1; converted back to float it is the same bit for bit. The value must be finite.
 double jsonNumber(float value);
 
 /// Returns [x, y, z].
 nlohmann::ordered_json jsonPoint(const glm::vec3& p);
 
-/// The first thing that is wrong, and where: "nodes[3].style.gamma".
+/// Holds the first fault and its place: "nodes[3].style.gamma".
 struct JsonFault {
   std::string where;
   std::string reason;
   bool any() const { return !reason.empty(); }
 };
 
-/// A value and the way to it. The value, the fault and the value above must outlive it. A value of
-/// the wrong kind counts as zero or empty and is noted as the fault.
+/// Holds a value and the path to it. The value, the fault and the value above must outlive it. A
+/// value of the wrong kind counts as zero or empty and is noted as the fault.
 class JsonValue {
  public:
   JsonValue(const Json& json, JsonFault& fault) : m_json(&json), m_fault(&fault) {}
@@ -57,13 +58,13 @@ class JsonValue {
   const Json& json() const { return *m_json; }
   JsonFault& fault() const { return *m_fault; }
   std::string place() const;
-  /// Notes the reason, where nothing was noted before.
+  /// Notes the reason, unless a fault was noted before.
   void fail(std::string_view reason) const;
 
   std::string text() const;
-  /// Finite, and exactly the float that was written (see jsonNumber).
+  /// Returns a finite number, exactly the float that was written (see jsonNumber).
   float number() const;
-  /// Finite.
+  /// Returns a finite number.
   double real() const;
   std::int64_t whole(std::int64_t low, std::int64_t high) const;
   bool flag() const;
@@ -79,9 +80,9 @@ class JsonValue {
         all[i] = JsonValue((*m_json)[i], *this, i).number();
     return all;
   }
-  /// "#rrggbb".
+  /// Returns the colour written as "#rrggbb".
   Colour colour() const;
-  /// Which of the names it is; absent where it is none of them.
+  /// Returns which of the names the value is; absent where it is none of them.
   std::optional<std::size_t> oneOf(std::span<const std::string_view> names) const;
 
   /// Calls visit(JsonValue) for each element of a list until something is wrong.
@@ -109,19 +110,20 @@ class JsonObject {
   JsonObject& operator=(const JsonObject&) = delete;
 
   const JsonValue& value() const { return m_value; }
-  /// Absent where there is no such key. `key` must outlive the value: a literal.
+  /// Takes the value of the key; absent where there is no such key. `key` must outlive the value: a
+  /// literal.
   std::optional<JsonValue> take(std::string_view key);
-  /// A null with a fault where there is no such key.
+  /// Takes the value of the key, or returns a null with a fault where there is no such key.
   JsonValue need(std::string_view key);
   /// Takes a value that is one of the names, and returns which; absent where there is no such key.
-  /// Any other word is a fault, but in a file of a newer schema, where it is given back.
+  /// Any other word is a fault, except in a file of a newer schema, where it is given back.
   std::optional<std::size_t> takeChoice(std::string_view key,
                                         std::span<const std::string_view> names, bool newer);
-  /// Puts back what was left of a value that was taken.
+  /// Puts back the rest of a value that was taken.
   void giveBack(std::string_view key, Json rest);
-  /// What was not taken: an object, or null where that is nothing.
+  /// Returns the keys that were not taken: an object, or null where there are none.
   Json rest() const;
-  /// The same as text, empty where that is nothing.
+  /// Returns the keys that were not taken as text, empty where there are none.
   std::string unread() const;
 
  private:

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view magic = "SlineMe1";
 constexpr std::size_t headBytes = 16;
 
-/// Unsigned numbers of 32 bits as four planes of bytes, the lowest first.
+/// Writes unsigned numbers of 32 bits as four planes of bytes, the lowest first.
 class PlaneWriter {
  public:
   PlaneWriter(char* at, std::size_t count) : m_at(at), m_count(count) {}
@@ -40,7 +40,7 @@ class PlaneReader {
   std::size_t m_count;
 };
 
-/// Small numbers of either sign become small numbers: 0, −1, 1, −2, … → 0, 1, 2, 3, …
+/// Maps small numbers of either sign to small unsigned numbers: 0, −1, 1, −2, … → 0, 1, 2, 3, …
 std::uint32_t zigzag(std::uint32_t difference) {
   return difference << 1 ^ (0u - (difference >> 31));
 }
@@ -48,7 +48,7 @@ std::uint32_t unzigzag(std::uint32_t code) {
   return code >> 1 ^ (0u - (code & 1u));
 }
 
-/// Whole numbers in the order of the floats.
+/// Returns a whole number; these have the same order as the floats.
 std::uint32_t orderOf(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
   return bits ^ (bits >> 31 != 0 ? 0xffffffffu : 0x80000000u);
@@ -57,8 +57,8 @@ float floatAt(std::uint32_t order) {
   return std::bit_cast<float>(order ^ (order >> 31 != 0 ? 0x80000000u : 0xffffffffu));
 }
 
-/// What a corner's vertex is told apart from: for the first corner of a triangle the next vertex
-/// that no triangle before it has used, for the others the corner before.
+/// Gives the reference from which a corner's vertex is counted: for the first corner of a triangle
+/// the next vertex that no triangle before it has used, for the others the corner before.
 class CornerCoder {
  public:
   std::uint32_t reference(int corner) const { return corner == 0 ? m_next : m_last; }

@@ -7,7 +7,8 @@
 
 namespace sline::model {
 
-/// The mesh as binary little-endian PLY, every float bit for bit. `comment` is one line of text.
+/// Returns the mesh as binary little-endian PLY, with every float bit for bit. `comment` is one
+/// line of text.
 std::string plyText(const Mesh& mesh, const std::string& comment);
 
 }  // namespace sline::model

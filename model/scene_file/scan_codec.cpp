@@ -8,7 +8,7 @@ namespace sline::model {
 namespace {
 constexpr std::string_view scanMagic = "SlineSc1";
 
-/// Differences modulo 2¹⁶, folded so that small ones of either sign are small.
+/// Folds differences modulo 2¹⁶ so that small ones of either sign are small.
 std::uint16_t folded(std::uint16_t difference) {
   return std::uint16_t(unsigned(difference) << 1 ^ ((difference & 0x8000u) != 0 ? 0xffffu : 0u));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scans of a scene as scene.json has them: all but their voxels, which it names.
+// Writes and reads the scans of a scene in scene.json, except their voxels, to which scene.json
+// refers by name.
 #pragma once
 
 #include <map>
@@ -12,16 +13,17 @@
 
 namespace sline::model {
 
-/// Voxels by the names under which scene.json calls for them.
+/// Maps the names that scene.json uses to voxels.
 using VoxelsByName = std::map<std::string, VoxelsPtr, std::less<>>;
 
-/// The name of the n-th scan's voxels, n from 0.
+/// Returns the name of the n-th scan's voxels, n from 0.
 std::string voxelsName(std::size_t n);
-/// Keys in the order of the description; what a scan has kept unread is not among them.
+/// Returns the scan as JSON with keys in the order of the description, without the scan's unread
+/// keys.
 nlohmann::ordered_json scanJson(const Scan& scan, const std::string& voxels);
-/// The names of the voxels that scene.json calls for.
+/// Returns the names of the voxels to which scene.json refers.
 std::vector<std::string> voxelsCalledFor(const Json& root);
-/// Notes what is wrong in the value's fault.
+/// Returns the scans and notes what is wrong in the value's fault.
 std::vector<Scan> scansFrom(const JsonValue& list, const VoxelsByName& voxels);
 
 }  // namespace sline::model

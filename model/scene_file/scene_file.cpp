@@ -44,7 +44,7 @@ Result<MeshesByName> meshesOf(const ZipReader& zip, const Json& root) {
   for (const std::string& name : meshesCalledFor(root)) {
     const ZipReader::Entry* entry = zip.find(name);
     if (!entry)
-      continue;  // scene.json's reader tells where it was called for
+      continue;  // the reader of scene.json reports where it was referred to
     const Result<std::string> bytes = zip.read(*entry);
     if (!bytes.ok())
       return bytes.error();
@@ -73,7 +73,7 @@ Result<VoxelsByName> voxelsOf(const ZipReader& zip, const Json& root) {
   return voxels;
 }
 
-/// The thumbnail and what is neither scene nor called for by it.
+/// Takes the thumbnail and all members to which the scene does not refer.
 Status takeRest(const ZipReader& zip, const std::set<std::string, std::less<>>& known,
                 SceneDocument& document) {
   for (const ZipReader::Entry& entry : zip.entries()) {
@@ -119,7 +119,8 @@ Result<SceneDocument> documentFrom(const ZipReader& zip) {
   return document;
 }
 
-/// Refuses to write over what a newer program has written; what cannot be read is no such file.
+/// Refuses to overwrite a file that a newer program has written; a file that cannot be read does
+/// not count as one.
 Status mayReplace(const fs::path& file) {
   std::error_code unknown;
   if (!fs::is_regular_file(file, unknown))
@@ -143,8 +144,8 @@ Status mayReplace(const fs::path& file) {
   return Unit{};
 }
 
-/// Beside the file lie what writers that were killed have left, named like writeBeside does; with
-/// the lock held nobody is writing.
+/// Removes files that killed writers have left beside the file, named like those of writeBeside;
+/// while the lock is held there is no other writer.
 void removeLeftovers(const fs::path& file) {
   const std::string start = "." + file.filename().string() + ".";
   std::error_code fault;
@@ -187,7 +188,7 @@ Result<std::string> sceneFileBytes(const SceneDocument& document) {
     if (name == names.end())
       continue;
     members.push_back({name->second, encodedMesh(*node.mesh)});
-    names.erase(name);  // written once, however many have it
+    names.erase(name);  // written once, however many structures share it
   }
   for (std::size_t n = 0; n < document.scene.scans().size(); ++n)
     members.push_back({voxelsName(n), encodedVoxels(*document.scene.scans()[n].voxels)});

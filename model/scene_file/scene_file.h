@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene file: one ZIP with scene.json, the meshes and a small picture.
-// resources/help/scene_file.md describes it for whoever writes another reader.
+// Reads and writes the scene file: one ZIP with scene.json, the meshes and a small picture.
+// resources/help/scene_file.md describes it for authors of other readers.
 #pragma once
 
 #include <filesystem>
@@ -16,26 +16,28 @@
 namespace sline::model {
 
 inline constexpr std::string_view sceneExtension = ".sline";
-/// By its extension; case is ignored.
+/// Tells whether the file's extension is that of a scene file; case is ignored.
 bool isSceneFile(const std::filesystem::path& file);
 
 struct SceneDocument {
   Scene scene;
   std::string thumbnail;          ///< PNG; may be empty
   std::vector<ZipMember> others;  ///< members without a meaning here, by name; kept for saving
-  int schema = 0;                 ///< of the file it came from; 0: from none
+  int schema = 0;                 ///< of the file it came from; 0 if it came from none
 
-  /// From a program that knows more: it can be looked at and saved under another name.
+  /// Tells whether the file was written by a newer program: it can be looked at and saved under
+  /// another name.
   bool isNewer() const;
-  /// What to tell the user about a newer file; empty for others.
+  /// Returns the warning to the user about a newer file; empty for others.
   std::string warning() const;
 };
 
-/// The same document always gives the same bytes, and they read back to the same document.
+/// Returns the bytes of the scene file: the same document always gives the same bytes, and they
+/// read back to the same document.
 Result<std::string> sceneFileBytes(const SceneDocument& document);
 
-/// The bytes are not trusted. An error's `where` is the member and the place in it:
-/// "scene.json: nodes[3].style.gamma".
+/// Returns the document. The bytes are not trusted. An error's `where` is the member and the place
+/// in it: "scene.json: nodes[3].style.gamma".
 Result<SceneDocument> documentFromBytes(std::string_view bytes);
 
 Result<SceneDocument> readSceneFile(const std::filesystem::path& file);
@@ -43,7 +45,7 @@ Result<SceneDocument> readSceneFile(const std::filesystem::path& file);
 /// Writes the lock's file whole or not at all, through to the disk. A file of a newer program is
 /// not overwritten.
 Status writeSceneFile(const FileLock& lock, const SceneDocument& document);
-/// The same with a lock for as long as it takes.
+/// Does the same as `writeSceneFile` above, holding a lock during the call.
 Status writeSceneFile(const std::filesystem::path& file, const SceneDocument& document);
 
 }  // namespace sline::model

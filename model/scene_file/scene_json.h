@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene as scene.json of a scene file (resources/help/scene_file.md) and back: all of it but
-// the meshes and the scans' voxels, which it names.
+// Writes and reads the scene as scene.json of a scene file (resources/help/scene_file.md): all of
+// it but the meshes and the scans' voxels, to which scene.json refers by name.
 #pragma once
 
 #include <map>
@@ -17,25 +17,25 @@ namespace sline::model {
 /// The version of scene.json that this program writes.
 inline constexpr int sceneSchema = 1;
 
-/// Meshes by the names under which scene.json calls for them.
+/// Maps the names that scene.json uses to meshes.
 using MeshesByName = std::map<std::string, MeshPtr, std::less<>>;
 
-/// The name each structure's mesh goes under, of the first structure that has it: one mesh that
-/// several structures share has one name.
+/// Returns the name of each mesh, after the first structure that has it: a mesh that several
+/// structures share has one name.
 std::map<MeshPtr, std::string> meshNames(const Scene& scene);
 
-/// Keys in the order of the description, what the scene has kept unread after them. Bytes of a name
-/// that are no UTF-8 become U+FFFD.
+/// Returns scene.json with keys in the order of the description and the scene's unread keys after
+/// them. Bytes of a name that are not UTF-8 become U+FFFD.
 std::string sceneJson(const Scene& scene);
 
-/// Which version wrote it. The error says why this is no scene at all.
+/// Returns the version of scene.json. The error says why this is no scene at all.
 Result<int> schemaOf(const Json& root);
-/// The names of the meshes that it calls for, each once, in order.
+/// Returns the names of the meshes to which scene.json refers, each once, in order.
 std::vector<std::string> meshesCalledFor(const Json& root);
 
-/// The scene; keys without a meaning here are kept in it. What a newer schema has put in place of a
-/// known value (a fill that is unknown) is kept unread as well; in a file of this schema it is an
-/// error. An error's `where` is the place: "nodes[3].style.gamma".
+/// Returns the scene; keys without a meaning here are kept in it. A value that a newer schema has
+/// put in place of a known one (an unknown fill) is kept unread as well; in a file of this schema
+/// it is an error. An error's `where` is the place: "nodes[3].style.gamma".
 Result<Scene> sceneFromJson(const Json& root, const MeshesByName& meshes,
                             const VoxelsByName& voxels = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of scene.json that its writer and its reader share, in the order of the values they stand
-// for.
+// Lists words of scene.json that its writer and its reader share, in the order of the values they
+// stand for.
 #pragma once
 
 #include <array>

@@ -19,7 +19,7 @@ constexpr std::size_t mostSections = 10'000;
 constexpr std::size_t mostViews = 10'000;
 constexpr std::size_t mostAnnotations = 100'000;
 constexpr std::size_t deepestNode = 256;
-/// Ids stay exact in programs that have no other numbers than doubles.
+/// Ids up to this one stay exact in programs whose only numbers are doubles.
 constexpr std::int64_t largestId = std::int64_t(1) << 53;
 
 class SceneReader {
@@ -160,7 +160,7 @@ Annotation SceneReader::annotation(const JsonValue& value) const {
   if (const auto text = object.take("text"))
     annotation.text = text->text();
   if (const auto texts = object.take("texts")) {
-    const JsonObject languages(*texts);  // notes what is no object
+    const JsonObject languages(*texts);  // notes a fault where it is not an object
     for (const auto& [language, text] : texts->json().items())
       annotation.texts[language] = JsonValue(text, *texts, std::string_view(language)).text();
   }
@@ -258,7 +258,8 @@ View SceneReader::view(const JsonValue& value) const {
   return view;
 }
 
-/// Each node new, and below the node before it or one of that node's groups: tree order.
+/// Checks the tree order: each node is new, and lies below the node before it or one of that node's
+/// groups.
 class TreeOrder {
  public:
   void add(const Node& node, const JsonValue& value) {

@@ -11,10 +11,11 @@
 namespace sline::model {
 
 namespace {
-/// Keys stay in the order they are written in.
+/// Keeps its keys in the order in which they are written.
 using Ordered = nlohmann::ordered_json;
 
-/// The same value; its keys, sorted and unlike each other, are not looked for again one by one.
+/// Returns the same value with its keys in order; the keys are sorted and unique, so none is
+/// searched for.
 Ordered orderedOf(const Json& json) {
   if (json.is_array()) {
     Ordered list = Ordered::array();
@@ -30,7 +31,7 @@ Ordered orderedOf(const Json& json) {
   return object;
 }
 
-/// Adds what `unread` has and `target` has not, object by object.
+/// Adds the keys of `unread` that `target` lacks, object by object.
 void addUnread(Ordered& target, const Json& unread) {
   auto& keys = target.get_ref<Ordered::object_t&>();
   const std::size_t known = keys.size();

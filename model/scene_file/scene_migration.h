@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From older versions of scene.json to this one.
+// Brings older versions of scene.json to this one.
 #pragma once
 
 #include "model/base/result.h"
@@ -7,9 +7,9 @@
 
 namespace sline::model {
 
-/// Brings `root` to the schema that is written today; what is of a newer one stays as it is. Schema
-/// 1 is the first, so there is nothing to change yet: a step that leads from one schema to the next
-/// belongs here once there are two, and a file of the older one in tests/model/scene_file/examples.
+/// Brings `root` to the schema that is written today; one of a newer schema stays as it is. Schema
+/// 1 is the first, so there is nothing to change yet: a step from one schema to the next belongs
+/// here once there are two, and a file of the older one in tests/model/scene_file/examples.
 Status migrate(Json& root);
 
 }  // namespace sline::model

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Position-based: in each round every rule moves the points part of the way to where it holds.
+// Settles the tube by position-based dynamics: in each round every rule moves the points part of
+// the way to where it holds.
 #include "model/sculpting/coil.h"
 
 #include <algorithm>
@@ -44,8 +45,8 @@ void keepSpacing(Points& points, float spacing) {
   }
 }
 
-/// No bend is tighter than one of `radius`: the ends of each stretch of `span` steps stay as far
-/// apart as on such a bend.
+/// Keeps each bend no tighter than one of `radius`: the ends of each stretch of `span` steps stay
+/// as far apart as on such a bend.
 void keepBendsOpen(Points& points, float spacing, float radius, std::size_t span) {
   const float least = 2.0f * radius * std::sin(0.5f * float(span) * spacing / radius);
   for (std::size_t i = 1; i + span + 1 < points.size(); ++i) {
@@ -59,7 +60,8 @@ void keepBendsOpen(Points& points, float spacing, float radius, std::size_t span
   }
 }
 
-/// The share of points that another stretch of the tube presses into by more than a twelfth.
+/// Returns the share of points into which another stretch of the tube presses by more than a
+/// twelfth.
 float crowding(const Points& points, float apart, std::size_t alongTube) {
   std::size_t pressed = 0;
   const float least = 0.92f * apart;
@@ -78,7 +80,7 @@ float crowding(const Points& points, float apart, std::size_t alongTube) {
   return float(pressed) / float(points.size());
 }
 
-/// Each point a little towards the middle of its neighbours two steps away.
+/// Moves each point a little towards the middle of its neighbours two steps away.
 void straighten(Points& points) {
   const Points before = points;
   for (std::size_t i = 2; i + 2 < points.size(); ++i)
@@ -119,12 +121,12 @@ void giveWay(Points& points, const Field& keepOut, float clearance) {
 
 std::vector<glm::vec3> settledCoil(std::span<const glm::vec3> path, const CoilRules& rules) {
   Points points(path.begin(), path.end());
-  // Nearer along the tube than half a turn of the tightest bend, points are neighbours.
+  // Points closer along the tube than half a turn of the tightest bend count as neighbours.
   const auto neighbours = std::size_t(std::ceil(3.1f * rules.radius / rules.spacing));
   const int growing = rules.stages - rules.settling;
   for (int stage = 0; stage < rules.stages; ++stage) {
     points = evenlySpaced(points, rules.spacing);
-    // Where it is too full already the tube gets shorter instead.
+    // Where there is already too little room the tube gets shorter instead.
     const float crowd = crowding(points, 2.0f * rules.radius, neighbours);
     const float growth =
         stage < growing ? (crowd < 0.15f ? rules.growth : 1.0f) : (crowd < 0.01f ? 1.0f : 0.97f);

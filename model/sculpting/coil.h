@@ -9,15 +9,15 @@
 
 namespace sline::model {
 
-/// How a tube may lie.
+/// Sets how a tube may lie.
 struct CoilRules {
   float radius = 12.0f;  ///< mm; no two stretches of the tube come closer than twice that
   float spacing = 5.0f;  ///< mm between the points of its centre line
-  Field keepOut;         ///< negative where the tube may not be
-  int rounds = 40;       ///< in each of its stages
+  Field keepOut;         ///< negative where the tube must not be
+  int rounds = 40;       ///< in each stage
   int stages = 6;
-  int settling = 2;      ///< stages at the end in which it grows no more
-  float growth = 1.14f;  ///< how much longer it gets in each of the others, while there is room
+  int settling = 2;      ///< the number of stages at the end in which it no longer grows
+  float growth = 1.14f;  ///< growth factor of each other stage, while there is room
 };
 
 /// Lets a tube laid roughly along `path` settle like bowel in its cavity: it grows, bends gently,

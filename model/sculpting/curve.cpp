@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curve, and the two shapes along it: Tube and Band.
+// Implements Curve and the two shapes along it: Tube and Band.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +29,8 @@ struct Timed {
   float t;
 };
 
-/// The given knots and where the curve passes them: centripetal, the root of the way between.
+/// Returns the given knots with the parameters at which the curve passes them: centripetal, steps
+/// being the root of the distance.
 std::vector<Timed> timed(std::span<const Knot> through) {
   std::vector<Timed> knots;
   for (const Knot& knot : through) {
@@ -42,8 +43,9 @@ std::vector<Timed> timed(std::span<const Knot> through) {
   return knots;
 }
 
-/// Second derivatives at the knots of the cubic spline through them, whose end pieces keep theirs
-/// (Thomas' elimination): curvature is continuous, or lines would show each knot on the wall.
+/// Returns the second derivatives at the knots of the cubic spline through them, constant within
+/// the end pieces (Thomas' elimination): curvature is continuous, or else lines would show each
+/// knot on the wall.
 std::vector<Knot> bends(const std::vector<Timed>& k) {
   std::vector<Knot> bend(k.size());
   std::vector<float> above(k.size(), 0.0f);
@@ -52,7 +54,7 @@ std::vector<Knot> bends(const std::vector<Timed>& k) {
     const float after = k[i + 1].t - k[i].t;
     const Knot turn = 1.0f / after * (k[i + 1].value - k[i].value) -
                       1.0f / before * (k[i].value - k[i - 1].value);
-    // The end's own is that of its neighbour.
+    // The second derivative at the end equals that of its neighbour.
     const float ends = (i == 1 ? before : 0.0f) + (i + 2 == k.size() ? after : 0.0f);
     const float pivot = 2.0f * (before + after) + ends - before * above[i - 1];
     above[i] = after / pivot;
@@ -84,8 +86,8 @@ std::vector<Knot> sampled(std::span<const Knot> through, float step) {
   return samples;
 }
 
-/// Weights of four samples in a row on a uniform cubic B-spline between the middle two, and their
-/// first and second derivatives. Its curvature is continuous.
+/// Holds the weights of four successive samples on a uniform cubic B-spline between the middle two,
+/// and their first and second derivatives. Its curvature is continuous.
 struct Weights {
   std::array<float, 4> value;
   std::array<float, 4> first;
@@ -103,10 +105,10 @@ Weights weightsAt(float t) {
 
 Curve::Curve(std::span<const Knot> through, float step) : m_knots(sampled(through, step)) {
   const std::size_t count = m_knots.size();
-  // Beyond its ends the curve goes straight on.
+  // Beyond its ends the curve is straight.
   m_spline.push_back(2.0f * m_knots[0] - m_knots[1]);
   m_spline.insert(m_spline.end(), m_knots.begin(), m_knots.end());
-  // A B-spline cuts corners, by a sixth of the second difference.
+  // A B-spline cuts corners by a sixth of the second difference.
   for (std::size_t i = 1; i + 1 < count; ++i)
     m_spline[i + 1] =
         m_knots[i] - 1.0f / 6.0f * (m_knots[i - 1] + m_knots[i + 1] - 2.0f * m_knots[i]);
@@ -152,7 +154,8 @@ Curve::Place Curve::nearest(const glm::vec3& p, float weight) const {
     if (c != likely && glm::distance(p, m_chunks[c].centre) - m_chunks[c].reach < best.distance)
       search(m_chunks[c], p, weight, best);
 
-  // From the chord to the smooth curve, so that no bend shows facets: Newton on (p − c)·c′ = 0.
+  // The search goes from the chord to the smooth curve, so that no bend shows facets: Newton on (p
+  // − c)·c′ = 0.
   const float end = float(m_knots.size() - 1);
   float s = float(best.segment) + best.t;
   for (int step = 0; step < 3; ++step) {
@@ -185,7 +188,8 @@ Curve::Knot Curve::mixed(std::size_t piece, const std::array<float, 4>& weights)
 }
 
 namespace {
-/// Far away a box's distance, a lower bound, is as good: no blend reaches that far.
+/// Farther away than this the box's distance, a lower bound, serves as well: no blend reaches that
+/// far.
 constexpr float farAway = 12.0f;
 
 Curve curveOf(std::span<const TubePoint> through, float step) {
@@ -238,7 +242,8 @@ float Band::distance(const glm::vec3& p) const {
   const glm::vec3 across = glm::cross(normal, place.tangent);
   const float width = std::max(place.main.w, 0.1f);
   const float thickness = std::max(place.more.w, 0.1f);
-  // Along the line only beyond an end, which is rounded like the thinner way across.
+  // The offset along the line counts only beyond an end, which is rounded like the thinner way
+  // across.
   return ellipsoid({glm::dot(d, across), glm::dot(d, normal), glm::dot(d, place.tangent)},
                    {width, thickness, std::min(width, thickness)});
 }

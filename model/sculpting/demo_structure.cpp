@@ -18,22 +18,22 @@
 namespace sline::model {
 
 namespace {
-/// mm
+/// The most that `folds` may add to a wall, in mm.
 constexpr float deepestFold = 3.0f;
 
 struct Cutter {
   const Field* field = nullptr;
-  Box reach;  ///< outside it the cut is not felt
+  Box reach;  ///< outside this box the cut has no effect
 };
 
-/// How far from a neighbour the structure's shape may depend on it: an inner surface follows a dent
-/// of the outer one, and smoothing looks around.
+/// Returns how far from a neighbour the structure's shape may depend on it: an inner surface
+/// follows a dent of the outer one, and smoothing looks around.
 float feltWithin(const DemoStructure& own) {
   return own.gap + 2.0f * own.rounding + 2.0f * own.wall + 5.0f * own.smoothing;
 }
 
-/// The structure's own field less its neighbours'. Far from a neighbour the distance to its box
-/// stands in for the distance to itself: never more, and the sign is the same.
+/// Returns the structure's own field minus its neighbours. Far from a neighbour the distance to its
+/// box replaces the distance to the neighbour itself: it is never larger, and the sign is the same.
 Field cutField(const DemoStructure& own, std::vector<Cutter> cutters) {
   if (cutters.empty())
     return own.field;
@@ -49,7 +49,7 @@ Field cutField(const DemoStructure& own, std::vector<Cutter> cutters) {
   };
 }
 
-/// The same within `reach` of a place: without the cutters that are not felt there.
+/// Returns the cut field within `reach` of a place, without the cutters that have no effect there.
 Field localCutField(const DemoStructure& own, const std::vector<Cutter>& cutters,
                     const glm::vec3& place, float reach) {
   const float margin = feltWithin(own);
@@ -104,7 +104,7 @@ Field cutField(const DemoStructure& own, const std::vector<DemoStructure>& all) 
   return own.smoothing > 0.0f ? smoothed(own, cutters) : cutField(own, std::move(cutters));
 }
 
-/// The component with the most triangles; cutting may leave crumbs.
+/// Returns the component with the most triangles, since cutting may leave crumbs.
 MeshPtr largestComponent(const MeshPtr& mesh) {
   const Components components = connectedComponents(*mesh);
   if (components.count <= 1)
@@ -133,7 +133,7 @@ MeshPtr largestComponent(const MeshPtr& mesh) {
       Mesh::create(std::move(positions), std::move(triangles)).value());
 }
 
-/// Both surfaces as one mesh, the second turned inside out.
+/// Joins both surfaces into one mesh, with the second turned inside out.
 MeshPtr withCavity(const Mesh& outer, const Mesh& cavity) {
   std::vector<glm::vec3> positions(outer.positions().begin(), outer.positions().end());
   std::vector<Triangle> triangles(outer.triangles().begin(), outer.triangles().end());
@@ -160,7 +160,7 @@ MeshPtr meshed(const DemoStructure& own, const std::vector<DemoStructure>& all) 
   const Field cavity = [&own, &solid](const glm::vec3& p) {
     return solid(p) + own.wall + (own.folds ? own.folds(p) : 0.0f);
   };
-  // Seen only where the body is cut open.
+  // The cavity is seen only where the body is cut open.
   constexpr float coarser = 1.6f;
   return withCavity(*outer, *mesh(cavity, coarser * own.edge));
 }
@@ -174,7 +174,8 @@ MeshPtr meshed(const DemoStructure& own, const std::vector<DemoStructure>& all) 
   return std::adjacent_find(names.begin(), names.end()) == names.end();
 }
 
-/// The group at the end of the path, made with all above it where it is new.
+/// Returns the group at the end of the path and makes it and the groups above it where they are
+/// missing.
 NodeId groupAt(Scene& scene, std::map<std::vector<std::string>, NodeId>& known,
                const std::vector<std::string>& path) {
   if (path.empty())
@@ -194,7 +195,7 @@ Scene demoScene(std::vector<DemoStructure> structures, const std::stop_token& st
     s.field = stoppable(std::move(s.field), stop);
   assert(namesAreUnique(structures));
   std::vector<MeshPtr> meshes(structures.size());
-  // The largest first, so that none of them is left to run alone at the end.
+  // The largest come first, so that none of them is left to run alone at the end.
   std::vector<std::size_t> order(structures.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto work = [&](std::size_t i) {
@@ -204,8 +205,8 @@ Scene demoScene(std::vector<DemoStructure> structures, const std::stop_token& st
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return work(a) > work(b); });
   parallelFor(order.size(), 1, [&](std::size_t k) {
-    // An exception out of this loop would also break off what VTK has under way for others, whose
-    // loops nest in it, and VTK takes no notice.
+    // An exception out of this loop would also abort unrelated work of VTK, whose loops nest in it,
+    // and VTK would not notice.
     try {
       meshes[order[k]] = meshed(structures[order[k]], structures);
     } catch (const ModellingStopped&) {

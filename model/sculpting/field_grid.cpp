@@ -13,8 +13,8 @@ namespace sline::model {
 
 namespace {
 constexpr int largestBlock = 8;
-/// How much a field may overstate its distance before a block is passed over by mistake; mending
-/// finds what this misses.
+/// A field may overstate its distance by this factor before a block is skipped by mistake; mending
+/// finds the surface that is missed.
 constexpr float slack = 1.5f;
 
 bool within(const glm::ivec3& i, const glm::ivec3& size) {
@@ -48,7 +48,8 @@ void FieldGrid::fill(const Field& field, const glm::ivec3& first, int edge) {
     return;
   const glm::ivec3 end = glm::min(first + edge, m_size);
   if (edge > 1) {
-    // One cell more than the samples span, so that no edge between two blocks is missed.
+    // The reach is one cell more than the samples span, so that no edge between two blocks is
+    // missed.
     const float middle = field(place(glm::vec3(first) + 0.5f * float(edge - 1)));
     const float reach = m_cell * (0.5f * std::sqrt(3.0f) * float(edge - 1) + 1.0f);
     if (std::abs(middle) > slack * reach) {

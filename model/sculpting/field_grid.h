@@ -9,7 +9,7 @@
 
 namespace sline::model {
 
-/// A field sampled on a cubic lattice, exactly only near its surface: blocks whose middle is
+/// Samples a field on a cubic lattice, exactly only near its surface: blocks whose middle is
 /// farther from the surface than the block reaches hold that one value. Where the sign changes,
 /// both samples are always exact, however wrong the field's distances are far away, as long as some
 /// part of that piece of surface was found.
@@ -20,9 +20,9 @@ class FieldGrid {
   const glm::ivec3& size() const { return m_size; }
   float cell() const { return m_cell; }
   const glm::vec3& origin() const { return m_origin; }
-  /// x fastest, then y.
+  /// Returns the samples, x fastest, then y.
   const std::vector<float>& values() const { return m_values; }
-  /// How often the field was asked.
+  /// Returns how many samples were read from the field itself.
   std::size_t exactCount() const;
 
  private:

@@ -12,15 +12,15 @@
 namespace sline::model {
 
 float ellipsoid(const glm::vec3& p, const glm::vec3& semiAxes) {
-  // f/|∇f| of f = |p/a| − 1 in the form that stays finite at the centre.
+  // This is f/|∇f| of f = |p/a| − 1 in the form that stays finite at the centre.
   const float k0 = glm::length(p / semiAxes);
   const float k1 = glm::length(p / (semiAxes * semiAxes));
   return k1 > 1e-12f ? k0 * (k0 - 1.0f) / k1 : -std::min({semiAxes.x, semiAxes.y, semiAxes.z});
 }
 
 float cushion(const glm::vec3& p, const glm::vec3& semiAxes, float fullness) {
-  // f/|∇f| of f = Σ (1 − a) q² + a q⁴ − 1, q = p / semiAxes: unlike a power between 2 and 4 it
-  // leaves no flat spots on the axes.
+  // This is f/|∇f| of f = Σ (1 − a) q² + a q⁴ − 1, q = p / semiAxes: unlike a power between 2 and 4
+  // it leaves no flat spots on the axes.
   const glm::vec3 q = p / semiAxes;
   const glm::vec3 squares = q * q;
   const float f = glm::dot(squares, glm::vec3(1.0f - fullness) + fullness * squares) - 1.0f;
@@ -31,7 +31,7 @@ float cushion(const glm::vec3& p, const glm::vec3& semiAxes, float fullness) {
 }
 
 namespace {
-/// The smaller of both, rounded by a quartic that meets it with continuous curvature.
+/// Returns the smaller of both, rounded by a quartic that meets it with continuous curvature.
 float smoothMinimum(float a, float b, float radius) {
   const float h = std::max(radius - std::abs(a - b), 0.0f) / radius;
   return std::min(a, b) - h * h * h * (4.0f - h) * radius / 16.0f;
@@ -69,7 +69,7 @@ Box mirrored(const Box& box, float plane) {
 }
 
 float wave(const glm::vec3& p, float wavelength, float phase) {
-  // Three plane waves in directions that no axis shares, each bent by the one before.
+  // These are three plane waves in directions that share no axis, each bent by the one before.
   const float k = 2.0f * std::numbers::pi_v<float> / wavelength;
   const float a = std::sin(k * glm::dot(p, {0.68f, 0.53f, 0.51f}) + phase);
   const float b = std::sin(k * glm::dot(p, {-0.62f, 0.74f, 0.27f}) + 2.1f * phase + 0.8f * a);

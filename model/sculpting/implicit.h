@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes as signed distances: negative inside, positive outside, in millimetres (near the surface;
-// far away only the sign is exact). Anatomy is built by blending a few of them.
+// Defines shapes as signed distances: negative inside, positive outside, in millimetres (near the
+// surface; far away only the sign is exact). Anatomy is built by blending a few of them.
 #pragma once
 
 #include <array>
@@ -18,37 +18,38 @@ namespace sline::model {
 
 using Field = std::function<float(const glm::vec3&)>;
 
-/// About the signed distance to an ellipsoid at the origin, exact to first order at its surface.
+/// Returns about the signed distance to an ellipsoid at the origin, exact to first order at its
+/// surface.
 float ellipsoid(const glm::vec3& p, const glm::vec3& semiAxes);
 
-/// The same to a body between an ellipsoid (`fullness` 0) and a box: up to about 0.5, smooth all
-/// over.
+/// Returns about the signed distance to a body between an ellipsoid (`fullness` 0) and a box,
+/// smooth everywhere for `fullness` up to about 0.5.
 float cushion(const glm::vec3& p, const glm::vec3& semiAxes, float fullness);
 
-/// Union, difference and intersection whose seam is rounded over about `radius` mm, with continuous
-/// curvature.
+/// Returns the union (difference, intersection) of two shapes; the seam is rounded over about
+/// `radius` mm, with continuous curvature.
 float blendedUnion(float a, float b, float radius);
 float blendedDifference(float a, float b, float radius);
 inline float blendedIntersection(float a, float b, float radius) {
   return -blendedUnion(-a, -b, radius);
 }
-/// Whether the boxes have a point inside both.
+/// Tells whether the boxes share an inner point.
 inline bool meet(const Box& a, const Box& b) {
   return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
 }
 
-/// How far the point lies outside the box; 0 inside.
+/// Returns how far the point lies outside the box; 0 inside.
 float distanceToBox(const Box& box, const glm::vec3& p);
-/// The box with its faces moved outward by that much.
+/// Returns the box with its faces moved outward by that much.
 Box grown(Box box, float by);
-/// The shape reflected in the plane x = `plane`.
+/// Returns the shape reflected in the plane x = `plane`.
 Field mirrored(Field field, float plane);
 Box mirrored(const Box& box, float plane);
-/// A slow wave through space between −1 and 1, without a lattice to be seen: liveliness for a
-/// surface, or lobes. `wavelength` is the mean distance between crests, in mm.
+/// Returns a slow wave through space between −1 and 1 without a visible lattice, which gives a
+/// surface liveliness or lobes. `wavelength` is the mean distance between crests, in mm.
 float wave(const glm::vec3& p, float wavelength, float phase);
 
-/// An ellipsoid anywhere: its axes are turned by degrees about x, then y, then z.
+/// An ellipsoid anywhere in space; its axes are turned by degrees about x, then y, then z.
 class Blob {
  public:
   Blob(const glm::vec3& centre, const glm::vec3& semiAxes, const glm::vec3& degrees = {0, 0, 0});
@@ -62,15 +63,15 @@ class Blob {
   Box m_bounds;
 };
 
-/// A place on a vessel's centre line.
+/// Holds a place on a vessel's centre line.
 struct TubePoint {
   glm::vec3 position;
   float radius;
 };
 
-/// A place on the middle line of something flat: half its width along `across`, half its thickness
-/// at right angles to that and to the line. `across` need be neither unit nor at right angles to
-/// the line; where it changes from place to place the band twists.
+/// Holds a place on the middle line of a flat shape: half its width along `across`, half its
+/// thickness at right angles to that and to the line. `across` need be neither unit nor at right
+/// angles to the line; where it changes from place to place the band twists.
 struct BandPoint {
   glm::vec3 position;
   float halfWidth;
@@ -89,19 +90,20 @@ class Curve {
   struct Place {
     glm::vec4 main;
     glm::vec4 more;
-    glm::vec3 tangent;  ///< unit
+    glm::vec3 tangent;  ///< unit vector
   };
   Curve(std::span<const Knot> through, float step);
-  /// Where distance − `weight` · radius is least; beyond the ends the end itself.
+  /// Returns the place where distance − `weight` · radius is least; beyond the ends it is the end
+  /// itself.
   Place nearest(const glm::vec3& p, float weight) const;
-  /// At `s` knots from the start, 0 to knots − 1.
+  /// Returns the place at `s` knots from the start, 0 to knots − 1.
   Place at(float s) const;
   const std::vector<Knot>& knots() const { return m_knots; }
 
  private:
   struct Chunk {
     glm::vec3 centre;
-    float reach;  ///< of its segments and their radii
+    float reach;  ///< includes its segments and their radii
     std::size_t first;
     std::size_t end;
   };
@@ -118,8 +120,8 @@ class Curve {
   std::vector<Chunk> m_chunks;
 };
 
-/// A tube with a round cross-section along a smooth curve through the given points, its radius
-/// changing smoothly between them, its ends rounded.
+/// A tube has a round cross-section along a smooth curve through the given points; its radius
+/// changes smoothly between them, and its ends are rounded.
 class Tube {
  public:
   explicit Tube(std::span<const TubePoint> through, float step = 2.5f);
@@ -134,7 +136,7 @@ class Tube {
   Box m_bounds;
 };
 
-/// A tube with an elliptic cross-section: a muscle, a nerve, a flattened vein.
+/// A band is a tube with an elliptic cross-section: a muscle, a nerve, a flattened vein.
 class Band {
  public:
   explicit Band(std::span<const BandPoint> through, float step = 3.0f);
@@ -148,7 +150,8 @@ class Band {
   Box m_bounds;
 };
 
-/// Parts blended where they meet; parts too far away to be felt are passed over.
+/// Returns the distance to all parts, blended where they meet; parts too far away to matter are
+/// skipped.
 template <class Part>
 float blended(std::span<const Part> parts, const glm::vec3& p, float radius) {
   float d = std::numeric_limits<float>::infinity();

@@ -14,7 +14,7 @@ namespace {
 constexpr float sampleStep = 3.0f;  // mm
 constexpr float farFromLamina = 12.0f;
 
-/// Weights of four neighbours on a uniform cubic B-spline, and their derivatives.
+/// Holds the weights of four neighbours on a uniform cubic B-spline, and their derivatives.
 struct SplineWeights {
   std::array<float, 4> value;
   std::array<float, 4> slope;
@@ -27,13 +27,13 @@ SplineWeights splineWeightsAt(float t) {
           {-0.5f * s * s, 1.5f * t * t - 2.0f * t, 2.0f * s - 1.5f * s * s, 0.5f * t * t}};
 }
 
-/// The control point before the first of a line: the line goes on with the bend it has.
+/// Returns the control point before the first of a line, which continues with the same bend.
 glm::vec4 beyondEnd(std::span<const glm::vec4> line) {
   return line.size() == 2 ? 2.0f * line[0] - line[1] : 3.0f * (line[0] - line[1]) + line[2];
 }
 
-/// In place: from points in a line, `stride` apart, to the control points of the cubic B-spline
-/// through them. Each is 6 p[i] = c[i−1] + 4 c[i] + c[i+1], solved by Gauss and Seidel's iteration,
+/// Converts points in a line, `stride` apart, in place to the control points of the cubic B-spline
+/// through them. They satisfy 6 p[i] = c[i−1] + 4 c[i] + c[i+1], solved by Gauss-Seidel iteration,
 /// whose error falls to a quarter in each round.
 void toControls(std::span<glm::vec4> line, std::size_t stride) {
   constexpr int rounds = 20;
@@ -45,7 +45,7 @@ void toControls(std::span<glm::vec4> line, std::size_t stride) {
     for (std::size_t i = 0; i <= last; ++i) {
       const auto c = [&](std::size_t k) { return line[k * stride]; };
       const glm::vec4 wanted = 6.0f * points[i * stride];
-      // At the ends with the control point beyond put in.
+      // At the ends the control point beyond is substituted.
       if (i == 0)
         line[0] = (wanted + 2.0f * c(1) - c(2)) / 7.0f;
       else if (i == last)
@@ -70,7 +70,7 @@ Lamina::Lamina(std::span<const LaminaPoint> points, std::size_t columns)
   const std::size_t down = (std::size_t(m_rows) - 1) * width + 1;
   for (std::size_t column = 1; column <= columns; ++column)
     toControls(all.subspan(width + column, down), width);
-  // One more around: columns first, then whole rows.
+  // One more control point is added all around: columns first, then whole rows.
   for (std::size_t row = 1; row <= std::size_t(m_rows); ++row) {
     std::vector<glm::vec4> line(&all[row * width + 1], &all[row * width + 1] + columns);
     all[row * width] = beyondEnd(line);
@@ -115,7 +115,7 @@ Lamina::Place Lamina::at(float u, float v) const {
 }
 
 void Lamina::addSamples() {
-  // One chunk per patch between four control points.
+  // There is one chunk per patch between four control points.
   for (int row = 0; row + 1 < m_rows; ++row)
     for (int column = 0; column + 1 < m_columns; ++column) {
       const auto apart = [&](int r, int c) {
@@ -173,7 +173,8 @@ float Lamina::distance(const glm::vec3& p) const {
   if (toBox > farFromLamina)
     return toBox;
   Sample s = nearestSample(p);
-  // Gauss and Newton within the sheet; a coordinate at the rim stays there while p pulls outward.
+  // This is Gauss-Newton within the sheet; a coordinate at the rim stays there while p pulls
+  // outward.
   for (int step = 0; step < 3; ++step) {
     const Place place = at(s.u, s.v);
     const glm::vec3 away = p - glm::vec3(place.value);

@@ -9,18 +9,18 @@
 
 namespace sline::model {
 
-/// A place on the middle surface of a sheet, and half the sheet's thickness there.
+/// Holds a place on the middle surface of a sheet, and half the sheet's thickness there.
 struct LaminaPoint {
   glm::vec3 position;
   float halfThickness;
 };
 
-/// A curved plate with rounded rims: a flat muscle, a wall, a wing of bone. Its middle surface goes
-/// smoothly (a bicubic spline, of continuous curvature) through rows of points, each row as long as
-/// the others.
+/// A curved plate with rounded rims: a flat muscle, a wall, a wing of bone. Its middle surface
+/// passes smoothly (a bicubic spline, of continuous curvature) through rows of points, all rows
+/// being of one length.
 class Lamina {
  public:
-  /// `columns` points per row, at least two rows and columns.
+  /// Builds the plate from rows of `columns` points; there are at least two rows and columns.
   Lamina(std::span<const LaminaPoint> points, std::size_t columns);
   Lamina(std::initializer_list<LaminaPoint> points, std::size_t columns)
       : Lamina(std::span<const LaminaPoint>(points.begin(), points.size()), columns) {}
@@ -44,7 +44,7 @@ class Lamina {
     std::size_t first;
     std::size_t end;
   };
-  /// u runs along rows (0 … columns − 1), v from row to row.
+  /// Returns the place at (u, v): u runs along rows (0 … columns − 1), v from row to row.
   Place at(float u, float v) const;
   glm::vec4 control(int row, int column) const;
   void addSamples();
@@ -52,7 +52,7 @@ class Lamina {
 
   int m_rows;
   int m_columns;
-  std::vector<glm::vec4> m_controls;  ///< one more row and column on every side
+  std::vector<glm::vec4> m_controls;  ///< with one more row and column on every side
   std::vector<Sample> m_samples;
   std::vector<Chunk> m_chunks;
   Box m_bounds;

@@ -11,8 +11,8 @@
 namespace sline::model {
 
 namespace {
-/// The lines along the wall of a course, each at its angle around it. Frames are carried along
-/// without twist.
+/// Describes the lines along the wall of a course, each at its angle around it. Frames are carried
+/// along without twist.
 class Wall {
  public:
   Wall(const Curve& course, float less) : m_course(course), m_less(less) {
@@ -35,7 +35,7 @@ class Wall {
            (place.main.w - m_less) * (std::cos(angle) * side + std::sin(angle) * up);
   }
 
-  /// Where the line at that angle passes through the plane of an end, by bisection.
+  /// Returns where the line at that angle passes through the plane of an end, by bisection.
   float cut(const PipeEnd& end, float angle) const {
     const float middle = nearest(end.point);
     float low = std::max(middle - reach, 0.0f);
@@ -50,7 +50,7 @@ class Wall {
   }
 
  private:
-  static constexpr float reach = 4.0f;  // knots
+  static constexpr float reach = 4.0f;  // in knots
 
   float nearest(const glm::vec3& p) const {
     std::size_t best = 0;
@@ -79,7 +79,7 @@ float lengthBetween(const Curve& course, const std::array<PipeEnd, 2>& ends) {
   return length;
 }
 
-/// A grid that closes both ways, each row half a step on from the one before.
+/// Returns a grid that closes in both directions, each row shifted half a step from the one before.
 std::vector<Triangle> torus(std::size_t rows, std::size_t columns) {
   std::vector<Triangle> triangles;
   const auto index = [&](std::size_t row, std::size_t column) {
@@ -105,7 +105,7 @@ Facets pipe(const Curve& course, float wall, const std::array<PipeEnd, 2>& ends,
   const auto columns = std::size_t(std::max(12.0f, std::ceil(turn * radius / edge)));
   const auto along = std::size_t(std::max(4.0f, std::ceil(lengthBetween(course, ends) / edge)));
   Facets facets;
-  // Down the outside and back within; the rows at the ends meet across the wall.
+  // The rows run down the outside and back within; the rows at the ends meet across the wall.
   const Wall outside(course, 0.0f);
   const Wall inside(course, wall);
   const std::size_t rows = 2 * (along + 1);

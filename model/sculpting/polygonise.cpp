@@ -17,7 +17,7 @@ namespace sline::model {
 namespace {
 constexpr int roundsOfRemeshing = 5;
 constexpr int relaxations = 4;
-/// Edges outside these are mended, as shares of the edge asked for.
+/// Edges outside these limits, as shares of the requested edge, are mended.
 constexpr float shortest = 0.7f;
 constexpr float longest = 1.45f;
 
@@ -28,7 +28,7 @@ Facets flyingEdges(const Field& field, const Box& box, float cell) {
   return {std::move(raw.positions), std::move(raw.triangles)};
 }
 
-/// By differences over the corners of a tetrahedron.
+/// Returns the gradient from differences over the corners of a tetrahedron.
 glm::vec3 gradient(const Field& field, const glm::vec3& p, float h) {
   glm::vec3 sum(0.0f);
   for (const glm::vec3 d :
@@ -37,8 +37,8 @@ glm::vec3 gradient(const Field& field, const glm::vec3& p, float h) {
   return sum / (4.0f * h);
 }
 
-/// Onto field = 0: Newton's steps along the gradient at the start, which is near enough; none leads
-/// farther than half an edge, whatever the gradient of a crease may say.
+/// Moves the point onto field = 0 by Newton steps along the gradient at the start, which is
+/// accurate enough; none is longer than half an edge, whatever the gradient at a crease may be.
 glm::vec3 projected(const Field& field, glm::vec3 p, float edge) {
   const glm::vec3 g = gradient(field, p, 0.05f * edge);
   const float slope = glm::length(g);
@@ -49,10 +49,10 @@ glm::vec3 projected(const Field& field, glm::vec3 p, float edge) {
   return p;
 }
 
-/// Area-weighted mean of the centroids of a vertex' triangles, and their mean normal.
+/// Holds the area-weighted mean of the centroids of a vertex's triangles, and their mean normal.
 struct Umbrella {
   glm::vec3 centroid;
-  glm::vec3 normal;  ///< unit, or zero
+  glm::vec3 normal;  ///< unit vector, or zero
 };
 
 Umbrella umbrella(const Facets& raw, std::span<const std::uint32_t> faces, float edge) {
@@ -74,9 +74,9 @@ Umbrella umbrella(const Facets& raw, std::span<const std::uint32_t> faces, float
   return {sum / weights, length > 0.0f ? normal / length : glm::vec3(0.0f)};
 }
 
-/// Each vertex towards the centroid of its triangles within the surface, then, where asked for,
-/// back onto the surface along the mesh's normal (outward), taking the field for a distance: near
-/// the surface it is one, and the last word is Newton's.
+/// Moves each vertex towards the centroid of its triangles within the surface, then, if `back`,
+/// back onto the surface along the mesh's normal (outward). That takes the field for a distance,
+/// which it is near the surface; Newton's steps come last.
 void relax(const Field& field, Facets& raw, const VertexFaces& faces, float edge, bool back) {
   std::vector<glm::vec3> moved(raw.positions.size());
   parallelFor(moved.size(), 256, [&](std::size_t v) {
@@ -122,7 +122,8 @@ void relax(const Field& field, Facets& raw, float edge, int times) {
 }  // namespace
 
 MeshPtr polygonise(const Field& field, const Box& box, float edge) {
-  // A lattice cell holds about three triangles per square of surface: their edges are shorter.
+  // A lattice cell holds about three triangles per square of surface, so their edges are shorter
+  // than the cell.
   Facets raw = outward(flyingEdges(field, box, 1.15f * edge));
   for (int round = 0; round < roundsOfRemeshing; ++round) {
     relax(field, raw, edge, 2);

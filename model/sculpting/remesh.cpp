@@ -11,7 +11,7 @@ namespace sline::model {
 namespace {
 using Vertex = std::uint32_t;
 
-/// For each vertex its triangles, compressed. Mesh and VertexFaces would copy the positions.
+/// Lists the triangles of each vertex, compressed. Mesh and VertexFaces would copy the positions.
 class Stars {
  public:
   explicit Stars(const Facets& facets) : m_first(facets.positions.size() + 1, 0) {
@@ -35,7 +35,7 @@ class Stars {
   std::vector<std::uint32_t> m_faces;
 };
 
-/// The corner after v, counter-clockwise.
+/// Returns the corner after v, counter-clockwise.
 Vertex after(const Triangle& t, Vertex v) {
   return t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
 }
@@ -47,7 +47,7 @@ glm::vec3 areaNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
   return glm::cross(b - a, c - a);
 }
 
-/// Both have a direction, and it is nearly the same.
+/// Tells whether both have a direction, and nearly the same one.
 bool agree(const glm::vec3& a, const glm::vec3& b, float cosine) {
   const float lengths = glm::length(a) * glm::length(b);
   return lengths > 0.0f && glm::dot(a, b) > cosine * lengths;
@@ -77,8 +77,8 @@ class Collapse {
  private:
   const glm::vec3& at(Vertex v) const { return m_facets.positions[v]; }
 
-  /// Keeps the surface a surface: exactly the two triangles at the edge vanish, and no vertex is
-  /// left with fewer than four.
+  /// Tells whether the vertices may be merged while the surface stays one: exactly the two
+  /// triangles at the edge vanish, and no vertex is left with fewer than four.
   bool mayMeet(Vertex a, Vertex b) const {
     int shared = 0;
     for (const std::uint32_t f : m_stars[a]) {
@@ -170,7 +170,7 @@ class Turn {
  private:
   const glm::vec3& at(Vertex v) const { return m_facets.positions[v]; }
 
-  /// How far from six, squared, `more` triangles would be.
+  /// Returns the squared difference from six if the vertex had `more` triangles.
   int unevenness(Vertex v, int more) const {
     const int off = int(m_stars[v].size()) + more - 6;
     return off * off;

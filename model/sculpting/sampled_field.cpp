@@ -14,18 +14,19 @@ namespace sline::model {
 
 namespace {
 constexpr int blockSide = 8;
-/// A place reads samples up to two cells away along each axis.
+/// Reading a place uses samples up to two cells away along each axis.
 constexpr float splineReach = 3.5f;
-/// Variances, in squared spacings, of reading through the spline and of the weights 1 2 1.
+/// These are the variances, in squared spacings, of reading through the spline and of the weights 1
+/// 2 1.
 constexpr float splineVariance = 1.0f / 3.0f;
 constexpr float passVariance = 0.5f;
 
-/// From the middle of a cube of samples to its corner samples, mm.
+/// Returns the distance from the middle of a cube of samples to its corner samples, mm.
 float reachOf(int side, float spacing) {
   return 0.5f * std::sqrt(3.0f) * spacing * float(side - 1);
 }
 
-/// Weights of the four samples around a place at t from 0 to 1 between the middle two.
+/// Returns the weights of the four samples around a place at t from 0 to 1 between the middle two.
 std::array<float, 4> splineWeights(float t) {
   const float s = 1.0f - t;
   return {s * s * s / 6.0f, (3.0f * t * t * t - 6.0f * t * t + 4.0f) / 6.0f,
@@ -58,7 +59,8 @@ SampledField::SampledField(const LocalField& near, const Box& box, Fineness fine
 }
 
 void SampledField::smoothOnce(std::ptrdiff_t stride) {
-  // Over the ends of lines it reads their neighbours, but there the surface is far away.
+  // At the ends of lines this reads samples of the neighbouring lines, but there the surface is far
+  // away.
   const std::vector<float> old = m_values;
   const auto count = std::ptrdiff_t(old.size());
   parallelChunks(std::size_t(count - 2 * stride), 1 << 16, [&](std::size_t begin, std::size_t end) {
@@ -79,7 +81,8 @@ void SampledField::sampleBlock(const Field& field, const glm::ivec3& first, int 
     return;
   const float middle = field(middleOf(first, side));
   const float reach = reachOf(side, m_spacing);
-  // A sample that no spline of a place on the surface reads need only be a lower bound.
+  // A sample need only be a lower bound if it influences no place on the surface through the
+  // spline.
   const bool exact = std::abs(middle) < reach + m_band;
   if (exact && side > 1) {
     for (int part = 0; part < 8; ++part)

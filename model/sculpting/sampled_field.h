@@ -10,27 +10,29 @@
 
 namespace sline::model {
 
-/// A field kept as samples on a grid and read as a cubic B-spline of them. Reading costs about 50
-/// ns whatever the field was made of. The samples are smoothed as clay is by a thumb: creases,
-/// facets and lumps finer than about `smoothing` go, larger shapes stay, curvature is continuous.
+/// Keeps a field as samples on a grid and reads it as a cubic B-spline of them. Reading costs about
+/// 50 ns whatever the field was made of. The samples are smoothed as clay is by a thumb: creases,
+/// facets and lumps finer than about `smoothing` vanish, larger shapes stay, curvature is
+/// continuous.
 class SampledField {
  public:
-  /// A field that need be right only within `reach` mm of a place.
+  /// Returns a field that need only be right within `reach` mm of a place.
   using LocalField = std::function<Field(const glm::vec3& place, float reach)>;
 
-  /// All in mm; smoothing is the standard deviation of a Gaussian, at least 0.6 spacings, which
-  /// reading through the spline brings along.
+  /// All lengths are in mm; smoothing is the standard deviation of a Gaussian, at least 0.6
+  /// spacings, which reading through the spline causes anyway.
   struct Fineness {
     float spacing;
     float smoothing;
-    float depth = 0.0f;  ///< so far from the surface distances are wanted too
+    float depth = 0.0f;  ///< distances are exact this much farther from the surface
   };
 
   /// Samples a field of signed distances in mm within the box; the surface should keep two spacings
   /// and twice the smoothing away from the box.
   SampledField(const LocalField& near, const Box& box, Fineness fineness);
 
-  /// Near the surface about the signed distance; far away a lower bound of its magnitude.
+  /// Returns about the signed distance near the surface, and a lower bound of its magnitude far
+  /// away.
   float distance(const glm::vec3& p) const;
   const Box& bounds() const { return m_box; }
 

@@ -10,7 +10,7 @@
 namespace sline::model {
 
 namespace {
-/// The distance to a shape that is not there yet, in mm.
+/// The distance to an empty shape, in mm.
 constexpr float nothing = 1000.0f;
 
 template <class Shape>
@@ -74,8 +74,8 @@ float Sculpture::distance(const glm::vec3& p) const {
 }
 
 std::vector<const Sculpture::Step*> Sculpture::near(const glm::vec3& place, float reach) const {
-  // No shape's value changes by more than the way between two places; a shape that cannot come
-  // within its blend of what is there before it has no effect. Later carvings only raise a value.
+  // No shape's value changes by more than the distance between two places; a shape that cannot come
+  // within its blend of the shape so far has no effect. Later carvings only raise a value.
   std::vector<const Step*> steps;
   float d = nothing;
   for (const Step& step : m_steps) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bones are modelled as from clay: plates, tubes and lumps are added and hollows carved, one after
-// the other, each blended into what is there.
+// Models bones as from clay: plates, tubes and lumps are added and hollows carved, one after the
+// other, each blended into the shape so far.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -16,14 +16,14 @@ namespace sline::model {
 
 class Sculpture {
  public:
-  /// Pairs are reflected in the plane x = `middle`.
+  /// Makes an empty sculpture; pairs are reflected in the plane x = `middle`.
   explicit Sculpture(float middle = 0.0f) : m_middle(middle) {}
 
   /// Adds a shape that lies within the box, or carves one; the seam is rounded over about `blend`
   /// mm, at most 12.
   void add(Field shape, const Box& box, float blend);
   void carve(Field shape, float blend);
-  /// Removes what lies beyond the plane through `point`, on the side its normal points to.
+  /// Removes everything beyond the plane through `point`, on the side its normal points to.
   void cut(const glm::vec3& point, const glm::vec3& normal, float blend);
 
   void addTube(const Tube& tube, float blend);
@@ -34,10 +34,10 @@ class Sculpture {
   void carveTubePair(const Tube& tube, float blend);
 
   float distance(const glm::vec3& p) const;
-  /// The same shape smoothed, read in constant time. Throws ModellingStopped where `stop` is asked
-  /// for on the way.
+  /// Returns the shape smoothed and readable in constant time. Throws ModellingStopped if `stop` is
+  /// requested on the way.
   Field sampled(SampledField::Fineness fineness, const std::stop_token& stop = {}) const;
-  /// Holds everything added.
+  /// Returns the box around everything added.
   const Box& bounds() const { return m_bounds; }
 
  private:

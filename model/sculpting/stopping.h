@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Giving up in the middle of modelling. All of its time goes into asking fields, so it is enough
-// that they refuse to answer; the refusal ends what is made of one structure, and then in `demo`.
+// Stops in the middle of modelling. All of its time goes into reading fields, so it is enough that
+// they throw; the exception ends the modelling of one structure, and then of the whole demo.
 #pragma once
 
 #include <exception>
@@ -16,13 +16,14 @@ class ModellingStopped : public std::exception {
   const char* what() const noexcept override { return "modelling was given up"; }
 };
 
-/// Throws ModellingStopped where stop was asked for.
+/// Throws ModellingStopped if stop was requested.
 inline void goOnUnless(const std::stop_token& stop) {
   if (stop.stop_requested())
     throw ModellingStopped();
 }
 
-/// The same field as long as nobody asks to stop, then ModellingStopped.
+/// Returns a field that gives the same values until stop is requested, then throws
+/// ModellingStopped.
 inline Field stoppable(Field field, const std::stop_token& stop) {
   if (!stop.stop_possible() || !field)
     return field;

@@ -14,7 +14,7 @@ namespace sline::model {
 
 namespace {
 constexpr std::size_t runLength = 8;
-/// Beyond this the distance to the box around everything, a lower bound, is as good.
+/// Beyond this distance the distance to the box around everything, a lower bound, is good enough.
 constexpr float farFromRuns = 14.0f;
 
 glm::vec3 direction(const glm::vec3& from, const glm::vec3& to) {
@@ -47,8 +47,8 @@ Swept::Swept(std::span<const SweptPoint> through, const glm::vec3& front, float 
   gatherRuns();
 }
 
-/// The curve's curvature jumps at the points given, and so would that of the wall, where drawn
-/// lines would show it. Binomial filters spread the jump over about a centimetre.
+/// Smooths the samples. The curve's curvature jumps at the given points, and so would that of the
+/// wall, where drawn lines would show it. Binomial filters spread the jump over about a centimetre.
 void Swept::smooth() {
   constexpr int passes = 14;
   for (int pass = 0; pass < passes; ++pass) {
@@ -66,7 +66,8 @@ void Swept::smooth() {
   }
 }
 
-/// Each frame is the one before it, turned as little as keeps it square to the curve.
+/// Carries the frames along: each is the one before it, turned as little as keeps it square to the
+/// curve.
 void Swept::carryFrames(const glm::vec3& front) {
   glm::vec3 carried = front;
   for (std::size_t i = 0; i < m_samples.size(); ++i) {
@@ -179,8 +180,9 @@ float Swept::distanceToRuns(const glm::vec3& p) const {
   return least;
 }
 
-/// The cubic B-spline over the samples: nearest to it, unlike nearest to the polyline, no crease
-/// runs around the wall where two segments meet, and its curvature is continuous.
+/// Returns the place on the cubic B-spline over the samples. The nearest place on the polyline
+/// would leave a crease around the wall where two segments meet; the spline leaves none, and its
+/// curvature is continuous.
 Swept::Sample Swept::onCurve(float s, Slopes& slopes) const {
   const std::size_t last = m_samples.size() - 1;
   const std::size_t k = std::min(std::size_t(s), last - 1);
@@ -188,7 +190,7 @@ Swept::Sample Swept::onCurve(float s, Slopes& slopes) const {
   const float r = 1.0f - t;
   const Sample& a = m_samples[k];
   const Sample& b = m_samples[k + 1];
-  // At the ends everything goes straight on.
+  // Beyond the ends everything continues straight.
   const auto blend = [&](auto Sample::*field, const std::array<float, 4>& w) {
     const auto before = k > 0 ? m_samples[k - 1].*field : 2.0f * (a.*field) - b.*field;
     const auto after = k + 1 < last ? m_samples[k + 2].*field : 2.0f * (b.*field) - a.*field;
@@ -211,8 +213,8 @@ SweptPlace Swept::place(const glm::vec3& p) const {
   const Nearest at = nearest(p, farFromRuns);
   if (std::isinf(at.distance))
     return {.distance = std::max(farFromRuns, distanceToRuns(p))};
-  // Newton's method for the place whose sphere is nearest, from the polyline's: the wall is what
-  // spheres along the curve envelop, and so their caps join it smoothly where it widens.
+  // Newton's method finds the place whose sphere is nearest, starting from the polyline's: the wall
+  // is the envelope of spheres along the curve, so their caps join it smoothly where it widens.
   const float end = float(m_samples.size() - 1);
   float s = float(at.segment) + at.t;
   Slopes slopes;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hollow organs and long muscles: an elliptical cross-section carried along a smooth curve. The
-// answer to "where am I?" (how far along, on which side) lets a caller fold and swell the wall.
+// Models hollow organs and long muscles: an elliptical cross-section carried along a smooth curve.
+// The place of a point (how far along, on which side) lets a caller fold and swell the wall.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,27 +12,27 @@
 
 namespace sline::model {
 
-/// A place on the centre line: half the width, and half the depth as a share of it.
+/// Holds a place on the centre line: half the width there, and half the depth as a share of it.
 struct SweptPoint {
   glm::vec3 position;
   float radius;
   float depth = 1.0f;
 };
 
-/// Seen from the nearest place on the centre line.
+/// Holds the place of a point relative to the nearest place on the centre line.
 struct SweptPlace {
   float along = 0.0f;     ///< mm along the centre line
-  float widths = 0.0f;    ///< the same, counted in half widths passed
-  float angle = 0.0f;     ///< around it; 0 on the side of `front`, radians
+  float widths = 0.0f;    ///< the same length, counted in half widths passed
+  float angle = 0.0f;     ///< angle around the centre line; 0 on the side of `front`, radians
   float distance = 0.0f;  ///< about the signed distance to the smooth wall, mm
   float radius = 1.0f;    ///< half the width here, mm
 };
 
-/// A cross-section.
+/// Describes a cross-section.
 struct SweptRing {
   glm::vec3 position;  ///< on the centre line
-  glm::vec3 front;     ///< unit, square to the line, where the angle is 0
-  glm::vec3 side;      ///< unit, where it is a right one
+  glm::vec3 front;     ///< unit vector, square to the line, where the angle is 0
+  glm::vec3 side;      ///< unit vector, where the angle is a right angle
   float radius;        ///< half the width, mm
 };
 
@@ -42,23 +42,23 @@ class Swept {
  public:
   Swept(std::span<const SweptPoint> through, const glm::vec3& front, float step = 2.0f);
 
-  /// The signed distance to the wall; from far away a lower bound.
+  /// Returns the signed distance to the wall; from far away a lower bound.
   float distance(const glm::vec3& p) const { return place(p).distance; }
   SweptPlace place(const glm::vec3& p) const;
 
   SweptRing ring(float along) const;
-  /// About the distance from the point to the walls of other stretches of the tube than that at its
-  /// own place, at most `reach` mm.
+  /// Returns about the distance from the point to the walls of stretches of the tube other than the
+  /// point's own, at most `reach` mm.
   float distanceToOthers(const glm::vec3& p, const SweptPlace& at, float reach) const;
 
   float length() const { return m_samples.back().along; }
   const Box& bounds() const { return m_bounds; }
-  /// Of the walls between two places along the centre line.
+  /// Returns the box around the walls between two places along the centre line.
   Box bounds(float from, float to) const;
-  /// How far along the place on the centre line is that is nearest to the point.
+  /// Returns how far along the centre line its nearest place to the point lies.
   float alongNearest(const glm::vec3& p) const;
-  /// How far past the cut square to the centre line at `along` the point lies, mm; `at` is its
-  /// place.
+  /// Returns how far the point lies past the cut square to the centre line at `along`, mm; `at` is
+  /// its place.
   float beyond(float along, const glm::vec3& p, const SweptPlace& at) const;
 
  private:
@@ -70,7 +70,7 @@ class Swept {
     float widths = 0.0f;
     glm::vec3 front{0.0f};
   };
-  /// Some segments (or runs of them) in a row and the box that holds their walls.
+  /// Holds some successive segments (or runs of them) and the box around their walls.
   struct Run {
     std::size_t first, last;
     Box box;
@@ -80,21 +80,21 @@ class Swept {
     float t = 0.0f;
     float distance = 0.0f;  ///< to a round wall
   };
-  /// How the curve goes on, per sample.
+  /// Holds the derivatives of the curve, per sample.
   struct Slopes {
     glm::vec3 tangent{0.0f};
     glm::vec3 bend{0.0f};  ///< second derivative
     float widening = 0.0f;
   };
-  /// At `s` samples from the start.
+  /// Returns the place at `s` samples from the start.
   Sample onCurve(float s, Slopes& slopes) const;
-  /// To the boxes around parts of the wall: a lower bound.
+  /// Returns the distance to the boxes around parts of the wall: a lower bound.
   float distanceToRuns(const glm::vec3& p) const;
   void smooth();
   void carryFrames(const glm::vec3& front);
   void gatherRuns();
   void searchRun(const Run& run, const glm::vec3& p, Nearest& best) const;
-  /// Infinitely far where nothing lies within `reach`.
+  /// Returns the nearest segment, infinitely far where there is none within `reach`.
   Nearest nearest(const glm::vec3& p, float reach) const;
 
   std::vector<Sample> m_samples;

@@ -13,17 +13,17 @@
 namespace sline::model {
 
 namespace {
-/// Where the body leaves a tube hardly any room it is this share of its width wide.
+/// A tube that the body leaves hardly any room is this share of its width wide.
 constexpr float narrowest = 0.2f;
 
-/// How a ring follows from the wall's radius r there: share · (r − inset).
+/// Derives a ring from the wall's radius r there: share · (r − inset).
 struct Ring {
   float along;
   float share = 1.0f;
   float inset = 0.0f;
 };
 
-/// Square ends with a rounded rim; their discs are rings too.
+/// Returns the rings with square ends and rounded rims; the discs at the ends are rings too.
 std::vector<Ring> ringsOf(const TubeStretch& stretch) {
   std::vector<Ring> rings;
   const auto end = [&](float along, float inward) {
@@ -40,7 +40,7 @@ std::vector<Ring> ringsOf(const TubeStretch& stretch) {
   rings = end(stretch.from, 1.0f);
   const float first = stretch.from + stretch.rim;
   const float length = stretch.to - stretch.rim - first;
-  // Rings of equilateral triangles stand closer together than their edges are long.
+  // Rings of equilateral triangles are closer together than their edges are long.
   const int steps = std::max(1, int(std::lround(length / (0.87f * stretch.edge))));
   for (int i = 0; i <= steps; ++i)
     rings.push_back({first + length * float(i) / float(steps)});
@@ -49,14 +49,14 @@ std::vector<Ring> ringsOf(const TubeStretch& stretch) {
   return rings;
 }
 
-/// How far the body reaches from the centre line.
+/// Returns how far the body reaches from the centre line.
 float reachOf(const Field& solid, const SweptRing& ring, const glm::vec3& direction) {
   float inside = narrowest * ring.radius;
   float outside = ring.radius;
   const auto at = [&](float r) { return solid(ring.position + r * direction); };
   if (at(outside) <= 0.0f)
     return outside;
-  // The first place outwards where the body ends, then halving.
+  // This finds the first place outwards where the body ends, then bisects.
   constexpr int steps = 5;
   for (int i = 1; i <= steps; ++i) {
     const float r = ring.radius * (narrowest + (1.0f - narrowest) * float(i) / float(steps));
@@ -73,7 +73,7 @@ float reachOf(const Field& solid, const SweptRing& ring, const glm::vec3& direct
   return 0.5f * (inside + outside);
 }
 
-/// Dents get soft edges: the weights 1 2 1 around each ring and along the tube.
+/// Softens the edges of dents by the weights 1 2 1 around each ring and along the tube.
 void soften(std::vector<float>& reach, std::size_t around, int passes) {
   const std::size_t rings = reach.size() / around;
   for (int pass = 0; pass < passes; ++pass) {
@@ -92,8 +92,8 @@ void soften(std::vector<float>& reach, std::size_t around, int passes) {
   }
 }
 
-/// Rings of `around` vertices, each turned by half a step against the one before, and a vertex at
-/// either end.
+/// Returns rings of `around` vertices, each turned by half a step relative to the one before, and a
+/// vertex at either end.
 std::vector<Triangle> ringTriangles(std::size_t rings, std::size_t around) {
   std::vector<Triangle> triangles;
   const auto at = [around](std::size_t i, std::size_t j) {

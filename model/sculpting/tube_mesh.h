@@ -7,7 +7,7 @@
 
 namespace sline::model {
 
-/// A stretch of a tube, cut square at both ends.
+/// Describes a stretch of a tube, cut square at both ends.
 struct TubeStretch {
   float from = 0.0f;  ///< mm along the centre line
   float to = 0.0f;
@@ -15,9 +15,9 @@ struct TubeStretch {
   float rim = 2.0f;   ///< mm: radius of the edges of its ends
 };
 
-/// The walls of a long coiled tube as a closed mesh of rings around its centre line: outwards from
-/// there to where `solid`, negative inside, ends, at most as far as the tube is wide. Unlike a
-/// polygonised field, loops that touch stay apart.
+/// Meshes the walls of a long coiled tube as a closed mesh of rings around its centre line, which
+/// reach outwards to where `solid`, negative inside, ends, and at most as far as the tube is wide.
+/// Unlike in a polygonised field, loops that touch stay apart.
 MeshPtr tubeMesh(const Swept& tube, const TubeStretch& stretch, const Field& solid);
 
 }  // namespace sline::model

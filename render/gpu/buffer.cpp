@@ -15,7 +15,7 @@ GLenum binding(BufferKind kind) {
 
 Buffer::Buffer(BufferKind kind, std::string_view name) : m_kind(kind) {
   glGenBuffers(1, &m_handle);
-  // An index buffer binds into the vertex array that happens to be current; none may be.
+  // An index buffer binds into the current vertex array, so none may be current.
   glBindVertexArray(0);
   glBindBuffer(binding(kind), m_handle);
   nameObject(bufferKind, m_handle, name);

@@ -10,7 +10,8 @@ namespace sline::render::gpu {
 
 enum class BufferKind { vertices, indices };
 
-/// Memory of the driver's. Needs its context current when it is made, filled and destroyed.
+/// A buffer is memory of the driver. It needs its context current when it is made, filled and
+/// destroyed.
 class Buffer {
  public:
   Buffer(BufferKind kind, std::string_view name);
@@ -20,9 +21,9 @@ class Buffer {
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
 
-  /// Contents that stay; copies them, so the caller's may go.
+  /// Sets contents that stay; they are copied, so the caller's may be freed.
   void fill(std::span<const std::byte> bytes);
-  /// Contents that change every frame; what is being drawn keeps the old ones.
+  /// Sets contents that change every frame; draws under way keep the old ones.
   void stream(std::span<const std::byte> bytes);
 
   std::size_t size() const { return m_size; }

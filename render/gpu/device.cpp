@@ -46,7 +46,7 @@ void applyBlend(Blend blend) {
   }
 }
 
-// OpenGL takes byte offsets dressed as pointers.
+// OpenGL takes byte offsets as pointers.
 const void* indexOffset(const DrawRange& range) {
   const std::size_t start = std::size_t(range.first) * sizeof(std::uint32_t);
   return reinterpret_cast<const void*>(start);  // NOLINT(performance-no-int-to-ptr)
@@ -54,7 +54,7 @@ const void* indexOffset(const DrawRange& range) {
 
 void drawElements(std::span<const DrawRange> ranges) {
 #ifndef __EMSCRIPTEN__
-  // The same as the loop below in one call, which saves the driver much of its work per call.
+  // Does the same as the loop below in one call, which saves the driver much of its work per call.
   if (epoxy_is_desktop_gl()) {
     std::vector<GLsizei> counts;
     std::vector<const void*> offsets;

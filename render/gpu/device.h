@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The thin device: what passes may ask of OpenGL, in the subset that OpenGL 3.3 core and ES 3.0
-// share. It needs a current context, whoever made it (a window, EGL, a browser), and takes nothing
-// for granted about that context's state.
+// Wraps OpenGL thinly: it offers what passes may use, in the subset that OpenGL 3.3 core and ES 3.0
+// share. It needs a current context from any source (a window, EGL, a browser) and assumes nothing
+// about that context's state.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -29,31 +29,31 @@ struct DrawRange {
 
 class Device {
  public:
-  /// The error names the driver and the version that it lacks.
+  /// Creates the device. The error names the driver and the version that it lacks.
   static Result<std::unique_ptr<Device>> create();
 
   const Limits& limits() const { return m_limits; }
-  /// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5".
+  /// Returns "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5".
   const std::string& driver() const { return m_driver; }
   Dialect dialect() const { return m_dialect; }
 
   struct Clear {
-    std::optional<glm::vec4> colour;  ///< of every colour texture
+    std::optional<glm::vec4> colour;  ///< that of every colour texture
     std::optional<float> depth;
     std::optional<PixelRect> area;  ///< absent: all
   };
   void clear(const Target& target, const Clear& what);
 
-  /// What a draw call reads and where it draws to.
+  /// Describes what a draw call reads and where it draws to.
   struct Draw {
     const Target& target;
     const Program& program;
     const Geometry& geometry;
     const DrawState& state;
   };
-  /// Triangles.
+  /// Draws triangles.
   void triangles(const Draw& draw, std::span<const DrawRange> ranges);
-  /// A four-cornered strip per instance, corners told apart by gl_VertexID.
+  /// Draws a four-cornered strip per instance, corners told apart by gl_VertexID.
   void quads(const Draw& draw, std::size_t instances);
 
   /// Copies depth to the same place of another target.
@@ -61,11 +61,11 @@ class Device {
   /// Copies the first colour texture's area to another target; both areas have one size.
   void copyColour(const Target& from, const PixelRect& area, const Target& to,
                   const PixelRect& place);
-  /// 8-bit RGBA rows from the bottom, tightly packed, of the first colour texture.
+  /// Reads the first colour texture as 8-bit RGBA rows from the bottom, tightly packed.
   void read(const Target& target, const PixelRect& area, std::span<std::byte> rgba);
-  /// The same with 16 bits a channel, whatever the texture has. Not in ES.
+  /// Reads it with 16 bits per channel, whatever the texture has. Not available in ES.
   void read(const Target& target, const PixelRect& area, std::span<std::uint16_t> rgba);
-  /// Waits until everything asked for is done.
+  /// Waits until all requested work is done.
   void finish();
 
  private:

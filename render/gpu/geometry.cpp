@@ -48,7 +48,7 @@ void Geometry::point(const Stream& stream, std::size_t first) const {
   glBindBuffer(GL_ARRAY_BUFFER, stream.buffer->handle());
   for (const Attribute& a : stream.attributes) {
     const std::size_t start = first * std::size_t(stream.stride) + std::size_t(a.offset);
-    // OpenGL takes the byte offset dressed as a pointer.
+    // OpenGL takes the byte offset as a pointer.
     const void* offset = reinterpret_cast<const void*>(start);  // NOLINT(performance-no-int-to-ptr)
     if (a.type == AttributeType::integer32)
       glVertexAttribIPointer(GLuint(a.location), a.components, GL_INT, stream.stride, offset);

@@ -8,8 +8,8 @@
 
 namespace sline::render::gpu {
 
-/// How a vertex attribute lies in its buffer; integers arrive in the shader as −1 … 1 or 0 … 1,
-/// but `integer32` as integers.
+/// Tells how a vertex attribute lies in its buffer; integers arrive in the shader as −1 … 1 or 0 …
+/// 1, but `integer32` as integers.
 enum class AttributeType {
   float32,
   integer32,
@@ -25,7 +25,7 @@ struct Attribute {
   int offset = 0;  ///< bytes from the start of a vertex
 };
 
-/// A buffer of vertices, or with `perInstance` of instances; it must outlive the geometry.
+/// A buffer of vertices or, with `perInstance`, of instances; it must outlive the geometry.
 struct Stream {
   const Buffer* buffer = nullptr;
   int stride = 0;  ///< bytes from one vertex to the next
@@ -33,7 +33,7 @@ struct Stream {
   bool perInstance = false;
 };
 
-/// What a draw call reads: streams, and 32-bit indices where there are any.
+/// Holds what a draw call reads: streams, and 32-bit indices where there are any.
 class Geometry {
  public:
   Geometry(std::vector<Stream> streams, const Buffer* indices, std::string_view name);
@@ -41,7 +41,7 @@ class Geometry {
   Geometry(const Geometry&) = delete;
   Geometry& operator=(const Geometry&) = delete;
 
-  /// The first instance of the next draw (ES 3.0 has no draw call that takes it).
+  /// Sets the first instance of the next draw (ES 3.0 has no draw call that takes it).
   void startInstancesAt(std::size_t instance);
   bool indexed() const { return m_indexed; }
   std::uint32_t handle() const { return m_handle; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only place that knows where OpenGL's functions come from: libepoxy on the desktop, the
-// browser's OpenGL ES 3.0 on the web. Private to render/gpu.
+// Knows where OpenGL's functions come from, as the only such place: libepoxy on the desktop, the
+// browser's OpenGL ES 3.0 on the web. It is private to render/gpu.
 #pragma once
 
 #ifdef __EMSCRIPTEN__
@@ -13,7 +13,8 @@
 
 namespace sline::render::gpu {
 
-/// Gives the object a name for debuggers and driver messages; nothing where KHR_debug is absent.
+/// Gives the object a name for debuggers and driver messages; does nothing where KHR_debug is
+/// absent.
 inline void nameObject([[maybe_unused]] GLenum kind, [[maybe_unused]] GLuint handle,
                        [[maybe_unused]] std::string_view name) {
 #ifndef __EMSCRIPTEN__

@@ -73,7 +73,7 @@ void Handoff::blit(const Texture& picture, TextureSize viewport) {
   if (m_reader == 0)
     glGenFramebuffers(1, &m_reader);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, m_reader);
-  // Attached anew each time: that is what makes the other context's changes visible in this one.
+  // Attached anew each time: this makes the other context's changes visible in this one.
   glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.handle(),
                          0);
   glDisable(GL_SCISSOR_TEST);
@@ -84,7 +84,7 @@ void Handoff::blit(const Texture& picture, TextureSize viewport) {
 }
 
 void Handoff::warmUp() {
-  const Texture some(TextureFormat::rgba8, {3, 5}, "warm-up");  // no powers of two, as pictures
+  const Texture some(TextureFormat::rgba8, {3, 5}, "warm-up");  // no powers of two, as in pictures
   blit(some, {7, 11});
 }
 

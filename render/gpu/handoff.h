@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finished pictures on their way from the context that draws them to the one that shows them. The
-// two contexts share textures and run on threads of their own; three pictures take turns, so that
-// one can be shown, the newest lie ready and a third be drawn, and the showing side never waits.
+// Passes finished pictures from the context that draws them to the one that shows them. The two
+// contexts share textures and run on threads of their own. Three pictures take turns: one can be
+// shown, the newest lie ready and a third be drawn, so that the showing side never waits.
 #pragma once
 
 #include <array>
@@ -20,29 +20,30 @@ class Handoff {
   Handoff(const Handoff&) = delete;
   Handoff& operator=(const Handoff&) = delete;
 
-  /// Drawing side: a target of that size that nobody looks at. Waits (here, not on the showing
-  /// side) until the showing side's last use of it is done.
+  /// Drawing side: returns a target of that size that is not being shown. It waits (here, not on
+  /// the showing side) until the showing side's last use of it is done.
   Result<const Target*> begin(TextureSize size);
-  /// Drawing side: what `begin` gave is drawn; waits for the GPU, so that whoever shows it need
-  /// not. It becomes the newest; a newest one that was never shown is drawn over next.
+  /// Drawing side: declares the target from `begin` drawn. It waits for the GPU, so that the
+  /// showing side need not. The picture becomes the newest; a newest picture that was never shown
+  /// is drawn over next.
   void publish(std::uint64_t number);
-  /// Drawing side, its context current: gives back everything. The showing side must be done.
+  /// Drawing side, its context current: releases everything. The showing side must be done.
   void releaseDrawing();
 
   /// Showing side: scales a picture of a few pixels into a corner of the framebuffer that is bound
-  /// for drawing. Drivers make their programs at first use, which is too long in the middle of a
-  /// drag; to be called once, before anything is shown.
+  /// for drawing. Drivers make their programs at first use, which takes too long in the middle of a
+  /// drag, so this must be called once, before anything is shown.
   void warmUp();
   /// Showing side: fills the viewport of the framebuffer that is bound for drawing with the newest
   /// picture, scaled where sizes differ. Returns that picture's number; 0 where there is none yet.
   std::uint64_t show(TextureSize viewport);
-  /// Showing side, its context current: gives back what belongs to it alone.
+  /// Showing side, its context current: releases what belongs to it alone.
   void releaseShowing();
 
  private:
   void blit(const Texture& picture, TextureSize viewport);
 
-  /// A picture, and the last use of it by the showing side.
+  /// Holds a picture and its last use by the showing side.
   struct Turn {
     std::unique_ptr<Texture> texture;
     std::unique_ptr<Target> target;

@@ -21,7 +21,7 @@ struct Uniform {
   UniformType type = UniformType::real;
 };
 
-/// All there is to know about a program; a pass declares its uniforms here and nowhere else.
+/// Describes a program completely; a pass declares its uniforms here and nowhere else.
 struct ProgramRecipe {
   std::string_view name;
   std::string_view vertexFile;
@@ -29,11 +29,11 @@ struct ProgramRecipe {
   std::vector<Uniform> uniforms;
 };
 
-/// A linked pair of shaders whose uniforms are exactly those declared.
+/// A program is a linked pair of shaders that has exactly the declared uniforms.
 class Program {
  public:
-  /// The error carries the compiler's or linker's words, or names the uniform that the shaders
-  /// lack, have besides, or have in another type.
+  /// Creates the program. The error carries the compiler's or linker's words, or names the uniform
+  /// that the shaders lack, have in addition, or have in another type.
   static Result<std::unique_ptr<Program>> create(std::span<const ShaderFile> files, Dialect dialect,
                                                  const ProgramRecipe& recipe);
   ~Program();
@@ -45,7 +45,7 @@ class Program {
   void set(std::string_view name, const glm::vec2& value) const;
   void set(std::string_view name, const glm::vec3& value) const;
   void set(std::string_view name, const glm::vec4& value) const;
-  /// The first elements of an array, which is declared as "name[0]".
+  /// Sets the first elements of an array, which is declared as "name[0]".
   void set(std::string_view name, std::span<const glm::vec4> values) const;
   void set(std::string_view name, const glm::mat4& value) const;
   void set(std::string_view name, int value) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// GLSL files are written once for OpenGL 3.3 and ES 3.0. They include common snippets by name with
-//   #include "depth.glsl"
-// which are put in their place here, once each; the version and precision lines are put on top.
+// Assembles GLSL files, which are written once for OpenGL 3.3 and ES 3.0. They include common
+// snippets by name, as in `#include "depth.glsl"`. Each snippet is put in its place here, once; the
+// version and precision lines are put on top.
 #pragma once
 
 #include <span>
@@ -19,16 +19,16 @@ struct ShaderFile {
   std::string_view text;
 };
 
-/// Which of the two shading languages a context speaks.
+/// Tells which of the two shading languages a context speaks.
 enum class Dialect { desktop330, es300 };
 
 struct ShaderSource {
   std::string text;                ///< ready for the compiler
-  std::vector<std::string> files;  ///< names by the number that compiler messages start with
+  std::vector<std::string> files;  ///< names, by the number that compiler messages start with
 };
 
-/// The file with its includes resolved. The error names a file that is absent and the one that
-/// asked for it.
+/// Returns the file with its includes resolved. The error names a file that is absent and the one
+/// that includes it.
 Result<ShaderSource> shaderSource(std::span<const ShaderFile> files, std::string_view name,
                                   Dialect dialect);
 

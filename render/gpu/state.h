@@ -10,13 +10,13 @@ namespace sline::render::gpu {
 enum class DepthTest { off, less, lessEqual, always };
 enum class Blend {
   off,
-  over,     ///< premultiplied source over what is there
+  over,     ///< premultiplied source over the destination
   maximum,  ///< per channel the larger of both
 };
 enum class Cull { none, back };
 
-/// All that a draw call depends on besides program and geometry; nothing is left over from the call
-/// before it.
+/// Holds everything that a draw call depends on besides program and geometry; nothing carries over
+/// from the call before it.
 struct DrawState {
   PixelRect viewport;
   std::optional<PixelRect> scissor;

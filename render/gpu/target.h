@@ -10,8 +10,8 @@
 
 namespace sline::render::gpu {
 
-/// What a pass draws into: up to four colour textures and a depth texture of one size, which must
-/// outlive it.
+/// Holds what a pass draws into: up to four colour textures and a depth texture of one size, which
+/// must outlive the target.
 struct TargetTextures {
   std::vector<const Texture*> colours;
   const Texture* depth = nullptr;
@@ -19,7 +19,7 @@ struct TargetTextures {
 
 class Target {
  public:
-  /// The error says which driver refused which combination of formats.
+  /// Creates the target. The error says which driver refused which combination of formats.
   static Result<std::unique_ptr<Target>> create(const TargetTextures& textures,
                                                 std::string_view name);
   ~Target();

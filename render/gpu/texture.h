@@ -8,7 +8,7 @@
 
 namespace sline::render::gpu {
 
-/// `rgba16` is OpenGL's alone: ES 3.0 does not promise it.
+/// Lists the formats of textures. `rgba16` exists in OpenGL only: ES 3.0 does not guarantee it.
 enum class TextureFormat { rgba8, rgba16, r8, rgba32i, depth32f };
 
 struct TextureSize {
@@ -17,8 +17,8 @@ struct TextureSize {
   bool operator==(const TextureSize&) const = default;
 };
 
-/// One level of pixels, read by texel (no filtering), clamped at its border. Contents are undefined
-/// until cleared, drawn or uploaded.
+/// A texture has one level of pixels, read by texel (no filtering), clamped at its border. Its
+/// contents are undefined until cleared, drawn or uploaded.
 class Texture {
  public:
   Texture(TextureFormat format, TextureSize size, std::string_view name);
@@ -26,7 +26,7 @@ class Texture {
   Texture(const Texture&) = delete;
   Texture& operator=(const Texture&) = delete;
 
-  /// Replaces the first `rows` rows; bytes are tightly packed. Not for depth.
+  /// Replaces the first `rows` rows; bytes are tightly packed. It does not work for depth.
   void upload(std::span<const std::byte> bytes, int rows);
 
   TextureSize size() const { return m_size; }
@@ -39,7 +39,7 @@ class Texture {
   std::uint32_t m_handle = 0;
 };
 
-/// Bytes of one pixel.
+/// Returns the bytes of one pixel.
 int pixelSize(TextureFormat format);
 
 }  // namespace sline::render::gpu

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's annotations as a picture has them: which are shown, where their places are and
-// whether something is before them.
+// Finds the scene's annotations as a picture has them: which are shown, where their places are and
+// whether something is in front of them.
 #pragma once
 
 #include <string>
@@ -13,27 +13,29 @@
 namespace sline::render {
 
 struct ShownLabel {
-  LabelItem item;    ///< whoever knows fonts gives it its box
-  std::string text;  ///< in the language asked for, else the scene's own; a callout's with markers
-  /// From 1, in the order of the scene's annotations, among all that are visible: the same from
-  /// every side.
+  LabelItem item;    ///< its box is set by code that knows fonts
+  std::string text;  ///< in the language asked for, else the scene's own; a callout's with markup
+  /// Counts from 1, in the order of the scene's annotations, among all that are visible: the same
+  /// from every side.
   int number = 0;
   std::optional<Colour> colour;
   std::optional<float> lengthMm;  ///< of a distance
 };
 
-/// Its text where styles cannot be.
+/// Returns the label's text for places where it cannot have styles.
 std::string plainText(const ShownLabel& label);
 
-/// In the order of the scene. Not shown is what is not visible (a scene that shows a saved view,
-/// model/edit/views.h, says so as the view does), what is on a structure that is not drawn or on a
-/// part that a section takes away, and what is not within the picture.
+/// Returns the shown labels in the order of the scene. An annotation is not shown if it is not
+/// visible (in a scene that shows a saved view, model/edit/views.h, the view decides), if it is on
+/// a structure that is not drawn or on a part that a section takes away, or if it is outside the
+/// picture.
 std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,
                                     const std::string& language, model::MeshTrees& trees);
 
-/// Visible annotations that are not among those, by the reason; in the order of the scene.
+/// Holds visible annotations that are not among the shown labels, by the reason; in the order of
+/// the scene.
 struct UnseenLabels {
-  std::vector<model::AnnotationId> notDrawn;  ///< what they are on
+  std::vector<model::AnnotationId> notDrawn;  ///< their structure is not drawn
   std::vector<model::AnnotationId> offPicture;
 };
 UnseenLabels unseenLabels(const model::Scene& scene, const Screen& screen, model::MeshTrees& trees);

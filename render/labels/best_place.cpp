@@ -16,16 +16,16 @@ constexpr int cells = 64;  // along each side of the structure's box on the scre
 struct Sample {
   model::Hit hit;
   bool seen = false;
-  bool clear = false;  ///< seen, and nothing is drawn over it
-  bool firm = false;   ///< seen from a little aside, too: it faces the eye, no fold is near
+  bool clear = false;  ///< seen, without anything drawn over it
+  bool firm = false;   ///< also seen from a little aside: it faces the eye, and no fold is near
 };
-using Samples = std::vector<std::optional<Sample>>;  ///< cells × cells; none: not of the structure
+using Samples = std::vector<std::optional<Sample>>;  ///< cells × cells; none: not on the structure
 
 std::size_t cellAt(int x, int y) {
   return std::size_t(y) * std::size_t(cells) + std::size_t(x);
 }
 
-/// The structure's box in the picture.
+/// Returns the structure's box in the picture.
 std::optional<LabelBox> extentOf(const model::Mesh& mesh, const Screen& screen) {
   std::optional<LabelBox> box;
   for (const glm::vec3& p : mesh.positions())
@@ -50,7 +50,8 @@ bool faces(const model::Mesh& mesh, const model::Hit& hit, const model::Ray& ray
   return std::abs(glm::dot(normal, ray.direction)) >= oblique * glm::length(normal);
 }
 
-/// Where neighbours lie so much farther or nearer, one part of the structure ends before another.
+/// Marks samples as not firm where neighbours lie so much farther or nearer that one part of the
+/// structure ends in front of another.
 void loosenFolds(Samples& samples, float step) {
   const auto far = [&](std::size_t i, std::size_t k) {
     return samples[i] && samples[k] && std::abs(samples[i]->hit.t - samples[k]->hit.t) > step;
@@ -87,9 +88,9 @@ Samples samplesOf(const Sights& sights, model::NodeId structure, const model::Me
   return samples;
 }
 
-/// How far each cell is from one that does not count, in the box's own proportions: two sweeps
-/// (Borgefors: Distance transformations in digital images, 1986), with chamfer weights of the
-/// cells' sides.
+/// Returns how far each cell is from one that does not count, in the box's own proportions, with
+/// two sweeps (Borgefors: Distance transformations in digital images, 1986) and chamfer weights of
+/// the cells' sides.
 std::vector<float> depths(const std::vector<bool>& counts, const glm::vec2& cell) {
   std::vector<float> depth(counts.size(), 0.0f);
   const float diagonal = glm::length(cell);
@@ -120,7 +121,7 @@ struct Spot {
   float depth = 0.0f;  ///< millimetres from where cells do not count
 };
 
-/// The deepest cell that counts; of equally deep ones the nearest to the middle of all.
+/// Returns the deepest cell that counts; of equally deep ones the nearest to the middle of all.
 std::optional<Spot> deepest(const std::vector<bool>& counts, const glm::vec2& cell) {
   const std::vector<float> depth = depths(counts, cell);
   glm::vec2 middle(0.0f);
@@ -148,7 +149,7 @@ std::optional<Spot> deepest(const std::vector<bool>& counts, const glm::vec2& ce
   return best;
 }
 
-/// The deepest of the samples of which that is true.
+/// Returns the deepest of the samples for which `is` is true.
 template <typename Counts>
 std::optional<Spot> deepest(const Samples& samples, const glm::vec2& cell, Counts&& is) {
   std::vector<bool> counts(samples.size());
@@ -157,11 +158,12 @@ std::optional<Spot> deepest(const Samples& samples, const glm::vec2& cell, Count
   return deepest(counts, cell);
 }
 
-/// Where nothing is drawn over the structure, if a dot has room there; else where it is seen, not
-/// at a fold if there is room elsewhere; else anywhere on it.
+/// Returns a place where nothing is drawn over the structure, if a dot has room there; otherwise
+/// one where the structure is seen. It is not at a fold if there is room elsewhere. If nothing is
+/// seen, it is anywhere on the structure.
 std::optional<Spot> bestSpot(const Samples& samples, const glm::vec2& cell) {
   constexpr float roomForDot = 1.2f;  // millimetres
-  constexpr float mostLost = 0.6f;    // of the depth that there is where it is seen
+  constexpr float mostLost = 0.6f;    // share of the depth where it is seen
   const auto seen = deepest(samples, cell, [](const Sample& one) { return one.seen; });
   if (!seen)
     return deepest(samples, cell, [](const Sample&) { return true; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where to point at a structure that nobody has pointed at.
+// Chooses where to point at a structure for which the user has given no place.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,14 @@ namespace sline::render {
 
 struct BestPlace {
   model::SurfacePoint point;
-  bool hidden = false;  ///< nothing of the structure is seen from there
+  bool hidden = false;  ///< no part of the structure is seen from there
 };
 
-/// The place on the structure farthest from where it ends, or another structure begins to hide it,
-/// as the screen shows it, and if there is room for a dot not under what lets it show through
-/// either: its lines would run over the dot. Of a structure that is all hidden, as if it were
-/// alone. Nothing where it is not visible or not in the picture.
+/// Returns the place on the structure that is farthest from its ends and from where another
+/// structure begins to hide it, as the screen shows it. If there is room for a dot elsewhere, the
+/// place is not under a structure that lets it show through either, as its lines would run over the
+/// dot. A structure that is hidden completely is treated as if it were alone. Nothing is returned
+/// where it is not visible or not in the picture.
 std::optional<BestPlace> bestPlaceOn(const model::Scene& scene, model::NodeId structure,
                                      const Screen& screen, model::MeshTrees& trees);
 

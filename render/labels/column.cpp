@@ -12,22 +12,22 @@ namespace sline::render {
 
 namespace {
 
-/// Neighbours that stand as close as they may, as one.
+/// Treats neighbours that stand as close as they may as one.
 struct Pool {
   double sum = 0.0;
   std::size_t count = 0;
   double mean() const { return sum / double(count); }
 };
 
-/// How a leader is bent between its place and its box. `boxLevel`: it leaves the place aslant and
-/// runs level before the box, from the nearer to it the smaller `far` is. `placeLevel`: it leaves
-/// the place level and goes aslant from there on where `far` of the way lies behind it; with the
-/// order of places as that of boxes, such leaders never cross.
+/// Tells how a leader is bent between its place and its box. `boxLevel`: it leaves the place aslant
+/// and runs level in front of the box, from a point that is nearer to the box the smaller `far` is.
+/// `placeLevel`: it leaves the place level and goes aslant after `far` of the way; as long as
+/// places have the same order as boxes, such leaders never cross.
 struct Bend {
   enum class Way { boxLevel, placeLevel } way = Way::boxLevel;
   float far = 0.0f;  ///< 0 … 1
 };
-/// The straighter the earlier.
+/// The straighter a bend, the earlier it stands.
 constexpr std::array<Bend, 9> bends{{{Bend::Way::boxLevel, 0.0f},
                                      {Bend::Way::boxLevel, 0.25f},
                                      {Bend::Way::placeLevel, 0.25f},
@@ -45,7 +45,7 @@ Leader leaderOf(const Column& column, const glm::vec2& place, const LabelBox& bo
   const float knee = column.edge + inwards * levelPiece;
   if (inwards * (place.x - column.edge) <= dotRoom)
     return {place, portOf(box, place)};
-  // From a place beside the knee the way there would turn back at an acute angle.
+  // From a place beside the knee the leader would turn back at an acute angle.
   if (inwards * (place.x - knee) <= 0.0f)
     return {place, {column.edge, height}};
   if (bend.way == Bend::Way::boxLevel)
@@ -58,7 +58,8 @@ Leader leaderOf(const Column& column, const glm::vec2& place, const LabelBox& bo
           {column.edge, height}};
 }
 
-/// They cross, or one runs through the other's box: from a place behind the column.
+/// Tells whether the leaders cross or one runs through the other's box, from a place behind the
+/// column.
 bool inTheWay(const ColumnPlace& a, const ColumnPlace& b) {
   const auto through = [](const ColumnPlace& one, const ColumnPlace& other) {
     return one.leader.size() == 2 && runsThrough(one.leader, other.box.grown(clearance));
@@ -70,7 +71,7 @@ bool leadersCross(const ColumnPlace& a, const ColumnPlace& b) {
   return cross(a.leader, b.leader);
 }
 
-/// The first two that stand so to each other, neighbours first.
+/// Returns the first two places for which `stand` is true, neighbours first.
 template <typename Stand>
 std::optional<std::pair<std::size_t, std::size_t>> firstPair(const std::vector<ColumnPlace>& places,
                                                              Stand&& stand) {
@@ -81,12 +82,12 @@ std::optional<std::pair<std::size_t, std::size_t>> firstPair(const std::vector<C
   return std::nullopt;
 }
 
-/// The leader of that place, bent so.
+/// Returns the leader of that place with that bend.
 Leader bent(const Column& column, const ColumnPlace& place, const Bend& bend) {
   return leaderOf(column, place.leader.front(), place.box, bend);
 }
 
-/// Bends either of two whose leaders cross so that they cross neither each other nor any other.
+/// Bends either of two leaders that cross, so that they cross neither each other nor any other.
 bool bendPair(const Column& column, std::vector<ColumnPlace>& places, std::size_t i,
               std::size_t j) {
   const auto free = [&](const Leader& leader, std::size_t self, std::size_t other) {
@@ -95,7 +96,7 @@ bool bendPair(const Column& column, std::vector<ColumnPlace>& places, std::size_
         return false;
     return true;
   };
-  // Straight leaders from behind the column or close before it are never bent.
+  // Straight leaders from behind the column or close in front of it are never bent.
   const auto ways = [&](std::size_t k) { return places[k].leader.size() > 2 ? bends.size() : 1; };
   std::optional<std::pair<std::size_t, std::size_t>> best;
   for (std::size_t one = 0; one < ways(i); ++one)
@@ -114,8 +115,8 @@ bool bendPair(const Column& column, std::vector<ColumnPlace>& places, std::size_
   return true;
 }
 
-/// For each box from the top the place of which no other lies above the line between them: then no
-/// later leader crosses that one.
+/// Orders the items so that each box from the top belongs to the place for which no other lies
+/// above the line between them: then no later leader crosses that one.
 std::vector<ColumnItem> byTangents(const Column& column, std::vector<ColumnItem> items) {
   const std::vector<ColumnPlace> places = placesIn(column, items);
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -131,10 +132,11 @@ std::vector<ColumnItem> byTangents(const Column& column, std::vector<ColumnItem>
   return items;
 }
 
-/// A box that moves farther jumps, millimetres.
+/// A box that moves farther than this jumps, millimetres.
 constexpr float jump = 2.0f;
 
-/// Of moving a box that far: jumps, and above all those of who has just jumped, are dear.
+/// Returns the cost of moving a box that far: jumps are dear, above all those of items that have
+/// just jumped.
 float costOf(float way, const ColumnItem& item) {
   constexpr float dear = 10.0f;
   const float far = std::abs(way);
@@ -150,7 +152,8 @@ float heightWith(std::span<const ColumnItem> items, float gap) {
 
 constexpr float rounding = 1e-3f;
 
-/// The span where a box of that middle and half stands, or else the nearest to it.
+/// Returns the span in which a box of that middle and half height stands, or else the nearest to
+/// it.
 std::size_t spanOf(const std::vector<Span>& spans, float middle, float half) {
   const auto away = [&](const Span& span) {
     return std::max({span.low + half - middle, middle - span.high + half, 0.0f});
@@ -161,15 +164,16 @@ std::size_t spanOf(const std::vector<Span>& spans, float middle, float half) {
       spans.begin());
 }
 
-/// Where items stand within a span; keeps its memory, as many ways to share spans are tried.
+/// Finds where items stand within a span; it keeps its memory, as many ways to share spans are
+/// tried.
 class Settler {
  public:
-  /// The upper sides of their boxes.
+  /// Returns the upper sides of the items' boxes.
   const std::vector<double>& tops(const Column& column, const Span& span,
                                   std::span<const ColumnItem> items) {
     m_tops.clear();
     m_pools.clear();
-    // With what stands above taken off, wanted heights must only not decrease.
+    // Less the height of the boxes above, wanted heights only have to be non-decreasing.
     double height = 0.0;
     for (const ColumnItem& item : items) {
       m_tops.push_back(height);
@@ -190,7 +194,7 @@ class Settler {
     return m_tops;
   }
 
-  /// The sum of squares of what they stand away from where they want to.
+  /// Returns the sum of squares of the items' distances from their wanted heights.
   float strain(const Column& column, const Span& span, std::span<const ColumnItem> items) {
     const std::vector<double>& tops = this->tops(column, span, items);
     double strain = 0.0;
@@ -206,12 +210,12 @@ class Settler {
   std::vector<Pool> m_pools;
 };
 
-/// Which of the items, in their order, stand in which span.
+/// Decides which of the items, in their order, stand in which span.
 class Sharing {
  public:
   Sharing(const Column& column, const std::vector<ColumnItem>& items)
       : m_column(column), m_spans(freeSpans(column)), m_items(items), m_ends(m_spans.size(), 0) {
-    // Where they want to, as far as there is room.
+    // Items start where they want to be, as far as there is room.
     std::size_t at = 0;
     for (const ColumnItem& item : items) {
       at = std::max(at, spanOf(m_spans, item.wanted, 0.5f * item.box.y));
@@ -243,7 +247,8 @@ class Sharing {
     return m_settler.strain(m_column, m_spans[s], in(s)) +
            m_settler.strain(m_column, m_spans[s + 1], in(s + 1));
   }
-  /// Those next to what parts two spans go to the other while all stand nearer to where they want.
+  /// Moves items next to the border of two spans to the other one while that brings all nearer to
+  /// their wanted heights.
   void relax(std::size_t s) {
     for (const int way : {-1, 1})
       while (way < 0 ? m_ends[s] > begin(s) : m_ends[s] < m_ends[s + 1]) {
@@ -259,7 +264,7 @@ class Sharing {
   const Column& m_column;
   std::vector<Span> m_spans;
   const std::vector<ColumnItem>& m_items;
-  std::vector<std::size_t> m_ends;  ///< of each span, the first of the items behind it
+  std::vector<std::size_t> m_ends;  ///< of each span, the index after its last item
   Settler m_settler;
 };
 

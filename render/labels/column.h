@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One column of boxes beside the picture's anatomy, each joined to its place by a straight leader
-// that ends in a short level piece – or a leader bent so that its box can stay where it is, or,
-// from a place behind the column, one that ends at the nearest side of its box: one-sided boundary
-// labelling with type-s leaders (Bekos, Kaufmann, Symvonis and Wolff: Boundary labeling: models and
-// efficient algorithms for rectangular maps. Computational Geometry 36, 2007).
+// Lays out one column of boxes beside the picture's anatomy. Each box is joined to its place by a
+// straight leader that ends in a short level piece, by a leader bent so that its box can stay where
+// it is or, from a place behind the column, by one that ends at the nearest side of its box:
+// one-sided boundary labelling with type-s leaders (Bekos, Kaufmann, Symvonis and Wolff: Boundary
+// labeling: models and efficient algorithms for rectangular maps. Computational Geometry 36, 2007).
 #pragma once
 
 #include <optional>
@@ -14,26 +14,26 @@
 
 namespace sline::render {
 
-/// Millimetres between boxes, and of a leader's level piece.
+/// The space between boxes and the length of a leader's level piece, in millimetres.
 inline constexpr float columnGap = 0.8f;
 inline constexpr float levelPiece = 2.0f;
-/// Between a leader and another's box.
+/// The space between a leader and the box of another label.
 inline constexpr float clearance = 0.4f;
-/// Between the middle of a dot and a box.
+/// The space between the middle of a dot and a box.
 inline constexpr float dotRoom = 1.2f;
 
-/// A box that has jumped stays where it is for so long, where others can give way.
+/// A box that has jumped stays where it is for this turn of the camera, where others can give way.
 inline constexpr float restDegrees = 20.0f;
 
-/// Anywhere in the column.
+/// A reach that covers the whole column.
 inline constexpr float columnReach = 1e6f;
 
 struct ColumnItem {
-  std::size_t item = 0;  ///< whose it is, for whoever asks
+  std::size_t item = 0;  ///< the caller's index of the item
   glm::vec2 place{0.0f};
   glm::vec2 box{0.0f};  ///< width and height
   float calm = 360.0f;  ///< degrees that the camera has turned since its box last jumped
-  float wanted = 0.0f;  ///< height of the box's middle; of its place, or not far from it
+  float wanted = 0.0f;  ///< height of the box's middle: that of its place, or not far from it
 };
 
 /// Heights from `low` down to `high`.
@@ -44,18 +44,18 @@ struct Span {
 };
 
 struct Column {
-  bool left = true;   ///< of the anatomy: boxes end at `edge`; else they begin there
+  bool left = true;   ///< left of the anatomy: boxes end at `edge`; otherwise they begin there
   float edge = 0.0f;  ///< x of the boxes' sides that face the anatomy
   float top = 0.0f;
   float bottom = 0.0f;
-  float gap = columnGap;      ///< between boxes, at least
-  std::vector<Span> blocked;  ///< where no box stands, in any order
+  float gap = columnGap;      ///< the least space between boxes
+  std::vector<Span> blocked;  ///< heights where no box stands, in any order
 };
 
-/// What is left of the column between what is blocked, from the top; never empty: where all is
-/// blocked, one span without length.
+/// Returns the parts of the column that are not blocked, from the top. The result is never empty:
+/// where everything is blocked, it is one span without length.
 std::vector<Span> freeSpans(const Column& column);
-/// In that order the items find room in what is free.
+/// Tells whether the items, in that order, find room in the free spans.
 bool fitIn(const Column& column, const std::vector<ColumnItem>& items);
 
 struct ColumnPlace {
@@ -63,42 +63,43 @@ struct ColumnPlace {
   Leader leader;
 };
 
-/// How high, with those gaps, the items stand one above the other.
+/// Returns the height of the items one above the other, with those gaps.
 float heightOf(const std::vector<ColumnItem>& items, float gap = columnGap);
 
-/// Boxes in the order of the items from the top, each as near its wanted height as the others
-/// let it: in each free span the sum of squares is the least (by pooling adjacent violators). They
-/// must fit.
+/// Places boxes in the order of the items from the top, each as near its wanted height as the
+/// others allow: in each free span the sum of squares is the least (by pooling adjacent violators).
+/// They must fit.
 std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<ColumnItem>& items);
 
-/// Two whose leaders cross, or of which one's leader runs through the other's box, neighbours
-/// first: their exchange moves least.
+/// Returns two items of which the leaders cross, or one's leader runs through the other's box.
+/// Neighbours come first, as exchanging them moves least.
 std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
     const std::vector<ColumnPlace>& places);
 
-/// Bends leaders, as few and as little as are found to be needed, until no two cross; boxes stay.
-/// False, and nothing changes, where that cannot be.
+/// Bends leaders, as few and as little as it finds necessary, until no two cross; boxes stay. It
+/// returns false, and changes nothing, where that is impossible.
 bool bendApart(const Column& column, std::vector<ColumnPlace>& places);
 
-/// Exchanges items until no two leaders cross, as few as are found to be needed. An exchange of two
-/// that cross makes leaders shorter, so that it comes to an end (Bekos et al., lemma on type-s
-/// leaders); boxes of different heights may leave crossings all the same.
+/// Exchanges items until no two leaders cross, as few as it finds necessary. Exchanging two that
+/// cross makes leaders shorter, so that it comes to an end (Bekos et al., lemma on type-s leaders);
+/// boxes of different heights may still leave crossings.
 void uncross(const Column& column, std::vector<ColumnItem>& items);
 
-/// Where a further box finds room beside those that stay, nearest to its wanted height, its leader
-/// crossing none of theirs; nothing where there is no such place within `reach` of it.
+/// Returns where a further box finds room beside those that stay, nearest to its wanted height,
+/// with a leader that crosses none of theirs; nothing where there is no such place within `reach`
+/// of it.
 std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& item,
                                       const std::vector<ColumnPlace>& others, float reach);
 
-/// `gentle`: so that none of the others jumps.
+/// Tells how others may be pushed; `gentle`: so that none of them jumps.
 enum class Push { gentle, any };
 
-/// Puts the item between the others where they have to move least for it, no leaders crossing;
-/// false, and nothing changes but what they want, where that cannot be.
+/// Puts the item between the others where they have to move least for it, without crossing leaders.
+/// Where that is impossible it returns false and changes nothing but the wanted heights.
 bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem>& items,
             std::vector<ColumnPlace>& places, Push push);
 
-/// Without that one of the others there would be a place for the item.
+/// Tells whether there would be a place for the item without that one of the others.
 bool makesWay(const Column& column, const ColumnItem& item, std::vector<ColumnItem> others,
               std::size_t without);
 

@@ -17,17 +17,17 @@ namespace sline::render {
 
 namespace {
 
-constexpr float anatomyGapMost = 14.0f;  // the anatomy draws back that far before a column follows
+constexpr float anatomyGapMost = 14.0f;  // the anatomy recedes this far before a column follows
 constexpr float stay = 0.25f;            // of the anatomy's width past its middle: sides stay
 constexpr float slack = 12.0f;           // between a place's height and that of its box
 constexpr float mostAir = 4.0f;          // between boxes of a column, where there is room
-constexpr float leastAir = 1.2f;         // likewise, of columns that are higher than the anatomy
+constexpr float leastAir = 1.2f;         // the same, for columns that are higher than the anatomy
 constexpr float besideGap = 1.8f;        // between a place and a box beside it
 
-/// What becomes of an item in this layout.
+/// Tracks an item in this layout.
 struct Fate {
   LabelPost post = LabelPost::left;
-  bool tried = false;  ///< on the other side, too
+  bool tried = false;  ///< has also tried the other side
   bool out = false;
 };
 
@@ -64,34 +64,39 @@ class Layouter {
   Column column(LabelPost post) const;
 
   void setColumns();
-  /// Makes room for the widest in each column. While layouts follow each other columns only grow,
-  /// and at once so far that they need not again.
+  /// Makes room for the widest box in each column. While layouts follow each other, columns only
+  /// grow, and at once far enough to need no further growth.
   void widen();
-  /// Heights of a column where something stands that does not give way, or its labels' dots are.
+  /// Returns the heights of a column that are taken by things that do not give way, or by its
+  /// labels' dots.
   std::vector<Span> blockedIn(LabelPost post) const;
   bool fit(LabelPost post) const { return fitIn(column(post), inColumn(post)); }
-  /// How many degrees the camera has turned since the label last jumped.
+  /// Returns how many degrees the camera has turned since the label last jumped.
   float calm(std::size_t i) const;
-  /// Where the camera was then; zero for one that has not.
+  /// Returns where the camera was at the last jump; zero for a label that has not jumped.
   glm::vec3 lastJump(std::size_t i) const;
-  /// It may not jump in this layout.
+  /// Tells whether the label may not jump in this layout.
   bool rests(std::size_t i) const { return m_request.moving && calm(i) <= restDegrees; }
-  /// Half of the frame is for each column. Only where nothing is narrower one label takes more.
+  /// Tells whether the box is wider than half of the frame, which is each column's share. One label
+  /// takes more only where no narrower one stands.
   bool tooWide(std::size_t i) const { return item(i).box.x > 0.5f * m_frame.size().x; }
   void choosePosts();
-  /// Where nothing else stands in a column, one that is too wide for it.
+  /// Lets a label that is too wide into a column where nothing else stands.
   void letWideIn();
   LabelPost sideOf(std::size_t i) const;
-  /// Until both columns' boxes fit in, those nearest to the middle change sides or go out.
+  /// Moves the items nearest to the middle to the other side or out, until both columns' boxes fit
+  /// in.
   void relieve(LabelPost post);
   std::vector<ColumnItem> inColumn(LabelPost post) const;
   float wantedHeight(std::size_t i) const;
   void place();
   void placeByHand(std::size_t i);
-  /// Part of it is outside the frame or where something is reserved, or it covers what it is about.
+  /// Tells whether part of the box is outside the frame or where something is reserved, or whether
+  /// it covers what it points at.
   bool misplaced(std::size_t i) const;
   void placeColumn(LabelPost post);
-  /// Those that were there before stay, but for those that must move; false where that fails.
+  /// Places items so that those that were there before stay, except for those that must move;
+  /// returns false where that fails.
   bool placeSteadily(LabelPost post, const std::vector<ColumnItem>& items);
   void put(const ColumnItem& one, LabelPost post, const ColumnPlace& place);
   void placeBeside(std::size_t i);
@@ -105,12 +110,12 @@ class Layouter {
   const LabelRequest& m_request;
   const LabelLayout* m_before;
   LabelBox m_frame;
-  std::array<float, 2> m_near{};  ///< edges of columns that have room there
+  std::array<float, 2> m_near{};  ///< the edges of columns that have room there
   std::array<float, 2> m_edges{};
   std::array<float, 2> m_widths{};
   float m_middle = 0.0f;
-  float m_width = 0.0f;             ///< of the anatomy
-  std::vector<std::size_t> m_wide;  ///< those that wait whether there is nothing narrower
+  float m_width = 0.0f;             ///< that of the anatomy
+  std::vector<std::size_t> m_wide;  ///< those that wait for a column without narrower labels
   std::vector<Fate> m_fates;
   std::vector<std::optional<PlacedLabel>> m_placed;
 };
@@ -245,7 +250,8 @@ void Layouter::relieve(LabelPost post) {
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < m_fates.size(); ++i) {
       const auto key = [&](std::size_t k) {
-        // Those that have not yet tried the other side go there; out goes what matters least.
+        // Those that have not yet tried the other side go there; of the others the least important
+        // goes out.
         return m_fates[k].tried ? std::tuple(1, item(k).hidden ? 0 : 1, -float(k))
                                 : std::tuple(0, 0, std::abs(placeOf(item(k)).x - m_middle));
       };
@@ -270,8 +276,8 @@ std::vector<ColumnItem> Layouter::inColumn(LabelPost post) const {
   return items;
 }
 
-/// Its place's, or where it stood before, while that is near enough or no farther than it was: then
-/// it need not move when others come and go.
+/// Returns the height of the item's place, or the one where it stood before, as long as that is
+/// near enough or no farther than it was: it then need not move when others come and go.
 float Layouter::wantedHeight(std::size_t i) const {
   const float height = placeOf(item(i)).y;
   const PlacedLabel* was = before(i);
@@ -288,7 +294,7 @@ void Layouter::place() {
     if (!m_fates[i].out && m_fates[i].post == LabelPost::byHand)
       placeByHand(i);
   widen();
-  // What does not fit on one side goes to the other and from there out, so that this ends.
+  // Items that do not fit on one side go to the other and from there out, so that this ends.
   while (!fit(LabelPost::left) || !fit(LabelPost::right)) {
     relieve(LabelPost::left);
     relieve(LabelPost::right);
@@ -335,7 +341,7 @@ void Layouter::placeColumn(LabelPost post) {
   std::vector<ColumnItem> items = inColumn(post);
   if (m_before && placeSteadily(post, items))
     return;
-  // With air between them where there is room: who comes later then finds a gap.
+  // Leaves air between the items where there is room, so that later ones find a gap.
   Column airy = column(post);
   float room = 0.0f;
   for (const Span& span : freeSpans(airy))
@@ -424,9 +430,9 @@ bool Layouter::inConflict(std::size_t i, std::size_t j) const {
          runsThrough(b.leader, a.box.grown(clearance));
 }
 
-/// What was moved by hand wins. Who has another side to try goes there, first the cause, whose
-/// leader runs through the other's box, then who has not jumped for longer. Else what is seen wins,
-/// then the earlier.
+/// Decides which of two items gives way. A label moved by hand wins. A label that has another side
+/// to try goes there: first the cause, the one with a leader through the other's box, then the one
+/// that has not jumped for longer. Otherwise a seen label wins over a hidden one, then the earlier.
 std::size_t Layouter::loserOf(std::size_t i, std::size_t j) const {
   const auto rank = [&](std::size_t k, std::size_t other) {
     const bool cause = runsThrough(m_placed[k]->leader, m_placed[other]->box.grown(clearance));

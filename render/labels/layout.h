@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where labels stand in a picture: one layout for the window, pixels, vectors and print. Labels and
-// callouts stand in two columns beside the anatomy (column.h), pins and distances beside their own
-// place where there is room. While a camera turns, each layout starts from the one before, and what
-// may stay stays: sides, order and columns change only where they must or where much is gained, and
-// what has jumped rests for the next 20° where others can give way (after Ali, Hartmann and
-// Strothotte: Label layout for interactive 3D illustrations. Journal of the WSCG 13, 2005).
+// Decides where labels stand in a picture, with one layout for the window, pixels, vectors and
+// print. Labels and callouts stand in two columns beside the anatomy (column.h), pins and distances
+// beside their own place where there is room. While a camera turns, each layout starts from the one
+// before, and whatever can stay stays: sides, order and columns change only where they must or
+// where much is gained, and a label that has jumped rests for the next 20° where others can give
+// way (after Ali, Hartmann and Strothotte: Label layout for interactive 3D illustrations. Journal
+// of the WSCG 13, 2005).
 #pragma once
 
 #include <array>
@@ -21,19 +22,19 @@ namespace sline::render {
 struct LabelItem {
   model::AnnotationId id;
   model::AnnotationKind kind = model::AnnotationKind::label;
-  std::vector<glm::vec2> places;  ///< millimetres of the output; one, of a distance two
-  bool hidden = false;            ///< something, or its own structure, is before the place
-  glm::vec2 box{0.0f};            ///< what the text needs, with its padding
-  /// Moved by hand: the box's middle from the place.
+  std::vector<glm::vec2> places;  ///< millimetres of the output; one place, two for a distance
+  bool hidden = false;  ///< something, perhaps its own structure, is in front of the place
+  glm::vec2 box{0.0f};  ///< the size that the text needs, with its padding
+  /// Set for a label moved by hand: the way from its place to the box's middle.
   std::optional<glm::vec2> offset;
 };
 
-/// The output, in millimetres.
+/// Describes the output, in millimetres.
 struct LabelSpace {
   glm::vec2 size{0.0f};
-  float sideMargin = 0.0f;  ///< beyond the left and right side, where boxes may stand too
-  EdgeRoom edges;           ///< where no box stands
-  /// Where neither boxes nor leaders are: something else stands there.
+  float sideMargin = 0.0f;  ///< beyond the left and right side, where boxes may also stand
+  EdgeRoom edges;           ///< the room where no box stands
+  /// Areas taken by something else, without boxes or leaders.
   std::vector<LabelBox> reserved;
 };
 
@@ -41,28 +42,29 @@ struct LabelRequest {
   std::vector<LabelItem> items;  ///< each id once
   LabelSpace space;
   ObstacleMask obstacles;
-  /// From the scene to the eye, a unit vector: how far the camera has turned since a label jumped.
+  /// The unit vector from the scene to the eye; tells how far the camera has turned since a label
+  /// jumped.
   glm::vec3 towardsEye{0.0f};
-  /// The camera is on its way: who has just jumped does not jump again, but is left out where there
-  /// is no other way, until the camera rests or 20° are behind it.
+  /// The camera is moving: a label that has just jumped does not jump again, but is left out where
+  /// there is no other way, until the camera rests or has turned 20°.
   bool moving = false;
-  float textWidth = 0.0f;  ///< what texts were broken to; handed through, for layouts that follow
+  float textWidth = 0.0f;  ///< the width to which texts were broken; kept for later layouts
 };
 
-/// `beside`: its place, without a leader.
+/// Tells where a label stands; `beside` means beside its place, without a leader.
 enum class LabelPost { left, right, beside, byHand };
 
 struct PlacedLabel {
   model::AnnotationId id;
   LabelPost post = LabelPost::left;
   LabelBox box;
-  Leader leader;  ///< empty where it needs none
+  Leader leader;  ///< empty where none is needed
   bool hidden = false;
   glm::vec3 jumpedAt{0.0f};  ///< LabelRequest::towardsEye when it last jumped
   bool operator==(const PlacedLabel&) const = default;
 };
 
-/// Left out for now, after a jump there.
+/// A label that is left out for now, after it jumped at `jumpedAt`.
 struct WaitingLabel {
   model::AnnotationId id;
   glm::vec3 jumpedAt{0.0f};
@@ -71,23 +73,24 @@ struct WaitingLabel {
 
 struct LabelLayout {
   std::vector<PlacedLabel> labels;           ///< in the order of the items
-  std::vector<model::AnnotationId> leftOut;  ///< for which there was no room
-  std::vector<WaitingLabel> waiting;         ///< of those, who was there while the camera turned
+  std::vector<model::AnnotationId> leftOut;  ///< those for which there was no room
+  std::vector<WaitingLabel> waiting;         ///< those of them that have jumped before
   std::array<float, 2> edges{};              ///< of the left and the right column
-  std::array<float, 2> widths{};             ///< of the widest that has stood in each
+  std::array<float, 2> widths{};             ///< of the widest box that has stood in each
   float textWidth = 0.0f;                    ///< LabelRequest::textWidth
   bool operator==(const LabelLayout&) const = default;
 
   const PlacedLabel* find(model::AnnotationId id) const;
 };
 
-/// Holds for every answer: no two boxes overlap, no two leaders cross, no leader runs through a
-/// box, its own or another's, or turns by more than a right angle, no box but one moved by hand
-/// covers its own dot or the line that it measures, all boxes lie within the space, and nothing of
-/// them lies where it is reserved, but for leaders to what was moved by hand. What was moved by
-/// hand stays where it was put and the others give way: in their column, to the other side, or they
-/// are left out. What finds no place is left out: what is hidden before what is seen, later items
-/// before earlier ones. The same request and the same layout before give the same layout.
+/// Lays out the labels. Every layout satisfies this: no two boxes overlap, no two leaders cross, no
+/// leader runs through a box, its own or another's, or turns by more than a right angle, no box but
+/// one moved by hand covers its own dot or the line that it measures, all boxes lie within the
+/// space, and no part of them lies where it is reserved, except leaders to labels moved by hand. A
+/// label moved by hand stays where it was put and the others give way: in their column, to the
+/// other side, or they are left out. Labels that find no place are left out: hidden ones before
+/// seen ones, later items before earlier ones. The same request and the same layout before give the
+/// same layout.
 LabelLayout layOutLabels(const LabelRequest& request, const LabelLayout* before = nullptr);
 
 }  // namespace sline::render

@@ -15,7 +15,7 @@ namespace sline::render {
 namespace {
 
 constexpr int cellsAcross = 96;
-/// Of all structures together, as many of each.
+/// The triangles of all structures together, the same number for each.
 constexpr std::size_t mostTriangles = 60000;
 
 class Marker {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where structures are drawn, coarsely: what labels had better not cover.
+// Marks coarsely where structures are drawn, which labels should not cover.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,19 @@ namespace sline::render {
 struct ObstacleMask {
   int columns = 0;
   int rows = 0;
-  glm::vec2 size{0.0f};             ///< of the whole, millimetres of the output
-  std::vector<std::uint8_t> taken;  ///< of cells, rows from the top
-  std::optional<LabelBox> extent;   ///< of all that is drawn in the picture, finer than cells
+  glm::vec2 size{0.0f};             ///< of the whole picture, millimetres of the output
+  std::vector<std::uint8_t> taken;  ///< one entry per cell, rows from the top
+  std::optional<LabelBox> extent;   ///< of everything drawn in the picture, finer than cells
 
   std::size_t cellAt(int x, int y) const {
     return std::size_t(y) * std::size_t(columns) + std::size_t(x);
   }
-  /// The share of the box's area that is taken, 0 … 1.
+  /// Returns the share of the box's area that is taken, 0 … 1.
   float share(const LabelBox& box) const;
 };
 
-/// Of the visible structures' surfaces as sections leave them. Of large meshes some triangles are
-/// looked at, so that it takes about as long whatever the scene.
+/// Marks the visible structures' surfaces as sections leave them. Only some triangles of large
+/// meshes are looked at, so that it takes about as long for any scene.
 ObstacleMask obstaclesOf(const model::Scene& scene, const Screen& screen);
 
 }  // namespace sline::render

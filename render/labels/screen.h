@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the scene to the output's plane.
+// Maps the scene to the output's plane.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -11,18 +11,18 @@
 
 namespace sline::render {
 
-/// A camera's picture on paper: millimetres from the upper left corner, y downwards.
+/// Describes a camera's picture on paper: millimetres from the upper left corner, y downwards.
 class Screen {
  public:
-  /// Both sides of `size` must be positive and the camera without fault.
+  /// Both sides of `size` must be positive and the camera valid.
   Screen(const model::Camera& camera, const glm::vec2& size);
 
   const model::Camera& camera() const { return m_camera; }
   const glm::vec2& size() const { return m_size; }
-  /// Nothing for a point that is not before the eye.
+  /// Returns where a point lies; nothing for a point that is not in front of the eye.
   std::optional<glm::vec2> place(const glm::vec3& p) const;
-  /// From the eye (of a parallel projection: from behind it) through the place; the direction is a
-  /// unit vector.
+  /// Returns the ray from the eye (in a parallel projection: from behind it) through the place; the
+  /// direction is a unit vector.
   model::Ray sight(const glm::vec2& place) const;
   bool inside(const glm::vec2& place) const;
 
@@ -30,7 +30,7 @@ class Screen {
   model::Camera m_camera;
   model::CameraFrame m_frame;
   glm::vec2 m_size;
-  float m_scale = 1.0f;  ///< output millimetres of a unit slope, or of a millimetre
+  float m_scale = 1.0f;  ///< output millimetres per unit slope, or per millimetre
 };
 
 }  // namespace sline::render

@@ -10,7 +10,7 @@ namespace sline::render {
 
 namespace {
 
-/// Twice the area of the triangle; its sign tells on which side of ab the point c is.
+/// Returns twice the area of the triangle; its sign tells on which side of ab the point c is.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -32,7 +32,7 @@ bool meet(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const g
          (cda == 0 && within(c, d, a)) || (cdb == 0 && within(c, d, b));
 }
 
-/// Without its first bit.
+/// Returns the leader without its first bit.
 Leader shortened(Leader leader) {
   constexpr float bit = 0.05f;
   const float length = glm::length(leader[1] - leader[0]);
@@ -41,7 +41,7 @@ Leader shortened(Leader leader) {
   return leader;
 }
 
-/// Around all of it.
+/// Returns the box around the whole leader.
 LabelBox extentOf(const Leader& leader) {
   LabelBox box{leader.front(), leader.front()};
   for (const glm::vec2& p : leader) {
@@ -64,7 +64,7 @@ bool crossAnywhere(const Leader& a, const Leader& b) {
   return false;
 }
 
-/// Liang and Barsky's clipping of a segment against a box.
+/// Tells whether the segment passes through the box, by Liang and Barsky's clipping.
 bool clips(const glm::vec2& a, const glm::vec2& b, const LabelBox& box) {
   float enter = 0.0f;
   float leave = 1.0f;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a layout is made of: boxes and polylines in the plane of the picture, millimetres of the
-// output from its upper left corner, y downwards.
+// Defines what a layout is made of: boxes and polylines in the plane of the picture, in millimetres
+// of the output from its upper left corner, y downwards.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -20,7 +20,7 @@ struct LabelBox {
   bool operator==(const LabelBox&) const = default;
 };
 
-/// What is kept free at each edge of the output.
+/// The room that is kept free at each edge of the output.
 struct EdgeRoom {
   float left = 0.0f;
   float top = 0.0f;
@@ -29,18 +29,19 @@ struct EdgeRoom {
   bool operator==(const EdgeRoom&) const = default;
 };
 
-/// From the place in the anatomy to the box.
+/// A polyline from the place in the anatomy to the box.
 using Leader = std::vector<glm::vec2>;
 
-/// Their insides have points in common.
+/// Tells whether the insides of the boxes have points in common.
 bool overlap(const LabelBox& a, const LabelBox& b);
-/// They have a point in common; where both begin at the same place, another one.
+/// Tells whether the leaders have a point in common; if both begin at the same place, another
+/// point.
 bool cross(const Leader& a, const Leader& b);
-/// The leader has a point within the box.
+/// Tells whether the leader has a point within the box.
 bool runsThrough(const Leader& leader, const LabelBox& box);
-/// Where a straight leader from a place outside the box ends without running through it: in the
-/// middle of the nearest of the sides that face the place, or so far from it that the leader is not
-/// too flat above or below the text.
+/// Returns where a straight leader from a place outside the box ends without running through it: in
+/// the middle of the nearest of the sides that face the place, or so far from it that the leader is
+/// not too flat above or below the text.
 glm::vec2 portOf(const LabelBox& box, const glm::vec2& place);
 
 }  // namespace sline::render

@@ -13,7 +13,7 @@ namespace sline::render {
 namespace {
 
 bool hidesWhatIsBehind(const model::ResolvedStyle& style) {
-  constexpr float shaded = 3.5f;  // half way from hatching to shading
+  constexpr float shaded = 3.5f;  // halfway from hatching to shading
   constexpr float thin = 0.4f;
   const bool filled = style.gamma.value() >= shaded || style.fill == model::Fill::paper;
   return filled && style.opacity.value() >= thin;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is seen along a line of sight, and what is hidden. What is transparent hides nothing: a
+// Finds what is seen along a line of sight, and what is hidden. Transparent things hide nothing: a
 // structure without a fill or shading, a tinted or veiled one, and one that is more clear than not.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace sline::render {
 
-/// One scene as it is drawn. The scene and the trees must outlive this.
+/// Looks at one scene as it is drawn. The scene and the trees must outlive this object.
 class Sights {
  public:
   Sights(const model::Scene& scene, model::MeshTrees& trees);
@@ -20,20 +20,20 @@ class Sights {
   struct Seen {
     model::NodeId structure;
     model::Hit hit;
-    bool cutFace = false;  ///< a section's, where the hit is the ray's entrance
+    bool cutFace = false;  ///< that of a section, where the hit is the ray's entrance
   };
-  /// The nearest that hides what is behind it, sections taken into account.
+  /// Returns the nearest structure that hides what is behind it, taking sections into account.
   std::optional<Seen> nearest(const model::Ray& ray) const;
-  /// The nearest of that structure alone, whether it hides anything or not.
+  /// Returns the nearest hit of that structure alone, whether it hides anything or not.
   std::optional<Seen> nearestOf(model::NodeId structure, const model::Ray& ray) const;
-  /// Another structure that is drawn is on the ray, whether it hides anything or not.
+  /// Tells whether another structure that is drawn is on the ray, whether it hides anything or not.
   bool drawnOver(model::NodeId structure, const model::Ray& ray) const;
-  /// Meshes without which `hidden` would have to wait for a tree.
+  /// Returns the meshes that lack a tree, for which `hidden` would have to wait.
   std::vector<model::MeshPtr> withoutTree() const;
-  /// Visible, and not taken away by a section.
+  /// Tells whether the anchor is visible and not taken away by a section.
   bool shows(const model::Anchor& anchor) const;
-  /// Something that hides is before the place; `ray` must go through it. Its own structure counts
-  /// where it is more than 1/200 of its size nearer.
+  /// Tells whether something that hides is in front of the place; `ray` must go through it. Its own
+  /// structure counts if it is nearer by more than 1/200 of its size.
   bool hidden(const model::Anchor& anchor, const model::Ray& ray) const;
 
  private:

@@ -15,15 +15,15 @@ namespace sline::render {
 
 namespace {
 
-/// What room a width of lines needs.
+/// Describes the room that a width of lines needs.
 struct Trial {
   std::array<float, 2> widths{};
   std::array<float, 2> heights{};
-  float highest = 0.0f;  ///< of one label
+  float highest = 0.0f;  ///< that of the highest label
   float text = 0.0f;
 };
 
-/// All labels that a column has room for, measured once so that many widths can be tried.
+/// Holds all labels that a column has room for, measured once so that many widths can be tried.
 class Trials {
  public:
   explicit Trials(const LabelTexts& texts) : m_texts(texts) {
@@ -43,7 +43,7 @@ class Trials {
     }
   }
 
-  /// From narrow to wide.
+  /// Returns trials from narrow to wide.
   std::vector<Trial> all() const {
     constexpr float narrowest = 5.0f;  // of the font's size
     constexpr float step = 0.5f;
@@ -73,11 +73,11 @@ class Trials {
   std::array<std::vector<MeasuredText>, 2> m_columns;
 };
 
-/// How much higher the columns are than the room for them; at most 1 where they have it.
+/// Returns the columns' height as a share of the room for them; at most 1 where they fit.
 float crowding(const Trial& trial, const LabelSpace& space) {
   const LabelBox frame = frameOf(space);
   const float height = std::max(frame.size().y, 1.0f);
-  // The rest is for what is reserved, in which columns have gaps.
+  // The rest is left for reserved areas, at which columns have gaps.
   constexpr float usable = 0.9f;
   return std::max(trial.heights[0], trial.heights[1]) / (usable * height);
 }
@@ -86,8 +86,8 @@ ColumnWidths widthsOf(const Trial& trial) {
   return {.left = trial.widths[0], .right = trial.widths[1], .text = trial.text};
 }
 
-/// The scale of the anatomy, less where columns are crowded or much higher than it, or a label has
-/// many lines.
+/// Returns the scale of the anatomy, reduced where columns are crowded or much higher than it, or a
+/// label has many lines.
 float worth(const Trial& trial, const LabelTexts& texts) {
   const LabelSpace& space = texts.space;
   const glm::vec2 shape = glm::max(texts.anatomy.size(), glm::vec2(1e-3f));
@@ -106,7 +106,7 @@ float worth(const Trial& trial, const LabelTexts& texts) {
          (1.0f + lineDearness * std::max(lines - fewLines, 0.0f));
 }
 
-/// Those before the eye, in the picture or not.
+/// Returns the labels in front of the eye, in the picture or not.
 std::vector<ShownLabel> visibleLabels(const model::Scene& scene, const Screen& screen,
                                       const LabelStyle& style) {
   std::vector<ShownLabel> labels;
@@ -130,7 +130,7 @@ std::vector<ShownLabel> visibleLabels(const model::Scene& scene, const Screen& s
   return labels;
 }
 
-/// Of the visible structures' boxes; the whole picture where there are none.
+/// Returns the extent of the visible structures' boxes; the whole picture where there are none.
 LabelBox extentOf(const model::Scene& scene, const Screen& screen) {
   LabelBox anatomy{glm::vec2(std::numeric_limits<float>::infinity()),
                    glm::vec2(-std::numeric_limits<float>::infinity())};
@@ -177,7 +177,7 @@ ColumnWidths widthsBeside(const LabelTexts& texts) {
   for (const Trial& trial : trials)
     least = std::min(least, cost(trial));
   constexpr float negligible = 0.4f;
-  // Where columns reach into the anatomy anyway, lines are not made very short for it.
+  // Where columns reach into the anatomy anyway, lines are not made very short to avoid it.
   constexpr float shortest = 8.0f;  // of the font's size
   const float em = texts.style.points * millimetresPerPoint;
   const bool reaches = least > negligible;

@@ -13,7 +13,7 @@
 
 namespace sline::render {
 
-/// A dictionary of libhyphen, which is read alone once it is loaded.
+/// A dictionary of libhyphen, which is only read once it is loaded.
 class SyllablePatterns {
  public:
   explicit SyllablePatterns(HyphenDict* dictionary) : m_dictionary(dictionary) {}
@@ -35,8 +35,8 @@ constexpr qsizetype leastBehind = 3;
 
 using Patterns = std::shared_ptr<const SyllablePatterns>;
 
-/// The files that may hold the language's patterns, the best first: "de-AT" is asked for as de_AT,
-/// then as de, as de_DE and as any other region's.
+/// Returns the files that may hold the language's patterns, the best first: "de-AT" is looked up as
+/// de_AT, then as de, as de_DE and as any other region's.
 QStringList fileNames(const QString& language) {
   static const QRegularExpression tag(QStringLiteral("^[A-Za-z]{2,3}(-[A-Za-z]{2,4})*$"));
   if (!tag.match(language).hasMatch())
@@ -78,7 +78,7 @@ Patterns loaded(const QString& file) {
   return patterns->isUtf8() || patterns->isLatin1() ? patterns : nullptr;
 }
 
-/// Of the whole process: reading a dictionary takes some 10 ms.
+/// Returns patterns that the whole process shares: reading a dictionary takes some 10 ms.
 Patterns patternsOf(const std::string& language) {
   static std::mutex mutex;
   static std::map<std::string, Patterns> known;
@@ -106,7 +106,7 @@ void addEnds(const SyllablePatterns& patterns, const QString& word, qsizetype st
       hnj_hyphen_hyphenate2(patterns.dictionary(), bytes.constData(), int(bytes.size()),
                             places.data(), nullptr, &replaced, &at, &cut);
   for (qsizetype i = 0; !fault && i < word.size(); ++i) {
-    // A break that changes the spelling ("Zuk-ker") is left to people.
+    // A break that changes the spelling ("Zuk-ker") is left to the author.
     const bool spelt = replaced && replaced[i];
     if ((places[i] & 1) != 0 && !spelt && i + 1 >= leastBefore &&
         word.size() - i - 1 >= leastBehind)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where syllables end, by the patterns that the system's dictionaries hold for a language
+// Finds where syllables end, by the patterns that the system's dictionaries hold for a language
 // (libhyphen, after F. M. Liang, "Word Hy-phen-a-tion by Com-put-er", Stanford 1983).
 #pragma once
 
@@ -11,7 +11,7 @@ namespace sline::render {
 
 class SyllablePatterns;
 
-/// The patterns of one language, loaded once for each that is asked for.
+/// Holds the patterns of one language, which are loaded once for each language that is asked for.
 class Hyphenation {
  public:
   /// Loads the patterns of a BCP 47 language ("de", "nb", "en-GB"), the region's own where they are

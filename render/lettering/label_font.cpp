@@ -4,7 +4,7 @@
 #include <QFontDatabase>
 #include <QStringList>
 
-// Resources of a static library must be asked for, outside of any namespace.
+// Resources of a static library must be requested, outside any namespace.
 static void useLabelFont() {
   Q_INIT_RESOURCE(label_font);
 }
@@ -13,7 +13,7 @@ namespace sline::render {
 
 namespace {
 
-/// The family of all four fonts.
+/// Returns the family of all four fonts.
 QString labelFamily() {
   useLabelFont();
   QString family;

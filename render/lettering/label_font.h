@@ -7,7 +7,8 @@
 
 namespace sline::render {
 
-/// The font of labels, `labelFontPixels` high: the same on every machine. Needs a QGuiApplication.
+/// The font of labels is `labelFontPixels` high and the same on every machine. It needs a
+/// QGuiApplication.
 inline constexpr int labelFontPixels = 100;
 QFont labelFont(const model::LetterStyle& style = {});
 

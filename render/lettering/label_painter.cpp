@@ -18,7 +18,7 @@ constexpr float dotHalo = 0.4f;    // around dots
 constexpr float dotRadius = 0.5f;
 constexpr float pinRadius = 0.8f;
 
-/// One plate's labels as shapes and text.
+/// Sets one plate's labels as shapes and text.
 class Setting {
  public:
   explicit Setting(const LabelPlate& plate)
@@ -38,7 +38,7 @@ class Setting {
   }
 
  private:
-  /// A test's lines must not tell their answers.
+  /// Returns an item's name; a test's lines must not reveal their answers.
   std::string nameOf(std::size_t i) const {
     return m_plate.style.mode == LabelMode::on ? plainText(m_plate.texts[i].lines).toStdString()
                                                : std::to_string(m_plate.labels[i].number);
@@ -70,7 +70,7 @@ class Setting {
     }
   }
 
-  /// A line with a bar across at either end.
+  /// Adds a line with a bar across at either end.
   void addDistance(const LabelItem& item) {
     if (item.places.size() != 2)
       return;
@@ -92,11 +92,12 @@ class Setting {
           m_colours.ground;
     if (m_plate.style.mode != LabelMode::blank)
       addText(i, placed);
-    else if (!callout)  // a line to write on, which goes on from the leader
+    else if (!callout)  // a line to write on, which continues the leader
       add(polyline({{box.low.x, box.middle().y}, {box.high.x, box.middle().y}}), leaderWidth);
   }
 
-  /// Towards the place: in the left column to the right, in the right one and beside to the left.
+  /// Returns the anchor on the side of the place: in the left column right, in the right one and
+  /// beside the place left.
   TextAnchor anchorOf(std::size_t i, const PlacedLabel& placed) const {
     if (m_plate.style.mode == LabelMode::numbers)
       return TextAnchor::middle;
@@ -132,7 +133,7 @@ class Setting {
   LetteringItem m_item;
 };
 
-/// As in the picture before: lines that break anew while a camera turns would jump.
+/// Returns the width of the picture before: lines that break anew while a camera turns would jump.
 float textWidthFor(const LabelPlate& plate, const LabelRequest& request, const LabelTurn& turn) {
   if (turn.before && turn.before->textWidth > 0.0f)
     return turn.before->textWidth;

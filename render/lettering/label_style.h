@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How labels look, in millimetres and points of the output: on a picture printed twice as large
-// they are no larger.
+// Describes how labels look, in millimetres and points of the output: on a picture printed twice as
+// large they are no larger.
 #pragma once
 
 #include <string>
@@ -11,24 +11,25 @@
 
 namespace sline::render {
 
-/// `numbers`: numbered badges, for a key beside the picture; `blank`: lines to write on.
+/// Tells what labels show. `numbers`: numbered badges, for a key beside the picture; `blank`: lines
+/// to write on.
 enum class LabelMode { off, on, numbers, blank };
 
 inline constexpr float millimetresPerInch = 25.4f;
 inline constexpr float millimetresPerPoint = millimetresPerInch / 72.0f;
-/// How high a picture is taken to be where nobody says: its 720 output units (METHOD §4) are then
-/// 1/96 inch each.
+/// The height that a picture is taken to have if none is given: its 720 output units (METHOD §4)
+/// are then 1/96 inch each.
 inline constexpr float usualHeightMm = 190.5f;
 
 inline constexpr Limits<float> letterLimitsPt{4.0f, 48.0f};
 
 struct LabelStyle {
   LabelMode mode = LabelMode::on;
-  float points = 10.0f;  ///< of the text
+  float points = 10.0f;  ///< size of the text
   std::string language;  ///< BCP 47 tag; of texts and numbers
   bool onDark = false;   ///< light ink, dark halo
-  EdgeRoom edges;        ///< where no text stands: other marks do
-  /// Boxes around other marks, of the output: neither texts nor leaders are there.
+  EdgeRoom edges;        ///< the room where no text stands, as other marks do
+  /// Boxes around other marks, in the output, where neither texts nor leaders stand.
   std::vector<LabelBox> reserved;
 };
 

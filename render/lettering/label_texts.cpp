@@ -27,7 +27,7 @@ std::string bounded(const std::string& text) {
   if (text.size() <= mostBytes)
     return text;
   std::size_t end = mostBytes;
-  while ((text[end] & '\xc0') == '\x80')  // within a character of UTF-8
+  while ((text[end] & '\xc0') == '\x80')  // inside a character of UTF-8
     --end;
   return text.substr(0, end) + "\u2026";
 }
@@ -43,7 +43,7 @@ QString fullText(const ShownLabel& label, const LabelStyle& style) {
   return text.isEmpty() ? length : text + QLatin1Char(' ') + length;
 }
 
-/// Two digits: badges are all of one width.
+/// Returns the width of two digits, as all badges have the same width.
 float badgeMm(const Ruler& ruler, const LabelStyle& style) {
   return float(ruler.width(TextLine(QStringLiteral("00")))) * pixelsToMm(style);
 }
@@ -54,7 +54,7 @@ WordLimits limitsOf(float widestMm, const WordRoom& words, float scale) {
           .part = qreal(std::max(widestMm, words.part) / scale)};
 }
 
-/// What a writer began on a line of its own.
+/// Holds what the author began on a line of its own.
 struct Paragraph {
   std::vector<Word> words;
   bool bullet = false;
@@ -70,7 +70,7 @@ class LineBreaker {
     return {QString::fromUtf8(model::bulletSign.data(), qsizetype(model::bulletSign.size()))};
   }
 
-  /// As few lines as there must be, the longest as short as it can.
+  /// Returns as few lines as possible, the longest as short as possible.
   std::vector<TextLine> lines(qreal widest) const {
     const std::vector<TextLine> lines = filled(widest);
     qreal low = 0.0;
@@ -90,7 +90,7 @@ class LineBreaker {
     return lines;
   }
 
-  /// An item's lines are indented by as much as its bullet needs.
+  /// Adds the lines of a paragraph; those of an item are indented by as much as its bullet needs.
   void add(const Paragraph& paragraph, qreal width, std::vector<TextLine>& lines) const {
     const qreal indent = paragraph.bullet ? m_ruler.width(bullet()) : 0.0;
     lines.push_back(paragraph.bullet ? bullet() : TextLine());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts of labels broken into lines and measured.
+// Breaks texts of labels into lines and measures them.
 #pragma once
 
 #include <QFont>
@@ -15,8 +15,8 @@
 
 namespace sline::render {
 
-/// How wide a word may be that has no place to be divided, and its parts where it is wider, each
-/// with a hyphen where its script has them. Millimetres.
+/// Tells how wide a word may be that has no place to divide it, and its parts where it is wider,
+/// each with a hyphen where its script has hyphens. Millimetres.
 struct WordRoom {
   float whole = std::numeric_limits<float>::infinity();
   float part = std::numeric_limits<float>::infinity();
@@ -24,49 +24,54 @@ struct WordRoom {
 
 struct LabelText {
   std::vector<TextLine> lines;
-  bool list = false;    ///< some are items: all begin at the same side, wherever the label stands
+  bool list = false;    ///< some lines are items: all begin at the same side in any column
   glm::vec2 box{0.0f};  ///< millimetres, with padding
 };
 
-/// What a key says of the label: its words without markup, a distance's length behind them.
+/// Returns what a key says of the label: its words without markup, with a distance's length after
+/// them.
 std::string keyText(const ShownLabel& label, const LabelStyle& style);
 
-/// Of its runs one after the other, without its indent, in the font's pixels.
+/// Returns the width of the line's runs one after the other, without its indent, in the font's
+/// pixels.
 qreal advanceOf(const TextLine& line);
-/// With its indent in that size, millimetres.
+/// Returns the width of the line with its indent in that size, millimetres.
 float textWidthMm(const TextLine& line, float points);
-/// Of capitals, millimetres.
+/// Returns the height of capitals, millimetres.
 float capHeightMm(float points);
 
-/// Around the text within its box, millimetres.
+/// Returns the space around the text within its box, millimetres.
 glm::vec2 paddingOf(model::AnnotationKind kind, const LabelStyle& style);
 float lineHeightMm(const LabelStyle& style);
-/// Of a blank line, the same for every text: its length gives nothing away.
+/// Returns the width of a blank line, which is the same for every text so that it gives nothing
+/// away.
 float blankWidthMm(const LabelStyle& style);
-/// A distance has its length, in the language's digits, behind its text. A callout's text is marked
-/// up (model/scene/markup.h), and its lines begin where its writer began them, too. Lines are
-/// broken between words so that none is wider than `widestMm`, and within words that are wider,
-/// where their script or names that programs join allow it; elsewhere only where they are wider
-/// than there is room for words. A text that no page has room for is cut short.
+/// Returns the label's text in lines. A distance has its length, in the language's digits, after
+/// its text. A callout's text is marked up (model/scene/markup.h), and its lines also begin where
+/// the author began them. Lines are broken between words so that none is wider than `widestMm`, and
+/// within wider words where their script or names that programs join allow it; elsewhere only if a
+/// word is wider than the room for words. A text that fits on no page is cut short.
 LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm,
                  const WordRoom& words = {});
-/// No lines of labels are wider in a picture of that width, unless a word is.
+/// Returns the largest width of lines of labels in a picture of that width; only single words may
+/// be wider.
 float widestTextMm(float pictureWidthMm, const LabelStyle& style);
-/// Of words in such a picture.
+/// Returns the room for words in such a picture.
 WordRoom wordRoom(float pictureWidthMm, const LabelStyle& style);
 
-/// A label's words, measured once so that many widths can be tried.
+/// Measures a label's words once, so that many widths can be tried.
 class MeasuredText {
  public:
   MeasuredText(const ShownLabel& label, const LabelStyle& style, const WordRoom& words = {});
-  /// `textOf(…).box`, but for what kerning makes of spaces; of widths up to `WordRoom::part`.
+  /// Returns `textOf(…).box` for widths up to `WordRoom::part`, apart from kerning of spaces.
   glm::vec2 boxAt(float widestMm) const;
 
  private:
-  /// A word's parts, as `textOf` divides it where the whole is too wide. Pixels of the font.
+  /// Widths of a word's part, as `textOf` divides the word if the whole is too wide. Pixels of the
+  /// font.
   struct PartWidths {
     float width = 0.0f;
-    float hyphen = 0.0f;  ///< that it has besides at a line's end
+    float hyphen = 0.0f;  ///< added at a line's end
   };
   struct WordWidths {
     float whole = 0.0f;
@@ -74,20 +79,20 @@ class MeasuredText {
   };
   struct ParagraphWidths {
     std::vector<WordWidths> words;
-    float indent = 0.0f;  ///< of an item of a list
+    float indent = 0.0f;  ///< that of a list item
   };
   struct Filled {
     std::size_t lines = 0;
-    float width = 0.0f;  ///< of the widest line
+    float width = 0.0f;  ///< that of the widest line
   };
-  /// Words that are wider than `widest` divided, in lines no wider than `most`.
+  /// Fills lines no wider than `most`, with words divided that are wider than `widest`.
   Filled fill(float widest, float most) const;
 
   std::vector<ParagraphWidths> m_paragraphs;
-  std::optional<glm::vec2> m_fixed;  ///< the box of what is never broken
+  std::optional<glm::vec2> m_fixed;  ///< the box of a text that is never broken
   glm::vec2 m_padding{0.0f};
   float m_space = 0.0f;
-  float m_scale = 1.0f;  ///< millimetres to the font's pixel
+  float m_scale = 1.0f;  ///< millimetres per pixel of the font
   float m_lineHeight = 0.0f;
 };
 

@@ -11,10 +11,10 @@ namespace sline::render {
 
 namespace {
 
-/// Of a quarter of a circle as one Bézier: control points lie that far along the tangents.
+/// A quarter of a circle as one Bézier has its control points this far along the tangents.
 constexpr float quarter = 0.5522847f;
 
-/// Height of small letters in that of capitals.
+/// The height of small letters as a share of that of capitals.
 constexpr float smallLetters = 0.75f;
 
 QPointF point(const glm::vec2& p) {
@@ -80,7 +80,7 @@ Path circle(const glm::vec2& middle, float radius) {
 
 Path roundedBox(const glm::vec2& low, const glm::vec2& high, float radius) {
   const float r = std::min({radius, 0.5f * (high.x - low.x), 0.5f * (high.y - low.y)});
-  const float k = (1.0f - quarter) * r;  // of a control point from the corner
+  const float k = (1.0f - quarter) * r;  // distance of a control point from the corner
   Curve curve{.start = {low.x + r, low.y}, .pieces = {}, .closed = true};
   glm::vec2 last = curve.start;
   const auto line = [&](const glm::vec2& end) {
@@ -151,7 +151,7 @@ QPainterPath outlineOf(const LetteringText& text) {
 
 QPainterPath haloOf(const LetteringText& text) {
   QPainterPath halo = outlineOf(text);
-  // As high as small letters are: as many bars as cover that without a gap.
+  // Bars as high as small letters, as many as cover that height without a gap.
   const float high = smallLetters * capHeightMm(text.points);
   const int bars = std::max(1, int(std::ceil((high - 2.0f * textHalo) / (2.0f * textHalo))) + 1);
   const float between = bars > 1 ? (high - 2.0f * textHalo) / float(bars - 1) : 0.0f;

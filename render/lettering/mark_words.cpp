@@ -8,7 +8,8 @@
 
 namespace sline::render {
 
-/// Views and sections in the order of model::AnatomicalView; %1 is a place, a number or a length.
+/// Views and sections are in the order of model::AnatomicalView; %1 is a place, a number or a
+/// length.
 struct MarkTable {
   const char* language;
   std::array<const char*, 6> views;

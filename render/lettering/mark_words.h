@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What marks say, in the language of the picture rather than that of the program: English, German,
+// Words the marks in the language of the picture rather than that of the program: English, German,
 // Dutch, Norwegian and Latin.
 #pragma once
 
@@ -15,17 +15,18 @@ struct MarkTable;
 
 class MarkWords {
  public:
-  /// A BCP 47 tag; English for languages that are not known.
+  /// Takes a BCP 47 tag; unknown languages become English.
   explicit MarkWords(const std::string& language);
 
-  /// "Anterior view"; a name that is none of the six sides' as it is. Of a side that the camera
-  /// does not see most of: the side that it sees, or nothing where it looks along no axis.
+  /// Returns "Anterior view"; a name other than the six sides' is returned unchanged. If the camera
+  /// does not see mostly the named side, the side that it does see is returned, or nothing where it
+  /// looks along no axis.
   QString view(const std::string& name, const model::Camera& camera) const;
-  /// "Coronal section at A 12.0 mm, posterior part kept".
+  /// Returns "Coronal section at A 12.0 mm, posterior part kept".
   QString section(const model::Plane& plane) const;
-  /// "5 sections"; for more than one.
+  /// Returns "5 sections", for more than one.
   QString sections(std::size_t count) const;
-  /// "5 cm at mid-depth", of a length that is true there alone.
+  /// Returns "5 cm at mid-depth", for a length that is true only there.
   QString atMidDepth(const QString& length) const;
   const QLocale& locale() const { return m_locale; }
 

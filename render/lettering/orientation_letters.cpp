@@ -9,11 +9,11 @@ namespace sline::render {
 
 namespace {
 
-/// Letters of +x, +y, +z and of −x, −y, −z in LPS.
+/// The letters of +x, +y, +z and of −x, −y, −z in LPS.
 constexpr char positive[] = "LPS";
 constexpr char negative[] = "RAI";
 
-/// Sides that the direction leads to by more than sin 25°, the nearest first.
+/// Returns the sides that the direction leads to by more than sin 25°, the nearest first.
 std::string sidesTowards(const glm::vec3& direction) {
   constexpr float least = 0.42f;
   std::array<int, 3> axes{0, 1, 2};

@@ -9,7 +9,7 @@
 namespace sline::render {
 
 /// The sides of the body towards the picture's left, right, upper and lower edge, as radiologists
-/// mark them: "R", or where a view is oblique the nearest first: "RA".
+/// mark them: "R" or, where a view is oblique, the nearest first: "RA".
 struct EdgeLetters {
   std::string left;
   std::string right;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of lettering, made of runs that differ in their letters' style.
+// Holds lines of lettering, made of runs that differ in their letters' style.
 #pragma once
 
 #include <QString>
@@ -17,22 +17,22 @@ struct TextRun {
 
 struct TextLine {
   std::vector<TextRun> runs;
-  float indent = 0.0f;      ///< of all of it, ems
-  bool joined = false;      ///< goes on with a word of the line before
-  bool hyphenated = false;  ///< ends in a hyphen because the next one does
+  float indent = 0.0f;      ///< of the whole line, ems
+  bool joined = false;      ///< continues a word of the line before
+  bool hyphenated = false;  ///< ends in a hyphen because the next line continues its word
 
   TextLine() = default;
-  /// Of one run, as labels and marks are.
+  /// Makes a line of one run, as labels and marks have it.
   TextLine(const QString& plain) : runs{{.text = plain, .style = {}}} {}
   bool operator==(const TextLine&) const = default;
 };
 
-/// Adds to the last run where it has that style.
+/// Appends the text to the last run if that has this style, or else as a new run.
 void append(TextLine& line, QStringView text, const model::LetterStyle& style);
 
-/// Its words without styles.
+/// Returns the line's words without styles.
 QString plainText(const TextLine& line);
-/// Words that lines part are whole.
+/// Returns the text of all lines; words that lines divide are whole.
 QString plainText(const std::vector<TextLine>& lines, QChar between = QLatin1Char(' '));
 
 }  // namespace sline::render

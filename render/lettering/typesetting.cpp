@@ -30,7 +30,7 @@ Result<std::unique_ptr<Typesetting>> Typesetting::create() {
       return Error{.file = plugin.toStdString(),
                    .reason = "the part of Qt that sets text without a display is not there",
                    .remedy = "Install Qt 6 Gui with its platform plugins"};
-    // Of a run-time folder that it makes because none is named, nobody needs to know.
+    // Hides Qt's message about a run-time folder that it makes because none is named.
     const QtMessageHandler loud =
         qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
     data->application = std::make_unique<QGuiApplication>(data->count, data->arguments.data());

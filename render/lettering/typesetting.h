@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For programs without a window and without Qt's headers.
+// Sets text for programs without a window and without Qt's headers.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace sline::render {
 
-/// What setting text needs, made where the program has none. Made on the main thread; hold one as
-/// long as text is set, on whatever thread.
+/// Creates what setting text needs, if the program does not have it. It must be made on the main
+/// thread and held as long as text is set, on any thread.
 class Typesetting {
  public:
   static Result<std::unique_ptr<Typesetting>> create();

@@ -19,7 +19,7 @@ bool parts(QChar c) {
   return c.isSpace() && c != unbroken && c != narrowUnbroken;
 }
 
-/// From one place in the text to another, each letter in its style.
+/// Returns the text from one place to another, each letter in its style.
 TextLine piece(const TextLine& text, qsizetype from, qsizetype to) {
   TextLine line;
   qsizetype at = 0;
@@ -41,7 +41,7 @@ std::vector<qsizetype> boundaries(QTextBoundaryFinder::BoundaryType type, const 
   return places;
 }
 
-/// Where a line may end within the text, and its end.
+/// Returns where a line may end within the text, and the text's end.
 std::vector<qsizetype> lineEnds(const QString& text) {
   std::vector<qsizetype> ends = boundaries(QTextBoundaryFinder::Line, text);
   for (qsizetype i = 1; i < text.size(); ++i)
@@ -53,8 +53,8 @@ std::vector<qsizetype> lineEnds(const QString& text) {
   return ends;
 }
 
-/// Where a line may end within the text, and whether a hyphen shows it because a syllable does: in
-/// what is wider than `most` between two such places.
+/// Returns where a line may end within the text, and whether a hyphen shows it because a syllable
+/// ends there: syllables count only within pieces wider than `most`.
 std::vector<std::pair<qsizetype, bool>> pieceEnds(const TextLine& line, const Ruler& ruler,
                                                   qreal most) {
   const QString text = plainText(line);
@@ -72,14 +72,14 @@ std::vector<std::pair<qsizetype, bool>> pieceEnds(const TextLine& line, const Ru
   return ends;
 }
 
-/// Words of those alphabets are parted with hyphens.
+/// Tells whether words of the letter's alphabet are divided with hyphens.
 bool hyphenates(QChar c) {
   const QChar::Script script = c.script();
   return c.isLetter() && (script == QChar::Script_Latin || script == QChar::Script_Greek ||
                           script == QChar::Script_Cyrillic || script == QChar::Script_Armenian);
 }
 
-/// Parts what has no place for it.
+/// Divides words that have no place for it.
 class Cutter {
  public:
   Cutter(const TextLine& text, const Ruler& ruler)
@@ -101,7 +101,7 @@ class Cutter {
     }
   }
 
-  /// Where parts of about the same width end, as few as there must be.
+  /// Returns where parts of about the same width end, as few as possible.
   std::vector<qsizetype> ends(qreal most) const {
     const std::size_t number = cut(most).size();
     qreal low = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of labels and how wide they are; where one may be parted that is too wide.
+// Measures words of labels and divides those that are too wide.
 #pragma once
 
 #include <QFontMetricsF>
@@ -11,10 +11,10 @@
 
 namespace sline::render {
 
-/// Advances in the labels' font, in its pixels.
+/// Measures advances in the labels' font, in its pixels.
 class Ruler {
  public:
-  /// Words are parted by the language's syllables where it has some (BCP 47, empty for none).
+  /// Words are divided by the language's syllables, where it has some (BCP 47, empty for none).
   explicit Ruler(const std::string& language = {});
   qreal width(const TextRun& run) const;
   qreal width(const TextLine& line) const;
@@ -27,29 +27,29 @@ class Ruler {
   Hyphenation m_hyphenation;
 };
 
-/// A word, or a part of one: joined to what stands before it.
+/// A word, or a part of one that is joined to what stands before it.
 struct Word {
   TextLine text;
   bool joined = false;
-  bool hyphen = false;  ///< has one behind it where a line ends there
-  qreal width = 0.0;    ///< without that
+  bool hyphen = false;  ///< ends in a hyphen if a line ends there
+  qreal width = 0.0;    ///< without that hyphen
 };
 
-/// Pixels of the font.
+/// Widths in pixels of the font.
 struct WordLimits {
-  qreal line = 0.0;   ///< what is wider is divided
-  qreal whole = 0.0;  ///< what is wider and has no place for it is divided anywhere
-  qreal part = 0.0;   ///< what it is then divided into, but for single signs, with their hyphens
+  qreal line = 0.0;   ///< wider words are divided
+  qreal whole = 0.0;  ///< wider words without a place to divide them are divided anywhere
+  qreal part = 0.0;   ///< width of their parts with hyphens; only single signs may be wider
   WordLimits less(qreal by) const { return {line - by, whole - by, part - by}; }
 };
 
-/// Divided where programs join words ("L4-L3-Disc", "left_kidney", "CystWall") and where the script
-/// lets lines end, as between signs of Chinese. What is then wider than `limits.part` is divided
-/// between syllables, and what is still too wide between signs, into as few parts of about the same
-/// width as can be.
+/// Divides the word where programs join words ("L4-L3-Disc", "left_kidney", "CystWall") and where
+/// the script lets lines end, as between signs of Chinese. Parts that are then wider than
+/// `limits.part` are divided between syllables, and parts that are still too wide between signs,
+/// into as few parts of about the same width as possible.
 std::vector<Word> divided(const Word& word, const Ruler& ruler, const WordLimits& limits);
 
-/// What spaces part, divided where it is too wide for a line.
+/// Returns the words between spaces, divided where they are too wide for a line.
 std::vector<Word> wordsOf(const TextLine& line, const Ruler& ruler, const WordLimits& limits);
 
 }  // namespace sline::render

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t none = ~0u;
 constexpr std::uint32_t crowded = ~0u - 1;
 
-/// End 2i is segment i's a, end 2i + 1 its b.
+/// Returns an end of a segment: end 2i is segment i's a, end 2i + 1 its b.
 const glm::vec3& pointOf(const std::vector<Segment>& segments, std::uint32_t end) {
   const Segment& s = segments[end / 2];
   return end % 2 == 0 ? s.a : s.b;
@@ -24,8 +24,8 @@ std::uint32_t hashOf(const glm::vec3& p) {
   return std::uint32_t(h >> 32);
 }
 
-/// For each end the only other end at the same point; `none` where there is no other or where three
-/// or more meet. Open addressing: one slot per distinct point.
+/// Returns for each end the only other end at the same point; `none` where there is no other or
+/// where three or more meet. Open addressing: one slot per distinct point.
 std::vector<std::uint32_t> partners(const std::vector<Segment>& segments) {
   const std::uint32_t count = std::uint32_t(2 * segments.size());
   const std::uint32_t mask = std::bit_ceil(std::max(2 * count, 16u)) - 1;

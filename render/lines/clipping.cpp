@@ -31,7 +31,7 @@ Segment part(const Segment& s, double t, double u) {
   return rest;
 }
 
-/// What all planes keep of the way from a to b, as shares of it.
+/// Holds the part of the way from a to b that all planes keep, as shares of it.
 struct Kept {
   double low = 0.0;
   double high = 1.0;

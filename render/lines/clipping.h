@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines end at section planes.
+// Ends lines at section planes.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace sline::render {
 
-/// The part of the segment that all planes keep; nothing where none is left. Ends that are kept
-/// stay the same to the last bit, and so do those on a plane that neighbours share.
+/// Returns the part of the segment that all planes keep; nothing where no part is left. Ends that
+/// are kept stay the same to the last bit, and so do those on a plane that neighbours share.
 std::optional<Segment> clipped(const Segment& segment, std::span<const model::Plane> planes);
-/// Clips each segment in place and drops those of which nothing is left; the order stays.
+/// Clips each segment in place and drops those that are cut away completely; the order stays.
 void clip(std::vector<Segment>& segments, std::span<const model::Plane> planes);
 /// Cuts strokes into the parts that all planes keep, each as wide at the cut as it was there; their
 /// seeds' names stay.

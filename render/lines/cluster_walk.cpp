@@ -3,7 +3,7 @@
 
 namespace sline::render {
 
-// Straight loops over arrays: the compiler turns them into vector instructions.
+// The straight loops over arrays become vector instructions in the compiler.
 void ClusterWalk::enter(const model::Cluster& cluster) {
   m_cluster = &cluster;
   const model::ClusterVertices& in = m_surface.clusters.fields;
@@ -18,7 +18,7 @@ void ClusterWalk::enter(const model::Cluster& cluster) {
   std::array<const float*, 6> s{};
   for (std::size_t i = 0; i < 6; ++i)
     s[i] = in.s[i].data() + first;
-  // A parallel projection's d is the eye's direction itself.
+  // In a parallel projection d is the eye's direction itself.
   const float scale = m_eye.atInfinity ? 0.0f : 1.0f;
   for (std::size_t i = 0; i < count; ++i) {
     const float x = m_eye.value.x - scale * px[i];

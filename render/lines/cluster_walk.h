@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cluster of a surface as techniques look for lines in it: what its vertices look like from the
-// eye, and where a value becomes zero along an edge. A technique walks over the cluster's
-// triangles.
+// Presents a cluster of a surface to the techniques that look for lines in it: how its vertices are
+// seen from the eye, and where a value becomes zero along an edge. A technique walks over the
+// cluster's triangles.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace sline::render {
 
-/// A point on a triangle's edge where a line may pass, between the vertices `a` and `b` of the
-/// cluster, `share` of the way.
+/// A point on a triangle's edge through which a line may pass: it lies between the vertices `a` and
+/// `b` of the cluster, at `share` of the way.
 struct Crossing {
   glm::vec3 position;
   glm::vec3 normal;
@@ -36,16 +36,16 @@ inline float zeroBetween(float va, float vb) {
   return std::clamp(va / (va - vb), 0.0f, 1.0f);
 }
 
-/// Reused from cluster to cluster.
+/// Walks over one cluster after the other, reusing its memory.
 class ClusterWalk {
  public:
   using Field = std::array<float, model::Clusters::maximumVertices + 1>;
-  using Local = std::array<std::uint8_t, 3>;  ///< a triangle's vertices by their number in here
+  using Local = std::array<std::uint8_t, 3>;  ///< a triangle's vertices by their numbers here
 
   ClusterWalk(const model::Surface& surface, const model::EyePoint& eye)
       : m_surface(surface), m_eye(eye) {}
 
-  /// Looks at a cluster from now on.
+  /// Looks at this cluster from now on.
   void enter(const model::Cluster& cluster);
 
   const model::Surface& surface() const { return m_surface; }
@@ -54,7 +54,8 @@ class ClusterWalk {
   const Local& local(std::uint32_t triangle) const {
     return m_surface.clusters.localTriangles[m_cluster->firstTriangle + triangle];
   }
-  /// Returns the number that the cluster's triangle has in the mesh; likewise a vertex's.
+  /// `triangle` returns the number that the cluster's triangle has in the mesh; `vertex` does so
+  /// for a vertex.
   std::uint32_t triangle(std::uint32_t triangle) const {
     return m_surface.clusters.triangles[m_cluster->firstTriangle + triangle];
   }
@@ -62,7 +63,7 @@ class ClusterWalk {
     return m_surface.clusters.vertices[m_cluster->firstVertex + local];
   }
 
-  // With d the vector to the eye (of any length): enough for signs.
+  // d is the vector to the eye, of any length, which is enough for signs.
   const Field& facing() const { return m_facing; }    ///< ⟨n, d⟩ = nv·|d|
   const Field& bending() const { return m_bending; }  ///< dᵀ·S·d = κr·|w|²·|d|²
 
@@ -75,8 +76,8 @@ class ClusterWalk {
     return m_bending[local] / std::max(w2, 1e-12f * d2);
   }
 
-  /// Returns the corner whose sign differs from the two others; 3 where all have the same. Zero
-  /// counts as positive, so every line passes from edge to edge.
+  /// Returns the corner with another sign than the two others; 3 where all are equal. Zero counts
+  /// as positive, so every line passes from edge to edge.
   static std::size_t oddCorner(const Local& local, const Field& field) {
     const bool n0 = field[local[0]] < 0.0f;
     const bool n1 = field[local[1]] < 0.0f;
@@ -94,8 +95,8 @@ class ClusterWalk {
   }
 
  private:
-  /// Always computed from the lower vertex number, so that both triangles at the edge get the very
-  /// same point.
+  /// Returns where the value becomes zero on an edge. It always computes from the lower vertex
+  /// number, so that both triangles at the edge get exactly the same point.
   template <class ValueAt>
   Crossing crossing(std::uint8_t a, std::uint8_t b, const ValueAt& valueAt) const {
     if (vertex(b) < vertex(a))

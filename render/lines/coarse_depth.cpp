@@ -10,9 +10,9 @@ namespace sline::render {
 namespace {
 constexpr float finestCell = 6.0f;  // λ
 constexpr float mostCells = 256.0f;
-// Share of F by which what hides must lie before what is hidden.
+// The share of F by which an obstacle must lie in front of what it hides.
 constexpr float clearly = 0.05f;
-// Nobody looks at what lies farther than this from the middle of the picture, λ.
+// Places farther than this from the middle of the picture are ignored, λ.
 constexpr float farthest = 4000.0f;
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a surface lies in the picture and how far from the eye, in cells that its vertices are sure
-// to fill: good enough to guess what of a line will be seen, far cheaper than rays.
+// Knows where a surface lies in the picture and how far it is from the eye, in cells that its
+// vertices are sure to fill. This is good enough to guess which part of a line will be seen, and
+// far cheaper than rays.
 #pragma once
 
 #include <vector>
@@ -14,9 +15,9 @@ namespace sline::render {
 class CoarseDepth {
  public:
   CoarseDepth(const model::Surface& surface, const model::Camera& camera);
-  /// True where nothing of the surface lies clearly before the point.
+  /// Tells whether no part of the surface lies clearly in front of the point.
   bool sees(const glm::vec3& p) const;
-  /// True where the surface goes on in the picture beyond a point of a contour, outwards.
+  /// Tells whether the surface continues in the picture beyond a point of a contour, outwards.
   bool surrounds(const glm::vec3& p, const glm::vec3& normal) const;
 
  private:

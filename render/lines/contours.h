@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contours: zero crossings of nv (METHOD §4).
+// Finds contours: zero crossings of nv (METHOD §4).
 #pragma once
 
 #include "render/lines/cluster_walk.h"
@@ -10,9 +10,9 @@ bool contoursMayPass(const model::Cluster& cluster, model::Facing facing);
 void extractContours(const ClusterWalk& walk, const LineRequest& request,
                      std::vector<Segment>& segments);
 
-/// Lets contours come by depth, the nearest first; only those count that the surface's own mask
-/// surrounds and that nothing of it seems to hide, judged coarsely. Of a surface with an outside
-/// only, those that it always hides go.
+/// Makes contours enter by depth, the nearest first. Only those count that the surface's own mask
+/// surrounds and that the surface does not seem to hide, judged coarsely. On a surface with an
+/// outside only, contours that it always hides are removed.
 void rankContours(std::vector<Segment>& contours, const model::Surface& surface,
                   const model::Camera& camera, float t);
 

@@ -10,7 +10,7 @@ namespace sline::render {
 
 namespace {
 
-/// Of F and of the distance from the origin: several roundings of a coordinate.
+/// A share of F and of the distance from the origin: several roundings of a coordinate.
 constexpr float hair = 1e-6f;
 
 Segment lineOf(const model::CutSegment& cut) {
@@ -21,8 +21,8 @@ Segment lineOf(const model::CutSegment& cut) {
           .triangle = cut.triangle};
 }
 
-/// The parts of the line where two planes meet that lie inside the solid: between every second pair
-/// of points at which the line enters and leaves the first plane's section.
+/// Returns the parts of the line where two planes meet that lie inside the solid: between every
+/// second pair of points at which the line enters and leaves the first plane's section.
 std::vector<Segment> corners(const model::PlaneSection& section, const model::Plane& plane,
                              const model::Plane& other) {
   const glm::dvec3 along = glm::cross(glm::dvec3(plane.normal), glm::dvec3(other.normal));

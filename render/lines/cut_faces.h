@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What section planes make of a surface: a face for each plane, and the lines around it.
+// Cuts a surface by section planes: each plane gives a face and the lines around it.
 #pragma once
 
 #include <span>
@@ -13,18 +13,18 @@ namespace sline::render {
 struct CutFace {
   model::Plane plane;
   /// The line of the cut and, in a solid, the corners with the faces of later planes; clipped by
-  /// all other planes. Does not depend on the view.
+  /// all other planes. It does not depend on the view.
   std::vector<Segment> outline;
-  /// Triangles as in model::PlaneSection, not clipped by the other planes; none for a sheet.
+  /// Triangles as in model::PlaneSection, not clipped by the other planes; empty for a sheet.
   std::vector<glm::vec3> cap;
   double capArea = 0.0;  ///< mm², before the other planes clip it
 };
 
-/// One face per plane, in their order.
+/// Returns one face per plane, in the planes' order.
 std::vector<CutFace> cutFaces(const model::Surface& surface, std::span<const model::Plane> planes);
 
-/// All planes but the one of that index, moved outwards by a hair of the surface's size: what clips
-/// the face of that plane, also where two planes are the same.
+/// Returns all planes but the one of that index, moved outwards by a hair of the surface's size.
+/// They clip the face of that plane, even where two planes are the same.
 std::vector<model::Plane> otherPlanes(const model::Surface& surface,
                                       std::span<const model::Plane> planes, std::size_t index);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of space a picture can show.
+// Tells which part of space a picture can show.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@ namespace sline::render {
 
 class Frustum {
  public:
-  /// Of a picture `aspect` times as wide as high.
+  /// Bounds what a picture shows that is `aspect` times as wide as high.
   Frustum(const model::Camera& camera, float aspect);
-  /// True where nothing of the sphere can be seen.
+  /// Tells whether no part of the sphere can be seen.
   bool misses(const model::Sphere& sphere) const;
 
  private:
@@ -21,7 +21,7 @@ class Frustum {
     glm::vec3 outwards{0.0f};  ///< unit
     float offset = 0.0f;       ///< mm
   };
-  std::array<Side, 5> m_sides;  ///< four and, in perspective, the eye's plane
+  std::array<Side, 5> m_sides;  ///< four sides and, in perspective, the eye's plane
 };
 
 }  // namespace sline::render

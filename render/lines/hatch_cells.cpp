@@ -8,7 +8,7 @@
 namespace sline::render {
 
 namespace {
-// Of F: what is nearer to the eye gets strokes no finer.
+// A share of F: surfaces nearer to the eye get no finer strokes.
 constexpr float nearest = 1e-3f;
 
 float depthOf(const ViewScale& scale, const model::Box& box) {
@@ -55,13 +55,13 @@ class Descent {
 
  private:
   struct Seen {
-    model::Sphere bounds;  ///< of a cluster
-    float level;           ///< the finest that shows on it
+    model::Sphere bounds;  ///< of the cluster
+    float level;           ///< the finest level that shows on it
   };
   struct Candidate {
     LaidCell cell;
     model::Box reached;
-    float level = -std::numeric_limits<float>::infinity();  ///< the finest of the clusters reached
+    float level = -std::numeric_limits<float>::infinity();  ///< finest of clusters reached
   };
 
   /// Tells the candidates that reach the cluster how fine strokes on it are.
@@ -71,7 +71,8 @@ class Descent {
         candidate.level = seen.level;
     };
     const CellRange near = m_layout.rangeNear(level, seen.bounds);
-    // A cluster around the eye has strokes so fine that it has more cells than are looked at.
+    // A cluster around the eye has strokes so fine that it has more cells than there are
+    // candidates.
     if (near.count() >= double(m_candidates.size())) {
       std::for_each(m_candidates.begin(), m_candidates.end(), tell);
       return;
@@ -110,7 +111,7 @@ class Descent {
   const Frustum& m_frustum;
   float m_spacing;
   std::vector<Seen> m_seen;
-  std::vector<Candidate> m_candidates;  ///< of the level that is looked at, ascending
+  std::vector<Candidate> m_candidates;  ///< of the level under examination, ascending
   std::vector<LaidCell> m_needed;
 };
 }  // namespace

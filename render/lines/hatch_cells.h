@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which parts of a layout of strokes a view needs.
+// Finds which parts of a layout of strokes a view needs.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,13 @@
 
 namespace sline::render {
 
-/// The level, with its fraction, at which strokes are `spacing` λ apart where a millimetre takes
-/// `perMm` λ.
+/// Returns the level, with its fraction, at which strokes are `spacing` λ apart where a millimetre
+/// takes `perMm` λ.
 float hatchLevel(const StrokeLayout& layout, float perMm, float spacing);
 
-/// All cells with strokes that a picture may show on these clusters when strokes of its finest
-/// level are `spacing` λ apart or up to twice as near; ascending, so the coarsest come first.
+/// Returns all cells with strokes that a picture may show on these clusters when strokes of its
+/// finest level are `spacing` λ apart or up to twice as close. They are in ascending order, so the
+/// coarsest come first.
 std::vector<LaidCell> neededCells(const StrokeLayout& layout,
                                   std::span<const std::uint32_t> clusters, const ViewScale& scale,
                                   const Frustum& frustum, float spacing);

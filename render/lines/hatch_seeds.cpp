@@ -13,10 +13,10 @@
 namespace sline::render {
 
 namespace {
-// Barycentric: a lattice point on an edge is found from both sides rather than from none.
+// Barycentric: a lattice point on an edge is found from both sides rather than from neither.
 constexpr float slack = 1e-4f;
 
-/// Scatters the lattice's points; the same for a point and its mirror images.
+/// Scatters the lattice's points; gives the same for a point and its mirror images.
 std::uint32_t scattered(const HatchSeed& s) {
   std::uint32_t h = std::uint32_t(std::abs(s.i)) * 0x9e3779b1u;
   h ^= std::uint32_t(std::abs(s.j)) * 0x85ebca77u + (h << 6) + (h >> 2);
@@ -28,7 +28,8 @@ std::uint32_t scattered(const HatchSeed& s) {
   return h ^ (h >> 15);
 }
 
-/// The coarsest lattice that holds point (i, j) of the lattice of that level.
+/// Returns the name of point (i, j) of the lattice of that level on the coarsest lattice that has
+/// it.
 HatchSeed named(int axis, int level, std::int32_t i, std::int32_t j) {
   const std::uint32_t both = std::uint32_t(i) | std::uint32_t(j);
   const int shared = both == 0 ? 30 : std::countr_zero(both);
@@ -72,7 +73,7 @@ class Seeder {
   }
 
  private:
-  /// Every lattice point within the triangle's projection and the box, given in cells.
+  /// Visits every lattice point within the triangle's projection and the box, given in cells.
   void scan(std::uint32_t triangle, int axis, const std::array<glm::vec3, 3>& p,
             const model::Box& cells) {
     const int u = (axis + 1) % 3;

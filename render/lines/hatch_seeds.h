@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeds of hatching: where lattice lines pierce the surface (METHOD §6.2, §6.7). ▲ S projects along
-// the normal onto the faces of a grid's cells; here lattice points are projected along the axis
-// nearest to the face's normal, so a seed is a point of the surface, and lattices nest.
+// Places seeds of hatching where lattice lines pierce the surface (METHOD §6.2, §6.7). ▲ S projects
+// along the normal onto the faces of a grid's cells; here lattice points are projected along the
+// axis nearest to the face's normal, so a seed is a point of the surface, and lattices nest.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 namespace sline::render {
 
 /// Names a seed for as long as its mesh lives: a point of the lattice with cells of F_c·2^−level in
-/// the plane across `axis`, the coarsest lattice that has it.
+/// the plane across `axis`. The level is that of the coarsest lattice that has the point.
 struct HatchSeed {
   int axis = 0;   ///< 0 … 2: the axis nearest to the surface's normal
   int level = 0;  ///< lattices of higher levels contain those of lower ones
@@ -33,9 +33,10 @@ struct PlacedSeed {
 inline constexpr int coarsestHatchLevel = -8;
 inline constexpr int finestHatchLevel = 24;
 
-/// Seeds of the lattice of `level` on those clusters within the box, which takes its low sides and
-/// not its high ones, relative to the middle of the bounding sphere: the lattices' origin. In an
-/// order that scatters them, the coarsest first: in which strokes may take their place.
+/// Returns the seeds of the lattice of `level` on those clusters within the box, which includes its
+/// low sides and excludes its high ones, relative to the middle of the bounding sphere, the
+/// lattices' origin. Strokes may take their place in the order of the seeds, which scatters them,
+/// the coarsest first.
 std::vector<PlacedSeed> hatchSeeds(const model::Surface& surface, int level, const model::Box& box,
                                    std::span<const std::uint32_t> clusters);
 

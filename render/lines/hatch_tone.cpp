@@ -9,8 +9,8 @@
 namespace sline::render {
 
 namespace {
-/// acos(x) / (π/2) for x in 0 … 1, within 5·10⁻⁵ (M. Abramowitz, I. Stegun, "Handbook of
-/// Mathematical Functions", 4.4.45): the library's keeps the loop from being vectorised.
+/// Returns acos(x) / (π/2) for x in 0 … 1, within 5·10⁻⁵ (M. Abramowitz, I. Stegun, "Handbook of
+/// Mathematical Functions", 4.4.45); the library's function keeps the loop from being vectorised.
 float quarterTurns(float x) {
   return 0.63661977f * std::sqrt(1.0f - x) *
          (1.5707288f + x * (-0.2121144f + x * (0.0742610f - 0.0187293f * x)));
@@ -21,7 +21,8 @@ constexpr float wholeShadow = -0.35f;
 constexpr float noShadow = 0.3f;
 constexpr float shadowWeight = 0.45f;
 
-/// METHOD §3: k = S w + (nv/d)·w. Seen from behind n and S change sign and w does not, so k turns.
+/// Computes the field by METHOD §3: k = S w + (nv/d)·w. Seen from behind, n and S change sign and w
+/// does not, so k turns.
 HatchField fieldAt(const model::ClusterVertices& in, std::size_t i, const HatchView& view,
                    float filigreeSize) {
   const glm::vec3 p{in.position[0][i], in.position[1][i], in.position[2][i]};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How dark hatching is and where it runs, at every vertex of a surface (METHOD §6.6).
+// Computes how dark hatching is and where it runs, at every vertex of a surface (METHOD §6.6).
 #pragma once
 
 #include <algorithm>
@@ -12,29 +12,29 @@
 
 namespace sline::render {
 
-/// Whence hatching is seen and lit.
+/// Describes from where hatching is seen and lit.
 struct HatchView {
   model::EyePoint eye;
-  glm::vec3 light{0.0f};  ///< unit, towards it
+  glm::vec3 light{0.0f};  ///< unit, towards the light
   bool twoSided = false;  ///< see LineRequest
 };
 
-/// What hatching is made of at a vertex; all on the side that faces the eye.
+/// Holds what hatching needs at a vertex, all on the side that faces the eye.
 struct HatchField {
-  float weight = 0.0f;  ///< of a hollow, w_k·F_c = −⟨k, v̂⟩·F_c (S eq. 6), or of a form's own shadow
+  float weight = 0.0f;  ///< of a hollow, w_k·F_c = −⟨k, v̂⟩·F_c (S eq. 6), or of the form's shadow
   float angle = 2.0f;  ///< acos(nv) / (π/2): 0 facing the eye, 1 on the contour, more behind it
 };
 
-/// One entry per vertex; only clusters that may carry hatching are looked at.
+/// Holds one entry per vertex; only clusters that may carry hatching are looked at.
 ///
 /// ▲ w_k is positive in hollows alone: on a liver seen from the front S draws nothing, and Γ = 3
-/// looks like Γ = 2. So a form has a shadow of its own too, on the side away from the light, as
-/// everything in an atlas has; w_a (S eq. 6) lets it grow towards the contour.
+/// looks like Γ = 2. A form therefore has a shadow of its own too, on the side away from the light,
+/// as everything in an atlas has; w_a (S eq. 6) lets it grow towards the contour.
 class HatchFields {
  public:
   HatchFields(const model::Surface& surface, const HatchView& view);
   const HatchField& operator[](std::uint32_t vertex) const { return m_fields[vertex]; }
-  /// Clusters with a vertex of positive weight, ascending.
+  /// Returns the clusters that have a vertex of positive weight, ascending.
   const std::vector<std::uint32_t>& clusters() const { return m_clusters; }
 
  private:
@@ -42,7 +42,7 @@ class HatchFields {
   std::vector<std::uint32_t> m_clusters;
 };
 
-/// O_h (S eq. 6, 10), 0 … 1, while θ_c = (π/2)(1 − entered).
+/// Returns O_h (S eq. 6, 10), 0 … 1, with θ_c = (π/2)(1 − entered).
 inline float hatchOpacity(float weight, float angle, float entered) {
   if (!(entered > 0.0f) || angle >= 1.0f)
     return 0.0f;
@@ -50,8 +50,9 @@ inline float hatchOpacity(float weight, float angle, float entered) {
   return std::clamp(byAngle * weight, 0.0f, 1.0f);
 }
 
-/// W = 0.62·O_h^0.6: the share of the space between strokes that ink takes (METHOD §6.6 ▲). The
-/// power is interpolated in a table over √O_h, within 10⁻³: it is most of the work otherwise.
+/// Returns W = 0.62·O_h^0.6, the share of the space between strokes that ink takes (METHOD §6.6 ▲).
+/// The power is interpolated in a table over √O_h, within 10⁻³, as it would otherwise be most of
+/// the work.
 float hatchWidth(float opacity);
 
 }  // namespace sline::render

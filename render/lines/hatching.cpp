@@ -17,23 +17,25 @@
 namespace sline::render {
 
 namespace {
-// A stroke narrower than this half width (λ) ends rather than become a grey hair. Where all are to
-// be thinner than usual this one may be as much: hatching ends in the same places.
+// A stroke narrower than this half width (λ) ends instead of becoming a grey hair. Where all
+// strokes are thinner than usual this limit is lower by as much, so that hatching ends in the same
+// places.
 constexpr float leastHalfWidth = 0.36f;
-constexpr float pen = 0.52f;  // half width at and above which it is drawn as it is
-// Of the space between strokes ink takes no more, however dark it is to be.
+constexpr float pen = 0.52f;  // half width from which on it is drawn as it is
+// The largest share of the space between strokes that ink takes, however dark the tone.
 constexpr float mostInk = 0.9f;
 // A pen's point opens by no more than this half width per length.
 constexpr float opening = 0.14f;
 constexpr float halfHeight = 360.0f;  // of the picture, λ, by definition
-// Strokes go on this far outside of it, λ, and may come to a point there.
+// Strokes continue this far outside the picture, λ, and may come to a point there.
 constexpr float margin = 24.0f;
-// Across themselves strokes that are seen with less than this share of their distance thin out.
+// Strokes thin out where less than this share of the distance across them is seen.
 constexpr float narrow = 0.2f;
 constexpr float halfPi = 1.5707963f;
 
-/// Of the share that strokes are seen apart, what counts for which levels show: its root, half as
-/// fast in powers of two, but in the depth of a tunnel, where that would turn black, all of it.
+/// Turns the share of their distance at which strokes are seen apart into the one that decides
+/// which levels show: its root, half as fast in powers of two, but in the depth of a tunnel, where
+/// that would turn black, all of it.
 float widened(float across) {
   constexpr float deep = 0.25f;
   return across >= deep ? std::sqrt(across) : across / std::sqrt(deep);
@@ -115,7 +117,7 @@ class Hatcher {
         m_samples[i].presence = 0.0f;
   }
 
-  /// Where the sample is seen, and how much of it for its level.
+  /// Finds where the sample is seen, and how much of it belongs to its level.
   void place(int level, std::uint32_t i) {
     Sample& s = m_samples[i];
     const ViewScale::Point seen = m_scale.project(s.position);
@@ -127,22 +129,23 @@ class Hatcher {
     const glm::vec3& next = m_samples[std::min<std::size_t>(i + 1, m_samples.size() - 1)].position;
     const glm::vec3 along = next - m_samples[i > 0 ? i - 1 : 0].position;
     const float nv = std::cos(halfPi * s.angle);
-    // A square on the surface, one side along the stroke, is seen with nv of its area and the
-    // stroke's side as long as its direction lies across the view: the rest is its other side.
+    // A square on the surface with one side along the stroke is seen with nv of its area, and the
+    // stroke's side is seen as long as its direction lies across the view: the rest is its other
+    // side.
     float across = std::sqrt(nv);
     if (const float length = glm::length(along); length > 0.0f) {
       const float towards = glm::dot(along, directionTo(m_eye, s.position)) / length;
       across = nv / std::sqrt(std::max(1.0f - towards * towards, nv * nv));
     }
-    // Were strokes to leave as fast as the surface turns away, they would come and go with every
-    // turn. What runs along a contour thins out, or it would go behind it all at once.
+    // If strokes left as fast as the surface turns away, they would come and go with every turn.
+    // Strokes along a contour thin out; otherwise they would go behind it all at once.
     const float seenLevel = hatchLevel(m_layout, seen.perMm * widened(across), m_request.spacing);
     s.presence =
         std::clamp(seenLevel + 1.0f - float(level), 0.0f, 1.0f) * std::min(1.0f, across / narrow);
   }
 
-  /// The thinnest strokes taper off quickly instead of fading. `usual`: how much thinner or wider
-  /// than usual all are.
+  /// Returns a half width with which the thinnest strokes taper off quickly instead of fading.
+  /// `usual` is how much thinner or wider than usual all strokes are.
   static float definite(float halfWidth, float usual) {
     const float least = leastHalfWidth * usual;
     const float whole = pen * usual;
@@ -161,8 +164,8 @@ class Hatcher {
                     std::sqrt(m_request.tone));
   }
 
-  /// θ_c is re-timed (METHOD §7 ▲) so that the amount of ink grows evenly with T_H: the value of
-  /// `entered` at which the strokes' ink is that share of all of it.
+  /// Re-times θ_c (METHOD §7 ▲) so that the amount of ink grows evenly with T_H: returns the value
+  /// of `entered` at which the strokes' ink is that share of all of it.
   float evenlyEntered(const std::vector<LaidCell>& cells) {
     constexpr int steps = 32;
     constexpr std::uint32_t stride = 3;
@@ -222,7 +225,7 @@ class Hatcher {
     }
   }
 
-  /// Points a piece at its ends but where it goes on behind a contour.
+  /// Tapers a piece to a point at its ends, except where it continues behind a contour.
   void sharpen(bool fromBehind, bool onBehind) {
     if (!fromBehind)
       m_piece.front().halfWidth = 0.0f;
@@ -239,8 +242,8 @@ class Hatcher {
       limit(i, i + 1);
   }
 
-  /// A stroke is longer than it is wide: what is left of one where it has hardly room, or is seen
-  /// along its length, becomes thin and goes, instead of standing as a dot.
+  /// Keeps a piece longer than it is wide: what is left of a stroke that has hardly any room, or is
+  /// seen along its length, becomes thin and goes, instead of standing as a dot.
   void slim() {
     float length = 0.0f;
     for (std::size_t i = 1; i < m_along.size(); ++i)
@@ -249,7 +252,7 @@ class Hatcher {
       point.halfWidth = std::min(point.halfWidth, opening * length);
   }
 
-  /// Without points that have no width, but for one at either end.
+  /// Keeps the points that have width, and one more at either end.
   void keepInk(const glm::vec3& seedPosition, const HatchSeed& seed) {
     const auto bare = [](const HatchPoint& p) { return !(p.halfWidth > 0.0f); };
     for (auto it = m_piece.begin(); it != m_piece.end();) {

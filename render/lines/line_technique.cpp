@@ -16,7 +16,7 @@ constexpr std::array techniques{
                   .id = "suggestive",
                   .layer = "Suggestive contours",
                   .pen = LinePen::centred,
-                  // Specks of a rough surface are no marks that a pen would set.
+                  // Specks of a rough surface are not marks that a pen would draw.
                   .specks = {.shortest = 4.0f, .whole = 14.0f},
                   .entered = [](Gamma gamma) { return transitions(gamma).suggestive; },
                   .mayPass = suggestiveContoursMayPass,
@@ -36,7 +36,7 @@ constexpr std::array techniques{
                   .id = "section",
                   .layer = "Cut outlines",
                   .pen = LinePen::cutEdge,
-                  // All but pores is drawn.
+                  // Everything but pores is drawn.
                   .specks = {.shortest = 3.0f, .whole = 9.0f},
                   .entered = [](Gamma) { return 1.0f; }}};
 

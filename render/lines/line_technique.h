@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The techniques that find lines on surfaces, as a table: pictures, vector drawings, `sline lines`
-// and the layers of SVG files walk it. A new one is a file with its functions, a kind in lines.h
-// and a row in line_technique.cpp.
+// Lists the techniques that find lines on surfaces in a table, which pictures, vector drawings,
+// `sline lines` and the layers of SVG files go through. A new technique is a file with its
+// functions, a kind in lines.h and a row in line_technique.cpp.
 #pragma once
 
 #include <span>
@@ -14,40 +14,40 @@
 
 namespace sline::render {
 
-/// How a pen sets lines of a kind.
+/// Tells how a pen draws lines of a kind.
 enum class LinePen {
   outside,  ///< beside the line, where the surface ends
-  centred,  ///< on the line, where the surface goes on at both sides
-  cutEdge   ///< on the line, before the faces that meet there; half of it stays at Γ = 5
+  centred,  ///< on the line, where the surface continues on both sides
+  cutEdge   ///< on the line, in front of the faces that meet there; half of it stays at Γ = 5
 };
 
-/// Marks shorter than `shortest` λ fade away, and are there in full from `whole` λ on. Zeros: none
-/// does.
+/// Marks shorter than `shortest` λ fade away; from `whole` λ on they are drawn in full. Zeros: no
+/// mark fades.
 struct Specks {
   float shortest = 0.0f;
   float whole = 0.0f;
 };
 
-/// Numbers that lines were found with, by their names in `sline lines`.
+/// Pairs the numbers that lines were found with and their names in `sline lines`.
 using LineFigures = std::vector<std::pair<const char*, float>>;
 
 struct LineTechnique {
   LineKind kind = LineKind::contour;
-  const char* id = "";     ///< of `sline lines --kinds`
-  const char* layer = "";  ///< of vector drawings: "Contours"
+  const char* id = "";     ///< for `sline lines --kinds`
+  const char* layer = "";  ///< in vector drawings: "Contours"
   LinePen pen = LinePen::centred;
   Specks specks;
-  bool bounds = false;  ///< fills are softened along these lines: they are found whatever is drawn
+  bool bounds = false;  ///< fills are softened along these lines, so they are always found
   /// Returns the T by which lines of the kind have entered at Γ, 0 … 1 (METHOD §7).
   float (*entered)(Gamma gamma) = nullptr;
-  /// Returns whether a line may pass in the cluster: judged by its bounds, before its vertices are
-  /// looked at. Null: the technique's lines come from elsewhere than the surface.
+  /// Returns whether a line may pass through the cluster, judged by its bounds before its vertices
+  /// are looked at. Null: the technique's lines do not come from the surface.
   bool (*mayPass)(const model::Cluster& cluster, model::Facing facing) = nullptr;
   /// Appends the cluster's segments.
   void (*extract)(const ClusterWalk& walk, const LineRequest& request,
                   std::vector<Segment>& segments) = nullptr;
-  /// Leaves out what its own surface always hides and replaces entries by ranks, so that lines
-  /// enter evenly with `t`, which `entered` gave. Null: all enter at once.
+  /// Leaves out lines that their own surface always hides and replaces entries by ranks, so that
+  /// lines enter evenly with `t`, which `entered` gave. Null: all enter at once.
   void (*rank)(std::vector<Segment>& segments, const model::Surface& surface,
                const model::Camera& camera, float t) = nullptr;
   /// Returns the thresholds at Γ; null where there are none.

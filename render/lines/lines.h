@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines are geometry first: (surface, camera, thresholds) → segments. The picture, the vector
-// export, the tests and the web page all use these same segments. No OpenGL in here.
+// export, the tests and the web page all use these same segments. No OpenGL is called here.
 #pragma once
 
 #include <array>
@@ -14,7 +14,8 @@
 
 namespace sline::render {
 
-/// A piece of a line within one triangle; a and b lie on the triangle, patient frame, mm.
+/// A segment is a piece of a line within one triangle; a and b lie on the triangle, patient frame,
+/// mm.
 struct Segment {
   glm::vec3 a{0.0f};
   glm::vec3 b{0.0f};
@@ -28,14 +29,14 @@ struct Segment {
   bool concave = false;  ///< contours only: radial curvature < 0, hidden on any closed surface
 };
 
-/// Where a line may be (METHOD §5), made dimensionless with F.
+/// Limits where a line may be (METHOD §5), made dimensionless with F.
 struct LineThresholds {
   float minimumDerivative = 1.0f;  ///< t_d: Dκr·F² must be above
   float minimumAngle = 0.05f;      ///< θ_c in radians: acos(nv) must be above
 };
 
-/// The kinds of lines, in the order in which they are drawn over each other: an index into
-/// `lineTechniques()`.
+/// Lists the kinds of lines in the order in which they are drawn over each other; each is an index
+/// into `lineTechniques()`.
 enum class LineKind : std::uint8_t { suggestive, contour, section };
 inline constexpr std::size_t lineKindCount = 3;
 
@@ -54,13 +55,13 @@ class LineKinds {
 
 struct LineRequest {
   LineKinds kinds{LineKind::contour, LineKind::suggestive};
-  LineThresholds thresholds;  ///< of kinds that have some
+  LineThresholds thresholds;  ///< of the kinds that have some
   /// Treats the inner side as a surface too (METHOD §1 "seen from behind"): open shells, or a
   /// camera inside a closed one.
   bool twoSided = false;
 };
 
-/// The segments of each kind.
+/// Holds the segments of each kind.
 class LineSet {
  public:
   std::vector<Segment>& operator[](LineKind kind) { return m_segments[std::size_t(kind)]; }
@@ -72,8 +73,8 @@ class LineSet {
   std::array<std::vector<Segment>, lineKindCount> m_segments;
 };
 
-/// Finds the lines of the wanted kinds, as their techniques say (line_technique.h). Parallel; the
-/// order of segments depends on the surface alone.
+/// Finds the lines of the wanted kinds, as their techniques define them (line_technique.h). It
+/// works in parallel; the order of segments depends on the surface alone.
 LineSet extractLines(const model::Surface& surface, const model::Camera& camera,
                      const LineRequest& request);
 

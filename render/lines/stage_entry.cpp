@@ -7,17 +7,17 @@
 namespace sline::render {
 
 namespace {
-// Share of all ranks that are on their way in at the same time.
+// The share of all ranks that are on their way in at the same time.
 constexpr float softness = 0.5f;
-// Share of every line's growth that does not wait for its rank: where all lines of some ranks are
-// hidden or short the picture would stand still while the front passes over them.
+// The share of every line's growth that does not wait for its rank: where all lines of some ranks
+// are hidden or short the picture would stand still while the front passes over them.
 constexpr float plainGrowth = 0.3f;
 
 }  // namespace
 
-// A front of width `softness` passes over the ranks 0 … 1 and has let in u²/2s, then u − s/2, then
-// all but (1 + s − u)²/2s of them when it stands at u. The inverse says where it stands at T,
-// so that the mean over the ranks is T; and so it is with any share of growing by T itself.
+// A front of width `softness` passes over the ranks 0 … 1. When it stands at u it has let in u²/2s,
+// then u − s/2, then all but (1 + s − u)²/2s of them. The inverse says where it stands at T, so
+// that the mean over the ranks is T; this also holds with any share of growing by T itself.
 float entered(float t, float rank) {
   constexpr float s = softness;
   if (t <= 0.0f)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// When each part of a line enters its stage (METHOD §7 ▲): lines come by length as well as by
-// width, and the drawn length grows evenly with T.
+// Decides when each part of a line enters its stage (METHOD §7 ▲): lines come by length as well as
+// by width, and the drawn length grows evenly with T.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace sline::render {
 
-/// A share of what counts, by a histogram of lengths over values.
+/// Ranks values by the share of length below them, from a histogram of lengths over values.
 class Ranking {
  public:
   Ranking(float low, float high) : m_low(low), m_scale(high > low ? bins / (high - low) : 0.0f) {}
@@ -23,7 +23,8 @@ class Ranking {
     for (std::size_t i = 1; i < m_below.size(); ++i)
       m_below[i] += m_below[i - 1];
   }
-  /// Returns the share of all length that lies below the value, 0 … 1. Call `close` before.
+  /// Returns the share of all length that lies below the value, 0 … 1. `close` must be called
+  /// before.
   float rank(float value) const {
     const float at = place(value);
     const std::size_t bin = std::size_t(at);
@@ -44,8 +45,8 @@ class Ranking {
   std::array<float, bins + 1> m_below{};
 };
 
-/// Replaces the segments' entries by their rank, so that of all length for which `counts` as much
-/// enters before any time as that time says.
+/// Replaces the segments' entries by their rank. Before any time T a share T of the length for
+/// which `counts` is true has then entered.
 template <class Counts>
 void replaceByRank(std::vector<Segment>& segments, const Counts& counts) {
   if (segments.empty())

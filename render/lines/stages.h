@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the one parameter Γ means to each stage of drawing (S eq. 7–12 as METHOD §7 reads them).
+// Tells what the one parameter Γ means to each stage of drawing (S eq. 7–12 as METHOD §7 reads
+// them).
 #pragma once
 
 #include <algorithm>
@@ -15,14 +16,15 @@ struct Transitions {
   float hatching = 0.0f;    ///< T_H: hatching enters
   float shading = 0.0f;     ///< T_P: Phong enters
   float complete = 0.0f;    ///< beyond Γ = 4: lines leave while the fill closes
-  float lines = 1.0f;       ///< 1 − complete: share of width and opacity that lines keep
+  float lines = 1.0f;       ///< 1 − complete: the share of width and opacity that lines keep
 };
 
-/// Re-times T_P (METHOD §7 ▲): as printed, θ_c and the weight let a half of the shading in within
-/// the last quarter of the stage; ten organs measured with `sline ramp` agree on the power.
+/// Re-times T_P (METHOD §7 ▲). As printed, θ_c and the weight let half of the shading in within the
+/// last quarter of the stage; ten organs measured with `sline ramp` agree on the power.
 inline constexpr float shadingTiming = 0.45f;
 
-/// T_C, T_SC, T_H and T_P stay 1 beyond Γ = 4; what leaves there leaves by `lines`.
+/// Returns the transitions at Γ. T_C, T_SC, T_H and T_P stay 1 beyond Γ = 4; `lines` makes the
+/// lines leave there.
 inline Transitions transitions(Gamma gamma) {
   const auto stage = [g = gamma.value()](float start) { return std::clamp(g - start, 0.0f, 1.0f); };
   return {.contours = stage(0.0f),

@@ -9,9 +9,9 @@
 namespace sline::render {
 
 namespace {
-// Hatching is about hollows (S eq. 6): beside one, a bulge counts this much.
+// Hatching serves hollows (S eq. 6): beside a hollow, a bulge counts this much.
 constexpr float bulgeShare = 0.3f;
-// Standard deviation of the averaging, as a share of F_c, and most steps for it.
+// The standard deviation of the averaging, as a share of F_c, and the most steps for it.
 constexpr float averagedOver = 0.2f;
 constexpr float mostSteps = 60.0f;
 
@@ -36,7 +36,7 @@ glm::vec3 times(const Tensor& t, const glm::vec3& v) {
           t[2] * v.x + t[4] * v.y + t[5] * v.z};
 }
 
-/// The axis of the tensor's larger value in the plane across the normal.
+/// Returns the axis of the tensor's larger value in the plane across the normal.
 glm::vec3 strongest(const Tensor& tensor, const glm::vec3& normal, const glm::vec3& tangent) {
   const glm::vec3 other = glm::cross(normal, tangent);
   const float xx = glm::dot(tangent, times(tensor, tangent));
@@ -46,14 +46,14 @@ glm::vec3 strongest(const Tensor& tensor, const glm::vec3& normal, const glm::ve
   return std::cos(turn) * tangent + std::sin(turn) * other;
 }
 
-/// Some unit tangent.
+/// Returns an arbitrary unit tangent.
 glm::vec3 anyTangent(const glm::vec3& normal) {
   const glm::vec3 axis = std::abs(normal.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   const glm::vec3 tangent = axis - glm::dot(axis, normal) * normal;
   return tangent / std::max(glm::length(tangent), 1e-20f);
 }
 
-/// Every tensor halfway towards the mean of its neighbours, weighted by the faces they share.
+/// Moves every tensor halfway towards the mean of its neighbours, weighted by the faces they share.
 void average(const model::Mesh& mesh, std::vector<Tensor>& tensors, std::vector<Tensor>& sums,
              std::vector<float>& counts) {
   sums.assign(tensors.size(), Tensor{});
@@ -67,7 +67,7 @@ void average(const model::Mesh& mesh, std::vector<Tensor>& tensors, std::vector<
       counts[vertex] += 1.0f;
     }
   }
-  // A vertex is in each of its faces' sums itself: what is left are its neighbours, each twice.
+  // A vertex is itself in each of its faces' sums: the rest are its neighbours, each twice.
   for (std::size_t v = 0; v < tensors.size(); ++v)
     if (counts[v] > 0.0f)
       for (std::size_t i = 0; i < 6; ++i)

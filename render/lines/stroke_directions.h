@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where strokes of hatching run: a line field on the surface that no view changes.
+// Decides where strokes of hatching run: a line field on the surface that no view changes.
 //
 // ▲ S §3.4 follows the light gradient k = S·w (METHOD §3), which turns with the eye, so that with
 // every frame strokes swing about their seeds. Averaged over all views, k·kᵀ has the principal
-// directions of S as its axes: strokes that run along the stronger of them follow k from wherever
-// the surface is best seen, stay on the surface for good, and are what engravers draw: across a
-// hollow and around a limb (A. Hertzmann and D. Zorin, "Illustrating Smooth Surfaces", 2000).
+// directions of S as its axes. Strokes that run along the stronger axis follow k from wherever the
+// surface is seen best, stay on the surface for good, and are what engravers draw: across a hollow
+// and around a limb (A. Hertzmann and D. Zorin, "Illustrating Smooth Surfaces", 2000).
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 namespace sline::render {
 
-/// A unit tangent for every vertex, of either sign, to a thousandth. Where the curvature does not
-/// say which way (on a sphere, in a plane) neighbours do.
+/// Holds a unit tangent for every vertex, of either sign, to a thousandth. Where the curvature
+/// gives no direction (on a sphere, in a plane) the neighbours do.
 class StrokeDirections {
  public:
   explicit StrokeDirections(const model::Surface& surface);

@@ -9,29 +9,32 @@
 namespace sline::render {
 
 namespace {
-// Cells of a level's lattice are this share of the distance between its strokes: several seeds for
-// every place, of which the first takes it.
+// Cells of a level's lattice are this share of the distance between its strokes: several seeds
+// compete for every place, and the first takes it.
 constexpr float cellShare = 0.7f;
-// A cube's side over the distance between strokes, and how much longer it is than strokes at least:
-// so strokes of cubes that are not neighbours never meet.
+// A cube's side as a multiple of the distance between strokes, and how much longer it is than
+// strokes at least, so that strokes of cubes that are not neighbours never meet.
 constexpr float leastSide = 24.0f;
 constexpr float sideMargin = 4.0f;
 // Shares of the distance: a stroke starts where others leave this room, and ends where they come
 // nearer than the second.
 constexpr float roomToStart = 0.85f;
 constexpr float roomToGoOn = 0.55f;
-// Shorter strokes, in distances, are left out.
+// Strokes shorter than this, in distances, are left out.
 constexpr float shortest = 1.5f;
-// Points along a stroke, in distances; not much denser than the mesh, which they follow.
+// The distance of points along a stroke, in distances between strokes; not much denser than the
+// mesh, which they follow.
 constexpr float step = 0.25f;
 constexpr float finestStep = step / 16.0f;
 constexpr float markStep = 0.35f;
-// A stroke that comes round to itself, after this many distances, ends as at another.
+// A stroke that comes round to itself, after this many distances, ends as it would at another
+// stroke.
 constexpr float roundTrip = 2.0f;
-// Nor may it turn within the surface by more than this many radians in about a distance: around the
-// field's singular points strokes would curl.
+// A stroke may not turn within the surface by more than this many radians in about a distance:
+// around the field's singular points strokes would curl.
 constexpr float sharpestBend = 0.7f;
-// Below so many points nothing is forgotten; above it what the last views did not ask for is.
+// Below this many points nothing is forgotten; above it, tiles that the last views did not ask for
+// are forgotten.
 constexpr std::size_t fewPoints = 10'000;
 constexpr std::uint32_t viewsKept = 12;
 
@@ -50,12 +53,12 @@ int order(const LaidCell& cell) {
 }
 }  // namespace
 
-/// How much a stroke has turned lately: within the surface, not with it.
+/// Tracks how much a stroke has turned lately: within the surface, not with it.
 class Bend {
  public:
   explicit Bend(const glm::vec3& start) : m_last(start) {}
 
-  /// Radians at the next place; turns are forgotten over `distance` mm.
+  /// Returns the radians at the next place; turns are forgotten over `distance` mm.
   float after(const StrokeSpacing::Mark& mark, float distance) {
     const glm::vec3 move = mark.position - m_last;
     const float length = glm::length(move);
@@ -99,7 +102,7 @@ class StrokeLayout::Placer {
     if (m_layout.length() > 0.0f) {
       Arm behind(*this, seed.at, start, false);
       Arm ahead(*this, seed.at, start, true);
-      // Both ways at once, so that a mirror, which may swap them, mirrors where they meet.
+      // Both ways advance at once, so that a mirror, which may swap them, mirrors where they meet.
       while (int(behind.step()) + int(ahead.step()) > 0)
         for (Arm* arm : {&behind, &ahead})
           arm->leaveMark(m_marks);
@@ -143,7 +146,7 @@ class StrokeLayout::Placer {
     float gone() const { return m_gone; }
     const std::vector<SurfacePoint>& points() const { return m_points; }
 
-    /// False when it has ended.
+    /// Takes a step; returns false when the half stroke has ended.
     bool step() {
       const float length = m_placer.m_step;
       m_grows = m_grows && m_gone + length <= m_placer.m_half;
@@ -339,7 +342,7 @@ LaidTile StrokeLayout::lay(const LaidCell& cell) {
   return placer.take();
 }
 
-/// Takes over all strokes that this cell's have to make way for.
+/// Takes over all strokes for which this cell's strokes must make way.
 void StrokeLayout::markAround(const LaidCell& cell, const model::Box& box, StrokeSpacing& taken) {
   std::vector<LaidCell> others;
   for (int level = m_firstLevel; level < cell.level; ++level) {

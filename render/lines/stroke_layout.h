@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strokes laid over a surface once, for all views. Strokes of level l are `spacing(l)` apart and
-// lie between those of the coarser levels: a view draws coarse strokes in full and lets finer ones
+// Lays strokes over a surface once, for all views. Strokes of level l are `spacing(l)` apart and
+// lie between those of the coarser levels. A view draws coarse strokes in full and lets finer ones
 // grow in between as it comes nearer (nested like the tonal art maps of E. Praun et al., "Real-Time
 // Hatching", 2001), so that neither turning nor zooming moves a stroke or takes one away (METHOD
 // §6.7, §6.10).
 //
 // Levels are laid in cubes, each when a view first needs it, so that a close look costs no more
-// than a far one. What a cube holds does not depend on when: it makes way for all coarser cubes
-// nearby and for those neighbours of its level that come before it in an order by the parity of
-// their coordinates, and for nothing else.
+// than a far one. The content of a cube does not depend on when it is laid: it makes way for all
+// coarser cubes nearby and for those neighbours of its level that come before it in an order by the
+// parity of their coordinates, and for nothing else.
 #pragma once
 
 #include <compare>
@@ -26,10 +26,10 @@
 
 namespace sline::render {
 
-/// A place on the mesh in eight bytes.
+/// A place on the mesh, stored in eight bytes.
 struct LaidPoint {
   std::uint32_t triangle = 0;
-  std::uint16_t second = 0;  ///< barycentric coordinate of corner 1, of 65535
+  std::uint16_t second = 0;  ///< barycentric coordinate of corner 1, in 65535ths
   std::uint16_t third = 0;   ///< of corner 2
 };
 
@@ -46,7 +46,8 @@ struct LaidTile {
   std::vector<LaidStroke> strokes;
 };
 
-/// A cube of one level. Odd ones lie between even ones, the one at the origin around the origin.
+/// A cell is a cube of one level. Odd cubes lie between even ones; the cube at the origin lies
+/// around the origin.
 struct LaidCell {
   int level = 0;
   std::int32_t x = 0;
@@ -55,10 +56,10 @@ struct LaidCell {
   auto operator<=>(const LaidCell&) const = default;
 };
 
-/// The cells of one level from `low` to `high` along each axis, both included.
+/// Holds the cells of one level from `low` to `high` along each axis, both included.
 struct CellRange {
   int level = 0;
-  glm::vec3 low{0.0f};  ///< whole numbers; floats, which hold what would not fit a cell
+  glm::vec3 low{0.0f};  ///< whole numbers, as floats, which hold values too large for a cell
   glm::vec3 high{-1.0f};
 
   double count() const {
@@ -76,30 +77,32 @@ struct CellRange {
 
 bool touches(const model::Sphere& sphere, const model::Box& box);
 
-/// May be asked by several threads.
+/// Keeps the strokes of one surface; several threads may use it.
 class StrokeLayout {
  public:
-  /// `length` of the longest stroke as a multiple of the distance between strokes; 0 for dots.
+  /// Takes the length of the longest stroke as a multiple of the distance between strokes; 0 for
+  /// dots.
   StrokeLayout(model::SurfacePtr surface, float length);
 
   const model::Surface& surface() const { return *m_surface; }
   float length() const { return m_length; }
-  /// mm between strokes of a level.
+  /// Returns the distance between strokes of a level, mm.
   float spacing(int level) const;
-  /// The coarsest level with more than a stroke or two.
+  /// Returns the coarsest level that has more than a stroke or two.
   int firstLevel() const { return m_firstLevel; }
 
-  /// The cube itself, in the patient's frame, and all that strokes starting there may reach.
+  /// `home` returns the cube itself, in the patient's frame; `reached` all that strokes starting
+  /// there may reach.
   model::Box home(const LaidCell& cell) const;
   model::Box reached(const LaidCell& cell) const;
-  /// The cells of a level that have something of the box.
+  /// Returns the cells of a level that share space with the box.
   CellRange rangeWithin(int level, const model::Box& box) const;
   std::vector<LaidCell> cellsWithin(int level, const model::Box& box) const;
-  /// Those from which strokes may reach into the sphere.
+  /// Returns the cells from which strokes may reach into the sphere.
   CellRange rangeNear(int level, const model::Sphere& sphere) const;
   std::vector<LaidCell> cellsNear(int level, const model::Sphere& sphere) const;
-  /// To be called before a view asks for its cells: what no view has asked for lately is forgotten
-  /// where there is much of it, and laid again, the same, should it be needed.
+  /// Must be called before a view asks for its cells. Cells that no recent view has asked for are
+  /// forgotten when there are many, and laid again, identically, if they are needed.
   void beginView();
   std::shared_ptr<const LaidTile> tile(const LaidCell& cell);
 
@@ -126,7 +129,7 @@ class StrokeLayout {
   StrokeDirections m_directions;
   float m_length;
   int m_firstLevel;
-  std::mutex m_mutex;  ///< of the tiles
+  std::mutex m_mutex;  ///< guards the tiles
   std::map<LaidCell, KeptTile> m_tiles;
   std::size_t m_points = 0;  ///< in all tiles
   std::uint32_t m_view = 0;

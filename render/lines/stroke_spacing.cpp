@@ -11,7 +11,7 @@ namespace sline::render {
 
 namespace {
 constexpr float mostCellsASide = 128.0f;  // each way
-// Cosine between normals of one sheet.
+// The least cosine between normals of one sheet.
 constexpr float sameSheet = 0.2f;
 }  // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which places on a surface strokes have taken (after B. Jobard and W. Lefer, "Creating
+// Knows which places on a surface strokes have taken (after B. Jobard and W. Lefer, "Creating
 // Evenly-Spaced Streamlines of Arbitrary Density", 1997).
 #pragma once
 
@@ -16,13 +16,13 @@ class StrokeSpacing {
  public:
   struct Mark {
     glm::vec3 position{0.0f};  ///< mm
-    glm::vec3 normal{0.0f};    ///< unit: two sheets of a thin wall do not get in each other's way
+    glm::vec3 normal{0.0f};    ///< unit; keeps the two sheets of a thin wall apart
   };
 
-  /// Strokes are `distance` mm apart; marks outside of the box are of no interest.
+  /// Keeps strokes `distance` mm apart; marks outside the box are ignored.
   StrokeSpacing(float distance, const model::Box& box);
   void add(const Mark& mark);
-  /// The distance to the nearest mark as a share of that between strokes, 1 at most.
+  /// Returns the distance to the nearest mark as a share of that between strokes, at most 1.
   float room(const Mark& place) const;
 
  private:
@@ -42,7 +42,7 @@ class StrokeSpacing {
   float m_distance;
   model::Box m_box;
   Cell m_size;
-  std::vector<std::int32_t> m_first;  ///< of each cell in `m_marks`; −1 for none
+  std::vector<std::int32_t> m_first;  ///< of each cell, an index into `m_marks`; −1 for none
   std::vector<Listed> m_marks;
 };
 

@@ -11,7 +11,7 @@ namespace sline::render {
 
 namespace {
 
-/// Returns the least T_SC whose thresholds (S eq. 9) hold for Dκr·F² and nv.
+/// Returns the least T_SC that has thresholds (S eq. 9) which hold for Dκr·F² and nv.
 float entry(float derivative, float nv) {
   constexpr float rightAngle = 1.57079632679f;
   const float byDerivative = 2.0f - derivative / defaultMinimumDerivative;
@@ -20,7 +20,7 @@ float entry(float derivative, float nv) {
   return std::clamp(std::max(byDerivative, byAngle), 0.0f, 1.0f);
 }
 
-/// Where a line may end, with everything that decides whether it passes there.
+/// Describes where a line may end, with everything that decides whether it passes there.
 struct End {
   glm::vec3 position;
   glm::vec3 normal;
@@ -28,7 +28,7 @@ struct End {
   float derivative;  ///< Dκr·F² as seen from outside
 };
 
-/// The lines of one cluster.
+/// Finds the lines of one cluster.
 class ClusterLines {
  public:
   ClusterLines(const ClusterWalk& walk, const LineRequest& request)
@@ -47,7 +47,7 @@ class ClusterLines {
     const bool back = m_request.twoSided && lowest < 0.0f;
     if (!front && !back)
       return;
-    // What holds at no corner holds nowhere between them.
+    // A condition that holds at no corner holds nowhere between them.
     float strongest = -std::numeric_limits<float>::infinity();
     for (const std::uint8_t corner : local) {
       const float d = derivativeAt(corner);
@@ -65,7 +65,7 @@ class ClusterLines {
   }
 
  private:
-  /// Dκr·F² at a vertex of the cluster; computed where a line comes near, once a cluster.
+  /// Returns Dκr·F² at a vertex of the cluster; computed where a line comes near, once per cluster.
   float derivativeAt(std::uint8_t local) {
     if (m_known[local])
       return m_derivative[local];
@@ -84,8 +84,8 @@ class ClusterLines {
     return {at.position, at.normal, at.nv, at.mix(derivativeAt(at.a), derivativeAt(at.b))};
   }
 
-  /// Cuts the line to where all conditions of METHOD §5 hold on one side of the surface: `side` 1
-  /// seen from outside, −1 from within (n and the derivative change sign).
+  /// Cuts the line to where all conditions of METHOD §5 hold on one side of the surface: `side` is
+  /// 1 seen from outside, −1 from within (n and the derivative change sign).
   void addClipped(const std::array<End, 2>& c, float side, std::uint32_t triangle,
                   std::vector<Segment>& out) const {
     const float cosine = std::cos(m_request.thresholds.minimumAngle);
@@ -107,7 +107,7 @@ class ClusterLines {
     keepPositive(excess(c[0]), excess(c[1]));
     if (!(low < high))
       return;
-    // At t = 1 exactly y, so that a line's segments share their ends to the last bit.
+    // Returns exactly y at t = 1, so that a line's segments share their ends to the last bit.
     const auto mix = [](const auto& x, const auto& y, float t) {
       return t >= 1.0f ? y : x + t * (y - x);
     };
@@ -150,7 +150,7 @@ LineFigures suggestiveFigures(Gamma gamma) {
 }
 
 bool suggestiveContoursMayPass(const model::Cluster& cluster, model::Facing) {
-  // Strictly convex or concave everywhere: κr keeps its sign from every eye.
+  // A cluster that is strictly convex or concave everywhere keeps the sign of κr from every eye.
   return !(cluster.lowestCurvature > 0.0f) && !(cluster.highestCurvature < 0.0f);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Suggestive contours: zero crossings of κr with Dκr·F² > t_d and acos(nv) > θ_c (METHOD §5,
+// Finds suggestive contours: zero crossings of κr with Dκr·F² > t_d and acos(nv) > θ_c (METHOD §5,
 // DeCarlo et al. 2003).
 #pragma once
 
@@ -11,16 +11,16 @@ namespace sline::render {
 inline constexpr float defaultMinimumDerivative = 1.0f;  ///< t_dmin
 inline constexpr float defaultMinimumAngle = 0.05f;      ///< θ_cmin
 
-/// Returns T_SC of METHOD §7 as the thresholds that it gives (S eq. 9).
+/// Returns the thresholds that T_SC of METHOD §7 gives at Γ (S eq. 9).
 LineThresholds suggestiveThresholds(Gamma gamma);
-/// Returns the same as `sline lines` writes them.
+/// Returns these thresholds as `sline lines` writes them.
 LineFigures suggestiveFigures(Gamma gamma);
 
 bool suggestiveContoursMayPass(const model::Cluster& cluster, model::Facing facing);
 void extractSuggestiveContours(const ClusterWalk& walk, const LineRequest& request,
                                std::vector<Segment>& segments);
 
-/// Lets them come in the order in which the thresholds of S eq. 9 let them in.
+/// Makes the segments enter in the order in which the thresholds of S eq. 9 admit them.
 void rankSuggestiveContours(std::vector<Segment>& segments, const model::Surface& surface,
                             const model::Camera& camera, float t);
 

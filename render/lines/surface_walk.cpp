@@ -9,9 +9,9 @@
 namespace sline::render {
 
 namespace {
-// Cosine of the sharpest turn from one step to the next.
+// The cosine of the sharpest turn from one step to the next.
 constexpr float sharpestTurn = 0.8f;
-// Triangles that one call may cross; a fan of slivers must not hold a picture up.
+// The most triangles that one call may cross; a fan of slivers must not hold a picture up.
 constexpr int mostCrossings = 400;
 }  // namespace
 

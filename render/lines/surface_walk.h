@@ -17,7 +17,7 @@ struct SurfacePoint {
   glm::vec3 barycentric{0.0f};
 };
 
-/// What is given at a mesh's vertices, at a place on it.
+/// Interpolates values given at a mesh's vertices at a place on the mesh.
 template <class Values>
 auto valueAt(const model::Mesh& mesh, const Values& values, const SurfacePoint& at) {
   const model::Triangle& t = mesh.triangles()[at.triangle];
@@ -25,17 +25,17 @@ auto valueAt(const model::Mesh& mesh, const Values& values, const SurfacePoint& 
          at.barycentric.z * values[t[2]];
 }
 
-/// One walk, which goes on the way it came wherever the field's sign would turn it.
+/// A walk keeps its course wherever the field's sign would turn it around.
 class SurfaceWalk {
  public:
   SurfaceWalk(const model::Surface& surface, const model::FaceNeighbours& neighbours,
               const StrokeDirections& directions, const SurfacePoint& start)
       : m_surface(surface), m_neighbours(neighbours), m_directions(directions), m_at(start) {}
 
-  /// Sets out one way or the other.
+  /// Sets out along the field's direction, or against it.
   bool start(bool along);
-  /// Goes `distance` mm; false, at the last place reached, where the mesh ends or the field turns
-  /// sharply.
+  /// Goes `distance` mm; returns false, at the last place reached, where the mesh ends or the field
+  /// turns sharply.
   bool advance(float distance);
 
   const SurfacePoint& at() const { return m_at; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The view-dependent fields of METHOD §3 at one vertex. v̂ points from the surface to the eye
-// everywhere in this code (S and C write the opposite direction).
+// Computes the view-dependent fields of METHOD §3 at one vertex. v̂ points from the surface to the
+// eye everywhere in this code (S and C write the opposite direction).
 #pragma once
 
 #include <cmath>
@@ -14,19 +14,20 @@
 
 namespace sline::render {
 
-/// The eye of a camera: a position, or for a parallel projection the unit direction towards it.
+/// Returns the eye of a camera: a position, or for a parallel projection the unit direction towards
+/// it.
 inline model::EyePoint eyeOf(const model::Camera& camera) {
   if (camera.projection == model::Projection::orthographic)
     return {.value = model::cameraFrame(camera).back, .atInfinity = true};
   return {.value = camera.eye, .atInfinity = false};
 }
 
-/// v̂: unit, from p towards the eye.
+/// Returns v̂, the unit vector from p towards the eye.
 inline glm::vec3 directionTo(const model::EyePoint& eye, const glm::vec3& p) {
   return eye.atInfinity ? eye.value : glm::normalize(eye.value - p);
 }
 
-/// ŵ written in the principal frame: its components along e1 and e2 = n × e1. Zero where the
+/// Returns ŵ in the principal frame: its components along e1 and e2 = n × e1. It is zero where the
 /// surface faces the eye exactly and ŵ has no direction.
 inline glm::vec2 viewInPrincipalFrame(const glm::vec3& n, const glm::vec3& e1, const glm::vec3& v) {
   const glm::vec2 w{glm::dot(v, e1), glm::dot(v, glm::cross(n, e1))};
@@ -34,13 +35,13 @@ inline glm::vec2 viewInPrincipalFrame(const glm::vec3& n, const glm::vec3& e1, c
   return length > 0.0f ? w / length : glm::vec2(0.0f);
 }
 
-/// κr = ⟨S ŵ, ŵ⟩, 1/mm.
+/// Returns κr = ⟨S ŵ, ŵ⟩, 1/mm.
 inline float radialCurvature(const glm::vec2& k, const glm::vec2& w) {
   return k.x * w.x * w.x + k.y * w.y * w.y;
 }
 
-/// Dκr = C(ŵ,ŵ,ŵ) − 2·τr²·nv/|w| with τr = ⟨S ŵ, n×ŵ⟩ (METHOD §3: exact everywhere, unlike the form
-/// in D's appendix), 1/mm².
+/// Returns Dκr = C(ŵ,ŵ,ŵ) − 2·τr²·nv/|w| with τr = ⟨S ŵ, n×ŵ⟩ (METHOD §3: exact everywhere, unlike
+/// the form in D's appendix), 1/mm².
 inline float radialCurvatureDerivative(const glm::vec2& k, const glm::vec4& c, const glm::vec2& w,
                                        float nv) {
   const float cubic = c.x * w.x * w.x * w.x + 3.0f * c.y * w.x * w.x * w.y +
@@ -50,8 +51,8 @@ inline float radialCurvatureDerivative(const glm::vec2& k, const glm::vec4& c, c
   return cubic - 2.0f * torsion * torsion * nv / std::fmax(sine, 1e-6f);
 }
 
-/// k = S w + (nv/d)·w, the gradient over the surface of the headlight's brightness nv; `distance` d
-/// from the eye, infinite for a parallel projection (METHOD §3), 1/mm.
+/// Returns k = S w + (nv/d)·w, the gradient over the surface of the headlight's brightness nv;
+/// `distance` is d, from the eye, infinite for a parallel projection (METHOD §3), 1/mm.
 inline glm::vec3 lightGradient(const glm::vec3& n, const glm::vec3& e1, const glm::vec2& k,
                                const glm::vec3& v, float distance) {
   const glm::vec3 e2 = glm::cross(n, e1);

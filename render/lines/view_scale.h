@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture in output units: λ = picture height / 720 (METHOD §1), the middle of the picture at
-// the origin, y upwards. Whatever is laid out in λ is the same drawing at any size.
+// Describes the picture in output units: λ = picture height / 720 (METHOD §1), the middle of the
+// picture at the origin, y upwards. A layout in λ gives the same drawing at any size.
 #pragma once
 
 #include <cmath>
@@ -33,17 +33,17 @@ class ViewScale {
             distance};
   }
 
-  /// λ that a millimetre takes that far from the eye's plane; 0 behind it.
+  /// Returns how many λ a millimetre takes at that distance from the eye's plane; 0 behind it.
   float perMmAt(float distanceMm) const {
     const float mm = m_perspective ? distanceMm * m_unit : m_unit;
     return mm > 0.0f ? 1.0f / mm : 0.0f;
   }
 
-  /// The part of a direction that lies in the picture's plane.
+  /// Returns the part of a direction that lies in the picture's plane.
   glm::vec2 across(const glm::vec3& direction) const {
     return {glm::dot(direction, m_frame.right), glm::dot(direction, m_frame.up)};
   }
-  /// Unit, across the picture's plane.
+  /// Returns the unit vector towards the eye, perpendicular to the picture's plane.
   const glm::vec3& towardsEye() const { return m_frame.back; }
 
  private:

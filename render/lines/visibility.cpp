@@ -13,8 +13,8 @@ namespace sline::render {
 
 namespace {
 /// Contours run where normals, not polygons, turn away: they may lie below the polygons' own edge
-/// by a fraction of a triangle. Rays therefore start a little above the surface and overlook what
-/// is nearer than one edge of the segment's triangle.
+/// by a fraction of a triangle. Rays therefore start a little above the surface and ignore anything
+/// nearer than one edge of the segment's triangle.
 constexpr float liftInEdges = 0.1f;
 constexpr float overlookedInEdges = 1.0f;
 
@@ -25,7 +25,7 @@ float longestEdge(const model::Mesh& mesh, std::uint32_t triangle) {
       {glm::distance(p[a], p[b]), glm::distance(p[b], p[c]), glm::distance(p[c], p[a])});
 }
 
-/// True where the point of the face's plane lies in one of its triangles.
+/// Tells whether the point of the face's plane lies in one of its triangles.
 bool onCap(const CutFace& face, const glm::dvec3& p) {
   const glm::dvec3 normal(face.plane.normal);
   for (std::size_t i = 0; i + 2 < face.cap.size(); i += 3) {
@@ -40,7 +40,7 @@ bool onCap(const CutFace& face, const glm::dvec3& p) {
   return false;
 }
 
-/// What lies in the way of rays: the surface where it is kept, and the faces of its cuts.
+/// Holds what lies in the way of rays: the surface where it is kept, and the faces of its cuts.
 class Obstacles {
  public:
   Obstacles(const model::Bvh& bvh, std::span<const CutFace> faces) : m_bvh(bvh), m_faces(faces) {
@@ -66,7 +66,7 @@ class Obstacles {
  private:
   const model::Bvh& m_bvh;
   std::span<const CutFace> m_faces;
-  std::vector<model::Plane> m_planes;  ///< of the faces
+  std::vector<model::Plane> m_planes;  ///< those of the faces
 };
 
 /// Calls test(segment index, middle of the segment, unit normal there, edge length) in parallel.
@@ -82,7 +82,7 @@ std::vector<bool> tested(const model::Surface& surface, const std::vector<Segmen
   return {results.begin(), results.end()};
 }
 
-/// True where nothing is between the eye and the surface at p with unit normal n.
+/// Tells whether there is nothing between the eye and the surface at p with unit normal n.
 bool seen(const Obstacles& obstacles, const model::EyePoint& eye, const glm::vec3& p,
           const glm::vec3& n, float edge) {
   const glm::vec3 origin = p + liftInEdges * edge * n;

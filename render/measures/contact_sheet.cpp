@@ -45,7 +45,7 @@ void paste(const Image& from, Image& to, int x, int y) {
 constexpr int glyphWidth = 3;
 constexpr int glyphHeight = 5;
 
-/// Rows of three dots from the top, the left dot the highest bit.
+/// Returns rows of three dots from the top, the left dot the highest bit.
 std::array<int, glyphHeight> glyph(char c) {
   constexpr std::array<std::array<int, glyphHeight>, 10> digits{{{7, 5, 5, 5, 7},
                                                                  {2, 6, 2, 2, 7},
@@ -81,7 +81,8 @@ int textWidth(const std::string& text, int dot) {
   return int(text.size()) * (glyphWidth + 1) * dot - dot;
 }
 
-/// Bars of a stage's steps within `panel`, whose height is `top` times the stage's mean.
+/// Draws bars of a stage's steps within `panel`; its height stands for `top` times the stage's
+/// mean.
 void drawStage(Image& image, const PixelRect& panel, const Ramp& ramp, int s, double top) {
   const RampStage& stage = ramp.stages[std::size_t(s)];
   for (int i = 0; i < stepsPerStage; ++i) {

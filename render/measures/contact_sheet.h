@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures for the eye: pictures of a ramp side by side, and its figures as a diagram.
+// Draws measures for the eye: pictures of a ramp side by side, and its figures as a diagram.
 #pragma once
 
 #include <span>
@@ -16,15 +16,16 @@ struct SheetPicture {
   Image image;
 };
 
-/// The pictures in rows of `columns`, each with its label below, on white. All are of one size.
+/// Returns the pictures in rows of `columns`, each with its label below, on white. All must be of
+/// one size.
 Image contactSheet(std::span<const SheetPicture> pictures, int columns);
 
-/// Above, a bar for each step's change as a multiple of its stage's mean, red where it breaks a
-/// limit and pale where its stage is exempt, with lines at the mean and at the limit for jumps;
-/// below, mean luminance from 0 to 1 with a line at that of Γ = 5.
+/// Draws, above, a bar for each step's change as a multiple of its stage's mean, red where it
+/// breaks a limit and pale where its stage is exempt, with lines at the mean and at the limit for
+/// jumps; below, the mean luminance from 0 to 1 with a line at that of Γ = 5.
 Image rampDiagram(const Ramp& ramp, int width, int height);
 
-/// `below` under `above`, left edges in line, on white.
+/// Returns an image with `below` under `above`, left edges aligned, on white.
 Image stacked(const Image& above, const Image& below);
 
 }  // namespace sline::render

@@ -12,9 +12,9 @@ namespace sline::render {
 namespace {
 
 constexpr double stepOfGamma = 1.0 / double(stepsPerStage);
-// Tone is looked at over this many output units, so that strokes count as the grey they make.
+// Tone is averaged over this many output units, so that strokes count as the grey they make.
 constexpr float toneReach = 8.0f;
-// Pixels at the structure's own edges whose fill is soft.
+// The pixels at the structure's own edges that have a soft fill.
 constexpr int softEdge = 2;
 
 double gammaOf(int index) {
@@ -29,8 +29,8 @@ PixelRect unite(const PixelRect& a, const PixelRect& b) {
   return {x, y, std::max(a.right(), b.right()) - x, std::max(a.top(), b.top()) - y};
 }
 
-/// Watches each pixel's series of values for one that rises by more than `least` above an earlier
-/// value and later falls by more than `least`.
+/// Finds pixels with values that rise by more than `least` above an earlier value and later fall by
+/// more than `least`.
 class TurningPixels {
  public:
   TurningPixels(std::size_t count, float least)
@@ -55,8 +55,8 @@ class TurningPixels {
     }
   }
 
-  /// The index of the picture in which each pixel that turned was lightest, −1 for those that did
-  /// not.
+  /// Returns the index of the picture in which each pixel that turned was lightest, −1 for all
+  /// others.
   std::vector<int> peaks() const {
     std::vector<int> result(m_peak.size(), -1);
     for (std::size_t i = 0; i < result.size(); ++i)
@@ -73,12 +73,12 @@ class TurningPixels {
   }
 
   float m_least;
-  std::vector<float> m_extreme;  ///< lowest so far, once risen the highest since
+  std::vector<float> m_extreme;  ///< the lowest value so far; once risen, the highest since
   std::vector<int> m_peak;
   std::vector<State> m_state;
 };
 
-/// What the ends of a ramp tell before all its pictures are looked at.
+/// Holds what the ends of a ramp tell before all its pictures are looked at.
 struct Frame {
   Image first;
   Image last;
@@ -101,7 +101,7 @@ Result<Frame> frameOf(const RampPictures& pictures) {
       return drawn.error();
     *image = std::move(*drawn);
   }
-  // The outline lies outside of what it surrounds.
+  // The outline lies outside what it surrounds.
   frame.mask = coveredMask(*fill, unite(covered, inkedArea(frame.first)));
   frame.luminanceAtEnd = mean(luminance(frame.last, frame.mask.area), frame.mask);
   return frame;

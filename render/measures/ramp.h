@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Is the way from silhouette to shaded surface seamless (METHOD §7), and its tone (§6.9)? A ramp is
-// the pictures of one structure alone at Γ = 0, 0.05, … 5, on white.
+// Measures whether the way from silhouette to shaded surface is seamless (METHOD §7), and its tone
+// (§6.9). A ramp consists of the pictures of one structure alone at Γ = 0, 0.05, … 5, on white.
 #pragma once
 
 #include <array>
@@ -20,11 +20,11 @@ inline constexpr int rampStages = 5;
 inline constexpr int stepsPerStage = 20;
 inline constexpr int rampSteps = rampStages * stepsPerStage;
 
-/// No step may exceed this many times the mean of its stage.
+/// No step may exceed the mean of its stage by more than this factor.
 inline constexpr double jumpLimit = 3.0;
-/// Over every 0.1 of Γ the picture changes at this share of its stage's mean rate, or more.
+/// Over every 0.1 of Γ the picture must change at least at this share of its stage's mean rate.
 inline constexpr double deadLimit = 0.2;
-/// Stages whose steps add up to less are exempt from both.
+/// Stages that have steps adding up to less than this are exempt from both limits.
 inline constexpr double exemptChange = 0.002;
 /// How much darker than at Γ = 5 a structure may be, and how much lighter it may become before it
 /// darkens again, both as a share of its luminance at Γ = 5.
@@ -36,32 +36,32 @@ inline constexpr double fillFallLimit = 1.5 / 255.0;
 inline constexpr double completeOpacity = 0.98;
 inline constexpr double openLimit = 0.001;
 
-/// The Γ of a picture of the ramp: index / 20.
+/// Returns the Γ of a picture of the ramp: index / 20.
 inline Gamma rampGamma(int index) {
   return Gamma::clamped(float(index) / float(stepsPerStage));
 }
 
-/// Where the pictures come from. All have one size.
+/// Supplies the pictures of a ramp, all of one size.
 struct RampPictures {
-  /// The structure alone on white.
+  /// Draws the structure alone on white.
   std::function<Result<Image>(Gamma)> whole;
-  /// Its fill alone on nothing; alpha is the fill's opacity.
+  /// Draws its fill alone on nothing; alpha is the fill's opacity.
   std::function<Result<Image>(Gamma)> fill;
 };
 
-/// One unit interval of Γ. A step's change d is the mean absolute difference of neighbouring
-/// pictures over the structure's rectangle (`meanDifference`).
+/// Describes one unit interval of Γ. A step's change d is the mean absolute difference of
+/// neighbouring pictures over the structure's rectangle (`meanDifference`).
 struct RampStage {
-  double mean = 0.0;       ///< of its 20 steps' d
-  double largest = 0.0;    ///< times the mean; 0 where nothing changes
+  double mean = 0.0;       ///< of the d of its 20 steps
+  double largest = 0.0;    ///< as a multiple of the mean; 0 where nothing changes
   double largestAt = 0.0;  ///< Γ where that step starts
-  /// Of all stretches of two steps (0.1 of Γ) within the stage the one that changes least: its mean
-  /// d as a share of the stage's mean.
+  /// The smallest change over any stretch of two steps (0.1 of Γ) within the stage: the stretch's
+  /// mean d as a share of the stage's mean.
   double weakest = 0.0;
-  double weakestAt = 0.0;    ///< Γ where it starts
-  double whole = 0.0;        ///< sum of its d
-  double endToEnd = 0.0;     ///< d of its last picture and its first: less than `whole` where what
-                             ///< came went again
+  double weakestAt = 0.0;    ///< Γ where that stretch starts
+  double whole = 0.0;        ///< sum of the d of its steps
+  double endToEnd = 0.0;     ///< d of its last picture and its first: less than `whole`
+                             ///< where a change was undone
   std::vector<double> dead;  ///< Γ where each stretch below the limit starts
   /// Share of the stage's parameter T at which 10 %, 20 %, … 90 % of its change is done: for an
   /// even rate 0.1, 0.2, … 0.9.
@@ -72,21 +72,21 @@ struct RampStage {
   bool stalls() const { return !exempt() && !dead.empty(); }
 };
 
-/// What rises and falls again: the largest value v_j of a series with min(v_j − v_i, v_j − v_k) for
-/// some i < j < k, at least how much it stands above both sides.
+/// Describes a rise that falls again: the largest value v_j of a series with the height min(v_j −
+/// v_i, v_j − v_k) for some i < j < k, the least by which it stands above both sides.
 struct Bump {
   double height = 0.0;
   int at = 0;  ///< j
 };
 
 struct RampTone {
-  std::vector<double> luminance;  ///< of the structure's pixels on average, for each picture
-  double lowest = 0.0;            ///< of all, times the luminance at Γ = 5
-  double lowestAt = 5.0;          ///< its Γ
-  Bump bump;                      ///< height as a share of the luminance at Γ = 5
-  /// Share of the structure's pixels whose luminance, blurred over 8 λ so that strokes become tone,
-  /// rises and falls again by more than the limit; and of these, how many are lightest in each
-  /// stage when first they do, as shares of all pixels too.
+  std::vector<double> luminance;  ///< mean over the structure's pixels, for each picture
+  double lowest = 0.0;            ///< the lowest of all, as a multiple of the luminance at Γ = 5
+  double lowestAt = 5.0;          ///< Γ where it is lowest
+  Bump bump;                      ///< its height is a share of the luminance at Γ = 5
+  /// Share of the structure's pixels with a luminance, blurred over 8 λ so that strokes become
+  /// tone, that rises and falls again by more than the limit; and how many of these are lightest in
+  /// each stage when they first do so, also as shares of all pixels.
   double bumpedPixels = 0.0;
   std::array<double, rampStages> bumpedByStage{};
 
@@ -97,7 +97,7 @@ struct RampTone {
 
 struct RampFill {
   double largestFall = 0.0;   ///< of any pixel's opacity from any picture to a later one
-  double fallAt = 0.0;        ///< Γ of the later one
+  double fallAt = 0.0;        ///< Γ of the later picture
   double fallenPixels = 0.0;  ///< share of the rectangle's pixels that fall by more than the limit
   double openAtEnd = 0.0;     ///< share of pixels inside (two off its edges) not complete at Γ = 5
 
@@ -106,23 +106,23 @@ struct RampFill {
 };
 
 struct Ramp {
-  PixelRect area;             ///< the structure's rectangle, rows from the top
-  std::size_t pixels = 0;     ///< of it that the structure covers (half or more) at Γ = 5
+  PixelRect area;             ///< the structure's rectangle, rows counted from the top
+  std::size_t pixels = 0;     ///< pixels of it that the structure covers (half or more) at Γ = 5
   std::vector<double> steps;  ///< d from each picture to the next
   std::array<RampStage, rampStages> stages;
   RampTone tone;
   RampFill fill;
 };
 
-/// `steps` are the stage's own, `first` its first Γ.
+/// Measures a stage; `steps` are the stage's own, `first` is its first Γ.
 RampStage measureStage(std::span<const double> steps, double first, double endToEnd);
 Bump largestBump(std::span<const double> series);
 
-/// Draws and measures all pictures. The error is the pictures' own, or says that the structure
+/// Draws and measures all pictures. The error is that of a picture, or says that the structure
 /// covers no pixel.
 Result<Ramp> measureRamp(const RampPictures& pictures);
 
-/// Which rules the ramp breaks, a sentence each: "1–2: …". Empty: it is seamless.
+/// Returns a sentence for each rule that the ramp breaks: "1–2: …". Empty: it is seamless.
 std::vector<std::string> faults(const Ramp& ramp);
 
 }  // namespace sline::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What breaks a rule, in words.
+// Puts into words which rules a ramp breaks.
 #include <array>
 #include <cstdio>
 
@@ -19,7 +19,7 @@ std::string percent(double share, int decimals = 0) {
   return number(100.0 * share, decimals) + " %";
 }
 
-/// "3.10–3.35, 3.80–3.90": neighbouring stretches of 0.1 as one.
+/// Returns "3.10–3.35, 3.80–3.90": neighbouring stretches of 0.1 become one.
 std::string stretches(const std::vector<double>& starts) {
   std::string text;
   for (std::size_t i = 0; i < starts.size();) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double widestPicture = 20000.0;
 
-/// The frames of a turn: cameras, and how each frame's surface lies in the one before.
+/// Holds the frames of a turn: cameras, and how each frame's surface lies in the one before.
 struct Turn {
   std::vector<model::Camera> cameras;
   std::vector<std::vector<WarpedPixel>> warps;  ///< from camera i to camera i + 1
@@ -44,12 +44,12 @@ Result<Turn> turnOf(const Turntable& table) {
   return turn;
 }
 
-/// A picture drawn at a multiple of the size, looked at in pixels of the size itself.
+/// A picture drawn at a multiple of the size, but read in pixels of the size itself.
 struct Fine {
   int factor = 1;
   PixelValues values;
 
-  /// Mean of a pixel's samples.
+  /// Returns the mean of a pixel's samples.
   float pixel(std::size_t index) const {
     const std::size_t width = std::size_t(values.width / factor);
     const int x = factor * int(index % width);
@@ -60,8 +60,8 @@ struct Fine {
     return sum / float(factor * factor);
   }
 
-  /// The same for a pixel around any place. A turn of half a degree moves a pixel's samples all
-  /// alike but for a hundredth of their distance.
+  /// Returns the mean for a pixel around any place. A turn of half a degree moves a pixel's samples
+  /// all alike, apart from a hundredth of their distance.
   float around(const glm::vec2& place) const {
     float sum = 0.0f;
     for (int i = 0; i < factor * factor; ++i) {

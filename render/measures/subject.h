@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One structure of a scene by itself, drawn for measures.
+// Takes one structure of a scene by itself and draws it for measures.
 #pragma once
 
 #include <functional>
@@ -11,37 +11,38 @@
 
 namespace sline::render {
 
-/// A structure alone in a scene with the look it has there, but neither see-through nor with a wash
-/// behind its lines; from where and how large it is looked at.
+/// Holds a structure alone in a scene with the look that it has there, but neither see-through nor
+/// with a wash behind its lines, and from where and at what size it is looked at.
 struct Subject {
-  model::Scene scene;  ///< it alone
+  model::Scene scene;  ///< holds the structure alone
   model::Camera camera;
   int width = 0;
   int height = 0;
 
   const model::Node& structure() const { return scene.nodes().front(); }
-  /// The scene with the structure at that Γ.
+  /// Returns the scene with the structure at that Γ.
   model::Scene at(Gamma gamma) const;
 };
 
-/// The node must be a structure.
+/// Returns a scene that holds this structure alone. The node must be a structure.
 model::Scene alone(const model::Scene& scene, model::NodeId structure);
 
-/// The subject's ramp as `draw` draws it. The subject must live as long as the result; each picture
-/// of the whole structure is also shown to `look`, where there is one.
+/// Returns the subject's ramp as `draw` draws it. The subject must live as long as the result; each
+/// picture of the whole structure is also passed to `look`, if there is one.
 RampPictures rampPictures(const DrawPicture& draw, const Subject& subject,
                           std::function<void(Gamma, const Image&)> look = {});
 
 struct SteadinessSettings {
   Gamma gamma;
   int frames = 10;
-  int oversampling = 4;  ///< of strokes
+  int oversampling = 4;  ///< applies to strokes
 };
-/// The subject's hatching at the subject's size. The error names the structure.
+/// Measures the subject's hatching at the subject's size. The error names the structure.
 Result<Steadiness> measureSteadiness(const DrawPicture& draw, const Subject& subject,
                                      const SteadinessSettings& settings);
 
-/// The subject's hatching alone at that Γ, black on white, made that way.
+/// Returns a function that draws the subject's hatching alone at that Γ, black on white, by that
+/// method.
 HatchingPicture hatchingPicture(const DrawPicture& draw, const Subject& subject, Gamma gamma,
                                 HatchingMethod method);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What measures read of a picture's pixels. Rows count from the top, as in `Image`.
+// Computes what measures need to know of a picture's pixels. Rows count from the top, as in
+// `Image`.
 #pragma once
 
 #include <span>
@@ -10,7 +11,7 @@
 
 namespace sline::render {
 
-/// A number at each pixel of a rectangle, row by row.
+/// Holds a number for each pixel of a rectangle, row by row.
 struct PixelValues {
   int width = 0;
   int height = 0;
@@ -19,21 +20,21 @@ struct PixelValues {
   float at(int x, int y) const { return values[std::size_t(y) * std::size_t(width) + x]; }
 };
 
-/// Mean absolute difference of two pictures of one size over a rectangle within them: over the
-/// three colour channels of every pixel, as display values in [0, 1].
+/// Returns the mean absolute difference of two pictures of one size over a rectangle within them:
+/// over the three colour channels of every pixel, as display values in [0, 1].
 double meanDifference(const Image& a, const Image& b, const PixelRect& area);
 
-/// Relative luminance Y of linear light (Rec. 709 weights, IEC 61966-2-1 transfer): 0 black … 1
-/// white. The picture is opaque.
+/// Returns the relative luminance Y of linear light (Rec. 709 weights, IEC 61966-2-1 transfer): 0
+/// black … 1 white. The picture must be opaque.
 PixelValues luminance(const Image& image, const PixelRect& area);
 
-/// 1 − grey of display values: 0 white paper … 1 black ink. The picture is opaque.
+/// Returns 1 − grey of display values: 0 white paper … 1 black ink. The picture must be opaque.
 PixelValues ink(const Image& image);
 
-/// Opacity, 0 … 1.
+/// Returns the opacity, 0 … 1.
 PixelValues opacity(const Image& image, const PixelRect& area);
 
-/// Pixels of the rectangle that count.
+/// Tells which pixels of the rectangle count.
 struct PixelMask {
   PixelRect area;
   std::vector<std::uint8_t> inside;  ///< 0 or 1 for each pixel of `area`
@@ -41,21 +42,22 @@ struct PixelMask {
   std::size_t count() const;
 };
 
-/// The smallest rectangle that holds every pixel that is not white; empty where all are.
+/// Returns the smallest rectangle that holds every pixel that is not white; empty where all are
+/// white.
 PixelRect inkedArea(const Image& image);
-/// The smallest rectangle that holds every pixel at least half opaque.
+/// Returns the smallest rectangle that holds every pixel that is at least half opaque.
 PixelRect coveredArea(const Image& image);
-/// The pixels of the rectangle that are at least half opaque.
+/// Returns the pixels of the rectangle that are at least half opaque.
 PixelMask coveredMask(const Image& image, const PixelRect& area);
-/// Those of them that lie at least `pixels` within.
+/// Returns the pixels of the mask that lie at least `pixels` inside it.
 PixelMask shrunk(const PixelMask& mask, int pixels);
 double mean(const PixelValues& values, const PixelMask& mask);
 
-/// Averages within a mask over a neighbourhood: a box applied twice, so that a pixel's weight falls
-/// off evenly to the sides. What lies outside of the mask does not count.
+/// Averages within a mask over a neighbourhood with a box that is applied twice, so that a pixel's
+/// weight falls off evenly to the sides. Values outside the mask do not count.
 class MaskedBlur {
  public:
-  /// `radius`: of the box, in pixels.
+  /// Prepares the blur; `radius` is that of the box, in pixels.
   MaskedBlur(const PixelMask& mask, int radius);
   PixelValues operator()(const PixelValues& values) const;
 

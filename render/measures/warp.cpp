@@ -18,7 +18,7 @@ namespace {
 // pixels' width; over a stretch of three pixels that holds down to 8° between surface and sight.
 constexpr float sheetPixels = 20.0f;
 
-/// The line of sight through a pixel's centre, from the nearest to the farthest depth.
+/// Returns the line of sight through a pixel's centre, from the nearest to the farthest depth.
 model::Ray sight(const glm::dmat4& toWorld, double x, double y) {
   const auto at = [&](double depth) {
     const glm::dvec4 p = toWorld * glm::dvec4(x, y, depth, 1.0);
@@ -28,8 +28,8 @@ model::Ray sight(const glm::dmat4& toWorld, double x, double y) {
   return {.origin = glm::vec3(nearest), .direction = glm::vec3(at(1.0) - nearest)};
 }
 
-/// True where the sixteen pixels that an interpolation at that place reads all show surface close
-/// to the point.
+/// Tells whether the sixteen pixels that an interpolation at that place reads all show surface
+/// close to the point.
 bool onOneSheet(const SeenSurface& seen, const glm::vec2& place, const glm::vec3& point,
                 float farthest) {
   const int left = int(std::floor(place.x - 0.5f)) - 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the surface that a picture shows was in the picture before (METHOD §6.10).
+// Finds where the surface that a picture shows was in the picture before (METHOD §6.10).
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -11,7 +11,8 @@
 
 namespace sline::render {
 
-/// The point of a surface that each pixel's centre shows, in millimetres. Rows from the top.
+/// Holds the point of a surface that each pixel's centre shows, in millimetres. Rows count from the
+/// top.
 struct SeenSurface {
   int width = 0;
   int height = 0;
@@ -24,19 +25,20 @@ struct SeenSurface {
 };
 SeenSurface seenSurface(const model::Bvh& bvh, const PictureView& view);
 
-/// For a pixel of one picture the place in another that shows the same point.
+/// Pairs a pixel of one picture with the place in another that shows the same point.
 struct WarpedPixel {
   std::uint32_t pixel = 0;  ///< index in the picture now
-  glm::vec2 from{0.0f};     ///< in the picture before: columns and rows from the top left corner,
-                            ///< pixel centres at halves
+  glm::vec2 from{0.0f};     ///< in the picture before: column and row from the top left
+                            ///< corner, pixel centres at halves
 };
-/// All pixels whose point both views see. Left out are those next to an edge of what the view
-/// before sees, where its picture mixes surfaces that have nothing to do with each other.
+/// Returns all pixels that show a point which both views see. It leaves out those next to an edge
+/// of what the view before sees, where its picture mixes surfaces that are unrelated.
 std::vector<WarpedPixel> warp(const SeenSurface& now, const SeenSurface& before,
                               const PictureView& viewBefore);
 
-/// The value between pixels by Catmull and Rom's cubic, which keeps edges of strokes sharper than
-/// linear interpolation; held within [0, 1]. The place must lie two pixels within.
+/// Returns the value between pixels by Catmull and Rom's cubic, which keeps edges of strokes
+/// sharper than linear interpolation does; the result is held within [0, 1]. The place must lie at
+/// least two pixels inside.
 float sample(const PixelValues& values, const glm::vec2& place);
 
 }  // namespace sline::render

@@ -7,7 +7,7 @@
 
 namespace sline::render::passes {
 
-/// Every .glsl file of the passes and the common snippets of resources/shaders.
+/// Returns every .glsl file of the passes and the common snippets of resources/shaders.
 std::span<const gpu::ShaderFile> shaderFiles();
 
 }  // namespace sline::render::passes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One structure's surface as passes draw it, and the camera that it is seen with.
+// Describes one structure's surface as passes draw it, and the camera that it is seen with.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -13,7 +13,7 @@
 
 namespace sline::render::passes {
 
-/// The camera of the whole picture.
+/// Describes the camera of the whole picture.
 struct SurfaceView {
   glm::mat4 viewProjection{1.0f};
   glm::vec4 eye{0.0f};  ///< position and 1, or for a parallel projection direction and 0

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface as the passes draw it: 16 bytes a vertex, indices in the order of its clusters, and on
-// demand its curvature.
+// Holds a surface as the passes draw it: 16 bytes a vertex, indices in the order of its clusters,
+// and on demand its curvature.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -15,15 +15,15 @@ struct SurfaceVertex {
   glm::vec3 position;
   std::uint32_t normal;  ///< see packedNormal
 };
-/// A unit vector in three signed 10-bit numbers.
+/// Returns a unit vector in three signed 10-bit numbers.
 std::uint32_t packedNormal(const glm::vec3& normal);
 
-/// A shape operator times F_c as six signed 16-bit numbers: xx, yy, zz, xy, xz, yz.
+/// Holds a shape operator times F_c as six signed 16-bit numbers: xx, yy, zz, xy, xz, yz.
 struct PackedShape {
   std::int16_t entries[6];
 };
-/// What a stored 32767 stands for. Larger entries are cut off: where |κ|·F_c > 1 the fill's weight
-/// is at its end anyway.
+/// The value that a stored 32767 stands for. Larger entries are cut off: where |κ|·F_c > 1 the
+/// fill's weight is at its end anyway.
 inline constexpr float shapeScale = 8.0f;
 PackedShape packedShape(const glm::mat3& scaledShape);
 
@@ -31,16 +31,16 @@ class SurfaceGeometry {
  public:
   SurfaceGeometry(std::span<const SurfaceVertex> vertices, std::string_view name);
 
-  /// The triangles of all of the surface; only surfaces with two sides are drawn whole.
+  /// Adds the triangles of the whole surface; only surfaces with two sides are drawn whole.
   void addWhole(std::span<const std::uint32_t> indices);
   bool hasWhole() const { return m_indexCount > 0; }
 
-  /// One entry per vertex; only fills at 3 < Γ < 4 read it.
+  /// Adds one entry per vertex; only fills at 3 < Γ < 4 read it.
   void addShape(std::span<const PackedShape> shape);
   bool hasShape() const { return m_shape.has_value(); }
-  /// All of the surface, once `addWhole` was called.
+  /// Returns the whole surface, once `addWhole` was called.
   const gpu::Geometry& geometry() const { return *m_geometry; }
-  /// The triangles that `visibleGeometry` has until the next call.
+  /// Sets the triangles that `visibleGeometry` has until the next call.
   void showOnly(std::span<const std::uint32_t> indices);
   const gpu::Geometry& visibleGeometry() const { return *m_visibleGeometry; }
   std::uint32_t indexCount() const { return m_indexCount; }

@@ -29,7 +29,7 @@ std::vector<PixelRect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
     return {};
   const int width = std::min(m_limits.side, std::max(usualWidth, roundedToStep(widest)));
   const int height = int(std::min<std::size_t>(m_limits.side, m_limits.pixels / width));
-  // Rows fill best from the tallest to the lowest; the order given decides between equals.
+  // Rows fill best from the tallest to the lowest; the given order decides between equals.
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
@@ -42,7 +42,7 @@ std::vector<PixelRect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
       return {};
     places[i] = *place;
   }
-  // Some room for layers that change their size while the view stays.
+  // Leaves some room for layers that change their size while the view stays.
   m_wanted = {width,
               std::min(height, roundedToStep(packer.usedHeight() + packer.usedHeight() / 8 + 1))};
   m_packer = packer;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The textures that all layers of a picture share: fill and ink, the surface's own depth (which
-// hides lines) and the layer's depth (which orders layers).
+// Holds the textures that all layers of a picture share: fill and ink, the surface's own depth
+// (which hides lines) and the layer's depth (which orders layers).
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace sline::render {
 struct AtlasLimits {
   int side = 0;            ///< largest width and height
   std::size_t pixels = 0;  ///< largest area
-  bool deep = false;       ///< colours of 16 bits a channel
+  bool deep = false;       ///< colours have 16 bits per channel
 };
 
 /// Rounds a texture's width or height up to a multiple of 256, so that few sizes occur.
@@ -24,16 +24,16 @@ class Atlas {
  public:
   explicit Atlas(const AtlasLimits& limits) : m_limits(limits) {}
 
-  /// Lays out all rectangles afresh: places come back in the order of `sizes`, and nothing of what
-  /// was drawn before counts any more. Empty where they do not fit.
+  /// Lays out all rectangles afresh: places are returned in the order of `sizes`, and nothing that
+  /// was drawn before counts any more. The result is empty where they do not fit.
   std::vector<PixelRect> layOut(std::span<const gpu::TextureSize> sizes);
-  /// Adds a rectangle beside those in use; nothing where there is no room.
+  /// Adds a rectangle beside those in use; returns nothing where there is no room.
   std::optional<PixelRect> add(gpu::TextureSize size) {
     return m_packer.place(size.width, size.height);
   }
-  /// True where the textures that are there do not serve the last layout.
+  /// Tells whether the present textures do not serve the last layout.
   bool outgrown() const;
-  /// True where there was something to release.
+  /// Releases the textures; returns whether there was anything to release.
   bool release();
   /// Makes the textures that the last layout needs.
   Status allocate();
@@ -44,7 +44,7 @@ class Atlas {
   const gpu::Texture& layerDepths() const { return *m_layerDepths; }
   const gpu::Target& surfaceTarget() const { return *m_surfaceTarget; }
   const gpu::Target& inkTarget() const { return *m_inkTarget; }
-  /// Fills with the layer's depth.
+  /// Returns the target of fills with the layer's depth.
   const gpu::Target& edgeTarget() const { return *m_edgeTarget; }
 
  private:

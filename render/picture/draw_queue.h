@@ -6,11 +6,11 @@
 namespace sline::render {
 
 /// Bounds what the driver has under way. A software driver sets triangles up faster than it fills
-/// them, and keeps all that wait in memory (300 MiB for 3 million triangles); and whatever another
-/// context draws meanwhile, such as the window itself, has to wait its turn behind it.
+/// them, and keeps all that wait in memory (300 MiB for 3 million triangles); and anything that
+/// another context draws meanwhile, such as the window itself, has to wait its turn behind it.
 class DrawQueue {
  public:
-  /// No single draw should be larger: it cannot be interrupted.
+  /// The largest size of a single draw, which cannot be interrupted.
   static constexpr std::size_t mostIndices = 99'999;
   static constexpr std::size_t mostStrokes = 4'000;
 
@@ -21,7 +21,7 @@ class DrawQueue {
   }
 
  private:
-  /// The weights are what keeps llvmpipe equally long: `longest` is about 10 ms on two cores.
+  /// Weights measure what keeps llvmpipe equally long: `longest` is about 10 ms on two cores.
   static constexpr std::size_t longest = 100'000;
 
   void add(gpu::Device& device, std::size_t work) {

@@ -13,7 +13,7 @@ namespace sline::render {
 
 namespace {
 
-/// The region with what may be looked at beside it.
+/// Returns the region with the pixels beside it that may be looked at.
 PixelRect looksAside(const Shown& shown, const PictureView& view, const PixelRect& region) {
   const int around = strokeReach(shown, view);
   return grown(region,
@@ -33,7 +33,8 @@ void markSurface(const Shown& shown, const PictureView& view, TileMask& mask) {
 namespace {
 
 /// Appends the cluster's triangles that turn their outside to the eye. Software drivers shade
-/// vertices on one thread, and this leaves them half the work; a graphics card hardly minds.
+/// vertices on one thread, and this leaves them half the work; a graphics card hardly gains or
+/// loses.
 void appendFacing(const model::Surface& surface, const model::Cluster& cluster,
                   const model::EyePoint& eye, std::vector<std::uint32_t>& visible) {
   const bool all = model::facing(cluster, eye) == model::Facing::front;
@@ -94,7 +95,7 @@ std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& v
   for (std::size_t i = 0; i < shown.size(); ++i) {
     if (found[i].area.empty())
       continue;
-    // Cut faces have outlines, so what is cut has a layer of its own.
+    // Cut faces have outlines, so a cut structure has a layer of its own.
     const bool opaque = isOpaque(shown[i].style) && !shown[i].cut;
     if (!opaque)
       layers.emplace_back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cut faces of a layer as the GPU draws them.
+// Holds the cut faces of a layer as the GPU draws them.
 #pragma once
 
 #include <memory>
@@ -15,17 +15,17 @@ namespace sline::render {
 
 struct Shown;
 
-/// A cut surface with what the GPU has of its faces.
+/// A cut surface with what the GPU holds of its faces.
 struct CappedSurface : SectionedSurface {
   explicit CappedSurface(SectionedSurface&& cut)
       : SectionedSurface(std::move(cut)), caps(faces.size()) {}
-  std::vector<std::unique_ptr<passes::CapGeometry>> caps;  ///< of each face, once drawn
+  std::vector<std::unique_ptr<passes::CapGeometry>> caps;  ///< one per face, once drawn
 };
 
 void markCaps(const Shown& shown, const PictureView& view, TileMask& mask);
 
-/// One draw per face; makes the geometry where it is not there yet. `area` and `slot` are the
-/// layer's; the sections that clip each face point into `planes`.
+/// Holds one draw per face, as `capDraws` returns them; it makes the geometry where it is missing.
+/// `area` and `slot` are the layer's; the sections that clip each face point into `planes`.
 struct CapDraws {
   std::vector<std::vector<glm::vec4>> planes;
   std::vector<passes::CapDraw> draws;

@@ -14,7 +14,7 @@ namespace sline::render {
 
 namespace {
 
-/// Towards the key light, in the camera's frame.
+/// Returns the direction towards the key light, in the camera's frame.
 glm::vec3 keyLight(const PictureInput& input) {
   return input.keyLight ? input.light : glm::vec3(0.0f);
 }
@@ -32,7 +32,8 @@ bool hatches(const PictureInput& input, const Shown& shown) {
   return input.parts.hatching && !shown.printedHatching && showsHatching(shown.style);
 }
 
-/// Makes and uploads what the changed layers need of their surfaces and no other picture did.
+/// Makes and uploads those parts of their surfaces that the changed layers need and no earlier
+/// picture needed.
 void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
                       std::span<const std::size_t> changed) {
   std::set<CachedSurface*> hatched;
@@ -125,7 +126,7 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
     const auto same = std::find_if(m_kept.begin(), m_kept.end(),
                                    [&](const Layer& old) { return layer.drawnLike(old); });
     if (same != m_kept.end()) {
-      // What can be seen is known anew; a new layout may yet ask for it.
+      // Visibility was found anew; a new layout may yet ask for it.
       std::vector<Coverage> coverage = std::move(layer.coverage);
       gone[std::size_t(same - m_kept.begin())] = false;
       layer = std::move(*same);
@@ -133,7 +134,7 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
       continue;
     }
     changed.push_back(i);
-    // A structure whose style changes is drawn anew in its old place, if that still fits.
+    // A structure of changed style is drawn anew in its old place, if that still fits.
     const auto before = std::find_if(m_kept.begin(), m_kept.end(), [&](const Layer& old) {
       return old.area == layer.area && old.members.size() == 1 && layer.members.size() == 1 &&
              old.members.front().id == layer.members.front().id;
@@ -244,8 +245,8 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
       drawSurface(device, input, layers[i], queue);
       drawCaps(device, input, layers[i]);
     }
-  // Where a layer has a fill, it lies as deep as its surface; else only its ink counts. All copies
-  // after all surfaces: a software driver starts anew at each change of target.
+  // Where a layer has a fill, it lies as deep as its surface; elsewhere only its ink counts. All
+  // copies come after all surfaces: a software driver starts anew at each change of target.
   for (const std::size_t i : changed)
     if (layers[i].shows() && layers[i].filled) {
       device.copyDepth(m_atlas.surfaceTarget(), m_atlas.inkTarget(), layers[i].slot);
@@ -271,7 +272,7 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
     all.insert(all.end(), some.begin(), some.end());
     some = {};
   };
-  // All edges, then all strokes, so that the target changes once.
+  // Collects all edges, then all strokes, so that the target changes once.
   std::vector<passes::InkDraw> edges;
   std::vector<passes::InkDraw> strokes;
   for (const std::size_t i : changed)
@@ -317,7 +318,7 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
 LayerPainter::Canvas LayerPainter::canvas(const gpu::Target& target, const PixelRect& region,
                                           std::span<const Layer> layers,
                                           std::span<const std::size_t> changed) {
-  // A target that was resized is another region's; one that another paint had is not ours any more.
+  // A resized target belongs to another region, and one that another paint had is no longer ours.
   const bool keeps = !m_freshAtlas && &target == m_target;
   TileMask wanted = keeps ? m_left : TileMask(region);
   if (keeps)
@@ -357,9 +358,9 @@ void LayerPainter::resolve(gpu::Device& device, Background background, const Can
                        .keepOthers = canvas.keeps});
 }
 
-/// Draws a little from other textures, to and fro. Drivers hold on to what they last drew with, a
-/// software driver for each of the batches it has under way, and an outgrown atlas would be in
-/// memory beside the new one.
+/// Draws a little from other textures, to and fro. Drivers hold on to the textures that they last
+/// drew with, a software driver for each of the batches that it has under way, so an outgrown atlas
+/// would stay in memory beside the new one.
 void LayerPainter::letGo(gpu::Device& device) {
   constexpr int side = 64;
   constexpr int rounds = 16;
@@ -425,7 +426,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   stopwatch.pass(device, "surface");
   if (input.isUnwanted())
     return Outcome::givenUp;
-  // Hatching before lines, which lie on it.
+  // Hatching comes before lines, which lie on it.
   if (Status s = m_printedHatching.draw(device, input.view, m_atlas, layers, changed); !s)
     return s.error();
   drawInk(device, input, layers, changed);

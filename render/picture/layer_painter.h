@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws a region of a picture: plans its layers, redraws those that changed and resolves all.
+// Draws a region of a picture: it plans the layers, redraws those that changed and resolves all.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@
 
 namespace sline::render {
 
-/// One picture's worth of input.
+/// Holds the input for one picture.
 struct PictureInput {
   const PictureView& view;
   std::span<const Shown> shown;  ///< sorted by id
@@ -26,9 +26,9 @@ struct PictureInput {
   glm::vec3 light{0.0f};
   bool keyLight = false;
   PictureParts parts;
-  /// Where lines are kept between the regions of one picture, by structure; null to keep none.
+  /// Keeps lines between the regions of one picture, by structure; null to keep none.
   std::map<model::NodeId, StructureLines>* lines = nullptr;
-  /// Set from another thread when nobody wants the picture any more; may be null.
+  /// Set from another thread when the picture is no longer wanted; may be null.
   const std::atomic<bool>* unwanted = nullptr;
 
   bool isUnwanted() const { return unwanted && *unwanted; }
@@ -39,23 +39,24 @@ class LayerPainter {
   static Result<std::unique_ptr<LayerPainter>> create(const gpu::Device& device,
                                                       const AtlasLimits& limits);
 
-  /// Another with the same programs, which neither shares nor spoils what this one keeps.
+  /// Returns another painter with the same programs, which neither shares nor spoils what this one
+  /// keeps.
   std::unique_ptr<LayerPainter> another(const AtlasLimits& limits) const;
 
   enum class Outcome { painted, tooLarge, givenUp };
-  /// Draws the region (in picture pixels) so that it fills the target; where that still has what
-  /// the last `paint` drew, only squares are drawn anew that a changed layer touches or touched.
-  /// `tooLarge`, with nothing
-  /// drawn, where its layers exceed the atlas: a smaller region may do. `givenUp` where the input
-  /// said so on the way: the target's contents are undefined.
+  /// Draws the region (in picture pixels) so that it fills the target. Where the target still has
+  /// what the last `paint` drew, only squares are drawn anew that a changed layer touches or
+  /// touched. It returns `tooLarge`, with nothing drawn, where the layers exceed the atlas (a
+  /// smaller region may do), and `givenUp` where the input asked to stop; the target's contents are
+  /// then undefined.
   Result<Outcome> paint(gpu::Device& device, const PictureInput& input, const PixelRect& region,
                         const gpu::Target& target, Stopwatch& stopwatch);
-  /// Layers drawn anew by the last `paint`.
+  /// Returns how many layers the last `paint` drew anew.
   int layersDrawn() const { return m_layersDrawn; }
   void forget() { m_kept.clear(); }
 
  private:
-  /// What all layers of a region depend on.
+  /// Holds what all layers of a region depend on.
   struct Key {
     model::Camera camera;
     model::Box bounds;
@@ -83,12 +84,12 @@ class LayerPainter {
   static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer, const Shown& shown);
   void drawInk(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
                std::span<const std::size_t> changed);
-  /// What of a target is to be blended anew; the rest stays as it is.
+  /// Tells which part of a target is to be blended anew; the rest stays as it is.
   struct Canvas {
     const gpu::Target& target;
     PixelRect region;
     TileMask wanted;
-    bool keeps = false;  ///< what is not wanted is good
+    bool keeps = false;  ///< the parts outside `wanted` are still good
   };
   Canvas canvas(const gpu::Target& target, const PixelRect& region, std::span<const Layer> layers,
                 std::span<const std::size_t> changed);
@@ -103,8 +104,8 @@ class LayerPainter {
   PrintedHatching m_printedHatching;
   Key m_key;
   std::vector<Layer> m_kept;
-  TileMask m_left;  ///< squares that layers touched which are no more as they were
-  const gpu::Target* m_target = nullptr;  ///< of the last `paint`
+  TileMask m_left;  ///< squares touched by layers that have since changed or gone
+  const gpu::Target* m_target = nullptr;  ///< that of the last `paint`
   bool m_freshAtlas = true;
   int m_layersDrawn = 0;
 };

@@ -12,7 +12,7 @@ namespace sline::render {
 
 namespace {
 
-/// A colour texture to draw the picture into, with a depth texture where asked for.
+/// A colour texture to draw the picture into, with a depth texture where requested.
 struct Canvas {
   std::unique_ptr<gpu::Texture> colour;
   std::unique_ptr<gpu::Texture> depth;
@@ -37,7 +37,8 @@ struct Canvas {
   }
 };
 
-/// From premultiplied rows from the bottom to straight rows from the top, at the region's place.
+/// Converts premultiplied rows from the bottom to straight rows from the top, at the region's
+/// place.
 void copyRegion(const std::vector<std::byte>& pixels, const PixelRect& region, Image& image) {
   for (int y = 0; y < region.height; ++y) {
     const auto* from =
@@ -54,7 +55,7 @@ void copyRegion(const std::vector<std::byte>& pixels, const PixelRect& region, I
   }
 }
 
-/// The region's pixels as a piece of a picture `height` pixels high.
+/// Returns the region's pixels as a piece of a picture `height` pixels high.
 PicturePiece pieceOf(gpu::Device& device, const gpu::Target& target, const PixelRect& region,
                      int height) {
   PicturePiece piece{.left = region.x,
@@ -81,7 +82,7 @@ PicturePiece pieceOf(gpu::Device& device, const gpu::Target& target, const Pixel
   return piece;
 }
 
-/// The region in two, at a multiple of `grid`.
+/// Splits the region in two, at a multiple of `grid`.
 std::pair<PixelRect, PixelRect> halves(const PixelRect& region, int grid) {
   PixelRect first = region;
   PixelRect second = region;
@@ -95,19 +96,19 @@ std::pair<PixelRect, PixelRect> halves(const PixelRect& region, int grid) {
   return {first, second};
 }
 
-/// Draws pictures, and keeps of one what serves the next.
+/// Draws pictures, and keeps from one what serves the next.
 struct Easel {
   std::unique_ptr<LayerPainter> painter;
   Canvas canvas;
 };
 
-/// Where a picture goes: pixels to read back, a target, or neither.
+/// Tells where a picture goes: to pixels that are read back, to a target, or to neither.
 struct Output {
   Image* image = nullptr;
   const gpu::Target* target = nullptr;
   const PicturePieces* pieces = nullptr;
   const std::atomic<bool>* unwanted = nullptr;
-  bool aside = false;  ///< not one of those that are drawn again and again
+  bool aside = false;  ///< it is not one of those that are drawn again and again
 };
 
 Status checkRequest(const model::Camera& camera, const PictureSettings& settings) {
@@ -134,7 +135,8 @@ struct Picture::Data {
   int layersDrawn = 0;
   bool givenUp = false;
 
-  /// Nothing where `unwanted` says so before all is prepared; what is ready by then is kept.
+  /// Returns the prepared structures; nothing if `unwanted` asks to stop before all are prepared,
+  /// and those that are ready by then are kept.
   std::optional<std::vector<Shown>> shown(const model::Scene& scene, const Output& output = {});
   int regionSide() const;
   Easel& easel(const Output& output);
@@ -185,7 +187,7 @@ Easel& Picture::Data::easel(const Output& output) {
   constexpr std::size_t pixels = 2'000'000;
   if (!aside.painter)
     aside.painter = main.painter->another({.side = device->limits().textureSide, .pixels = pixels});
-  // Between two of them, the other easel's pictures may have let go of surfaces that were kept.
+  // Between two previews, the other easel's pictures may have released surfaces that were kept.
   aside.painter->forget();
   return aside;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene + camera → picture. Each structure is a layer, shaded in its own screen rectangle of an
-// atlas and kept until its style, its mesh or the camera changes; the resolve pass blends the
-// layers per pixel by depth, exactly and independently of their order (METHOD §10).
+// Makes a picture from a scene and a camera. Each structure is a layer, shaded in its own screen
+// rectangle of an atlas and kept until its style, its mesh or the camera changes; the resolve pass
+// blends the layers per pixel by depth, exactly and independently of their order (METHOD §10).
 #pragma once
 
 #include <atomic>
@@ -24,8 +24,8 @@ namespace gpu {
 class Target;
 }
 
-/// Where the time of the last picture went, in milliseconds; the GPU is finished where a phase
-/// ends.
+/// Tells where the time of the last picture went, in milliseconds; the GPU has finished where a
+/// phase ends.
 struct PictureTimings {
   double lines = 0.0;  ///< extraction on the CPU
   struct Pass {
@@ -34,75 +34,77 @@ struct PictureTimings {
   };
   std::vector<Pass> passes;
   double total = 0.0;
-  int layersDrawn = 0;  ///< the others were still good from the picture before
+  int layersDrawn = 0;  ///< the other layers were kept from the picture before
 };
 
-/// How much of the driver a picture may use; pictures that need more are drawn in pieces.
+/// Limits how much of the driver a picture may use; pictures that need more are drawn in pieces.
 struct PictureOptions {
-  int maximumSide = 0;                   ///< of a piece, in pixels; 0: what the driver can do
+  int maximumSide = 0;                   ///< of a piece, in pixels; 0: the driver's own limit
   std::size_t atlasPixels = 20'000'000;  ///< of all layers together, 13 bytes each
-  /// Colours of 16 bits a channel on the way (17 bytes then); needs OpenGL, ES does not do.
+  /// Intermediate colours have 16 bits per channel (17 bytes then); needs OpenGL, ES is not enough.
   bool deep = false;
 };
 
-/// A part of a picture as it was drawn; lengths in pixels, from the picture's upper left corner.
+/// A part of a picture as it was drawn; lengths are in pixels, from the picture's upper left
+/// corner.
 struct PicturePiece {
   int left = 0;
   int top = 0;
   int width = 0;
   int height = 0;
-  /// sRGB with alpha multiplied in, 16 bits a channel, rows from the top. Without
-  /// `PictureOptions::deep` these are 8 bits each, spread.
+  /// sRGB with premultiplied alpha, 16 bits per channel, rows from the top. Without
+  /// `PictureOptions::deep` these are 8-bit values spread to 16.
   std::vector<std::uint16_t> rgba;
 };
 
-/// How a picture is drawn piece by piece: in bands from the top down, each of one piece or more.
+/// Tells how a picture is drawn piece by piece: in bands from the top down, each of one piece or
+/// more.
 struct PicturePieces {
   int bandRows = 1024;
-  /// Pieces begin and end at multiples of it, from the upper left corner; of which width, height
-  /// and band must be multiples, too.
+  /// Pieces begin and end at multiples of this, from the upper left corner; width, height and band
+  /// must also be multiples of it.
   int grid = 1;
-  /// Gets each piece once; false: nobody wants the others.
+  /// Receives each piece once; returns false where no more are wanted.
   std::function<bool(PicturePiece&&)> take;
 };
 
 class Picture {
  public:
-  /// Needs a current OpenGL 3.3 core or ES 3.0 context for its whole life. The error names the
-  /// driver and what it lacks.
+  /// Creates a picture, which needs a current OpenGL 3.3 core or ES 3.0 context for its whole life.
+  /// The error names the driver and what it lacks.
   static Result<std::unique_ptr<Picture>> create(const PictureOptions& options = {});
   ~Picture();
   Picture(const Picture&) = delete;
   Picture& operator=(const Picture&) = delete;
 
-  /// Prepares and uploads what the scene's visible structures need and is not yet there.
+  /// Prepares and uploads what the scene's visible structures need and lack.
   void prepare(const model::Scene& scene);
-  /// Draws and reads the pixels back. Pictures larger than the driver's textures are drawn in tiles
-  /// without seams. With `samples` the picture is drawn that many times as large both ways and
-  /// averaged to the settings' size.
+  /// Draws the scene and reads the pixels back. Pictures larger than the driver's textures are
+  /// drawn in tiles without seams. With `samples` the picture is drawn that many times as large
+  /// both ways and averaged to the settings' size.
   Result<Image> render(const model::Scene& scene, const model::Camera& camera,
                        const PictureSettings& settings, int samples = 1);
-  /// Returns `render` as a function, which this must outlive.
+  /// Returns `render` as a function, which this object must outlive.
   DrawPicture drawing();
   /// Draws piece by piece, so that a picture of any size needs little memory. Surfaces are prepared
-  /// and lines found once for all pieces, and no seam shows between them. False where `take` wanted
-  /// no more.
+  /// and lines found once for all pieces, and no seam shows between them. It returns false where
+  /// `take` wanted no more.
   Result<bool> renderPieces(const model::Scene& scene, const model::Camera& camera,
                             const PictureSettings& settings, const PicturePieces& pieces);
   /// Draws without reading back, and waits for the GPU (the benchmark's frame).
   Status draw(const model::Scene& scene, const model::Camera& camera,
               const PictureSettings& settings);
-  /// Draws into the job's target instead, whose size must be the picture's; waits for the GPU.
-  /// False where it was given up.
+  /// Draws into the job's target instead, which must have the picture's size, and waits for the
+  /// GPU. It returns false where the job was given up.
   struct TargetJob {
     const gpu::Target& target;
-    /// Set from another thread when nobody wants the picture any more; may be null.
+    /// Set from another thread when the picture is no longer wanted; may be null.
     const std::atomic<bool>* unwanted = nullptr;
   };
   Result<bool> drawInto(const TargetJob& job, const model::Scene& scene,
                         const model::Camera& camera, const PictureSettings& settings);
-  /// A small picture beside the pictures that are drawn again and again: it shares their surfaces,
-  /// and what they keep from one to the next stays good. Nothing where it was given up.
+  /// Draws a small picture beside those that are drawn again and again: it shares their surfaces,
+  /// and what they keep from one to the next stays good. It returns nothing where it was given up.
   Result<std::optional<Image>> preview(const model::Scene& scene, const model::Camera& camera,
                                        const PictureSettings& settings,
                                        const std::atomic<bool>* unwanted = nullptr);

@@ -16,7 +16,7 @@ constexpr float cellSize = 0.05f;  // c_s, of F
 // Depth may change by this many times a step's length on a slope without being a contour.
 constexpr float steepest = 8.0f;
 
-/// T_H as S eq. 7 prints it.
+/// Returns T_H as S eq. 7 prints it.
 float entered(Gamma gamma) {
   return std::clamp(gamma.value() - 2.0f, 0.0f, 1.0f);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hatching as S prints it, drawn into the ink of layers. Programs and textures are made when a
+// Draws hatching as S prints it into the ink of layers. Programs and textures are made when a
 // picture first asks for it.
 #pragma once
 
@@ -9,15 +9,15 @@
 
 namespace sline::render {
 
-/// True where a structure of that style is hatched as S prints it.
+/// Tells whether a structure of that style is hatched as S prints it.
 bool showsPrintedHatching(const model::ResolvedStyle& style, const PictureSettings& settings);
-/// Pixels around a region in which a search that starts within it may end.
+/// Returns the pixels around a region in which a search that starts within it may end.
 int printedHatchingReach(const PictureView& view);
 
 class PrintedHatching {
  public:
-  /// Hatches those of the changed layers that are to be; their surfaces have been drawn. The error
-  /// says what the driver lacks.
+  /// Hatches those of the changed layers that need it, after their surfaces have been drawn. The
+  /// error says what the driver lacks.
   Status draw(gpu::Device& device, const PictureView& view, const Atlas& atlas,
               std::span<const Layer> layers, std::span<const std::size_t> changed);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places rectangles in an atlas row by row. What is placed stays; the same sizes in the same order
-// give the same places.
+// Places rectangles in an atlas row by row. Placed rectangles stay; the same sizes in the same
+// order give the same places.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ class ShelfPacker {
  public:
   explicit ShelfPacker(gpu::TextureSize size = {}) : m_size(size) {}
 
-  /// Nothing where there is no room.
+  /// Places a rectangle; returns nothing where there is no room.
   std::optional<PixelRect> place(int width, int height);
-  /// From now on no higher than that.
+  /// Limits the height from now on.
   void limitHeight(int height) { m_size.height = height; }
-  /// Rows in use, from the bottom.
+  /// Returns the rows in use, from the bottom.
   int usedHeight() const { return m_top; }
 
  private:

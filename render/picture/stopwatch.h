@@ -14,9 +14,9 @@ class Stopwatch {
  public:
   Stopwatch() : m_start(Clock::now()), m_last(m_start) {}
 
-  /// The time since the last phase ended was spent on lines.
+  /// Counts the time since the last phase ended as spent on lines.
   void lines() { m_timings.lines += lap(); }
-  /// … was spent on this pass; waits for the GPU.
+  /// Counts the time since the last phase ended as spent on this pass; waits for the GPU.
   void pass(gpu::Device& device, std::string_view name) {
     device.finish();
     const double milliseconds = lap();

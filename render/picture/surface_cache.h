@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is computed and uploaded once per mesh and kept while some structure shows it.
+// Keeps what is computed and uploaded once per mesh, as long as some structure shows it.
 #pragma once
 
 #include <map>
@@ -24,10 +24,10 @@ struct CachedSurface : PreparedSurface {
 
 class SurfaceCache {
  public:
-  /// Prepares one mesh at a time, so that intermediate memory is needed once; what is there already
-  /// stays as it is.
+  /// Prepares one mesh at a time, so that intermediate memory is needed once; parts that exist
+  /// already stay as they are.
   CachedSurface& at(const model::MeshPtr& mesh, const model::Provenance& provenance);
-  /// Forgets meshes that are not among these.
+  /// Forgets all meshes but these.
   void keepOnly(std::span<const model::MeshPtr> meshes);
 
  private:

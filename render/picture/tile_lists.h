@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which layers can show in which square of the picture: the CPU's share of the resolve (METHOD
-// §10).
+// Finds which layers can show in which square of the picture: the CPU's share of the resolve
+// (METHOD §10).
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 
 namespace sline::render {
 
-/// The squares of a region that a layer can touch.
+/// Marks the squares of a region that a layer can touch.
 class TileMask {
  public:
   TileMask() = default;
-  /// `region` in pixels of the whole picture; its squares start at its lower left corner.
+  /// Takes `region` in pixels of the whole picture; its squares start at its lower left corner.
   explicit TileMask(const PixelRect& region);
 
   void mark(const PixelRect& area);
-  /// Also all squares of the other, which has the same region.
+  /// Also marks all squares of the other mask, which must have the same region.
   void mark(const TileMask& other);
   void markAll() { std::fill(m_marked.begin(), m_marked.end(), std::uint8_t(1)); }
   bool marked(int column, int row) const {
@@ -38,7 +38,7 @@ class TileMask {
 
 struct ListedLayer {
   const TileMask* mask = nullptr;
-  passes::ResolveLayer layer;  ///< its area in pixels of the region
+  passes::ResolveLayer layer;  ///< with its area in pixels of the region
 };
 
 struct TileLists {
@@ -46,8 +46,8 @@ struct TileLists {
   std::vector<passes::ResolveEntry> entries;
 };
 
-/// The squares of `wanted`, those without any layer too. `layers` in order of their ids; all masks
-/// of the same region.
+/// Returns the squares of `wanted`, including those without any layer. `layers` must be in order of
+/// their ids, and all masks of the same region.
 TileLists tileLists(std::span<const ListedLayer> layers, const TileMask& wanted);
 
 }  // namespace sline::render

@@ -11,7 +11,7 @@ namespace {
 
 using Pixel = std::array<std::uint8_t, 4>;
 
-/// The square whose first pixel lies at `corner`, in rows `stride` bytes apart.
+/// Averages the square that has its first pixel at `corner`, in rows `stride` bytes apart.
 Pixel squareAverage(const std::uint8_t* corner, std::size_t stride, int side) {
   std::array<std::uint32_t, 4> sum{};
   for (int y = 0; y < side; ++y)

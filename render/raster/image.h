@@ -6,7 +6,7 @@
 
 namespace sline::render {
 
-/// 8-bit sRGB with straight (not premultiplied) alpha, rows from the top, no padding.
+/// Holds 8-bit sRGB with straight (not premultiplied) alpha, rows from the top, without padding.
 struct Image {
   int width = 0;
   int height = 0;
@@ -14,8 +14,8 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-/// Each square of `side` × `side` pixels as one, colours weighted by their alpha. The image's sides
-/// must be multiples of `side`.
+/// Averages each square of `side` × `side` pixels to one, colours weighted by their alpha. The
+/// image's sides must be multiples of `side`.
 Image averaged(const Image& image, int side);
 
 }  // namespace sline::render

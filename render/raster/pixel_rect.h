@@ -5,7 +5,7 @@
 
 namespace sline::render {
 
-/// Pixels x … x + width − 1, y … y + height − 1. In pictures that are drawn y counts from the
+/// Holds pixels x … x + width − 1, y … y + height − 1. In pictures that are drawn y counts from the
 /// bottom row, as in OpenGL; in an `Image` from the top.
 struct PixelRect {
   int x = 0;
@@ -27,7 +27,7 @@ inline PixelRect intersection(const PixelRect& a, const PixelRect& b) {
           std::max(0, std::min(a.top(), b.top()) - y)};
 }
 
-/// Returns the least rectangle that holds both; an empty one counts for nothing.
+/// Returns the smallest rectangle that holds both; an empty one is ignored.
 inline PixelRect united(const PixelRect& a, const PixelRect& b) {
   if (a.empty())
     return b;

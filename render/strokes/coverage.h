@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which pixels a structure and its strokes can touch, from the surface's clusters alone.
+// Finds which pixels a structure and its strokes can touch, from the surface's clusters alone.
 #pragma once
 
 #include "render/lines/lines.h"
@@ -9,13 +9,14 @@
 
 namespace sline::render {
 
-/// Pixels that a fill reaches beyond its surface, soft edge included.
+/// The pixels by which a fill reaches beyond its surface, soft edge included.
 inline constexpr int edgeMargin = 2;
 
-/// Returns whether only what faces the eye is drawn of the surface.
+/// Returns whether only the parts of the surface that face the eye are drawn.
 bool cullsBack(const DrawnStructure& shown, const PictureView& view);
 
-/// Returns how many pixels around the surface its strokes and their looks aside can reach.
+/// Returns how many pixels around the surface can matter to its strokes and to their tests beside
+/// themselves.
 int strokeReach(const DrawnStructure& shown, const PictureView& view);
 
 /// Calls `body(cluster, pixels)` for the clusters that may show in `within`, each with the pixels
@@ -35,8 +36,8 @@ void forEachSeen(const DrawnStructure& shown, const PictureView& view, const Pix
   }
 }
 
-/// Returns the pixels that the structure can touch, within `within`, which should go beyond the
-/// picture by `strokeReach`: lines at its edge look beside them.
+/// Returns the pixels within `within` that the structure can touch. `within` should extend beyond
+/// the picture by `strokeReach`, as lines at its edge look at pixels beside them.
 PixelRect coveredArea(const DrawnStructure& shown, const PictureView& view,
                       const PixelRect& within);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a structure decides how it looks, besides the camera.
+// Holds everything about a structure that decides how it looks, besides the camera.
 #pragma once
 
 #include <memory>
@@ -16,8 +16,8 @@ struct DrawnStructure {
   model::MeshPtr mesh;
   model::ResolvedStyle style;
   PreparedSurface* prepared = nullptr;
-  std::vector<model::Section> sections;         ///< that cut it
-  std::shared_ptr<const SectionedSurface> cut;  ///< by these; null where there are none
+  std::vector<model::Section> sections;         ///< the sections that cut it
+  std::shared_ptr<const SectionedSurface> cut;  ///< cut by these; null where there are none
 
   const model::Surface& surface() const { return *prepared->surface; }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a picture is drawn, besides what the scene says.
+// Describes how a picture is drawn, besides what the scene says.
 #pragma once
 
 #include <functional>
@@ -29,7 +29,7 @@ struct Environment {
 /// one scale: a yardstick for measures.
 enum class HatchingMethod { strokes, asPrinted };
 
-/// What of a picture is drawn; measures look at one part alone.
+/// Tells which parts of a picture are drawn; measures look at one part alone.
 struct PictureParts {
   bool lines = true;  ///< contours, suggestive contours
   bool hatching = true;
@@ -45,7 +45,7 @@ struct PictureSettings {
   PictureParts parts;
 };
 
-/// Draws a picture for those who measure it and need not know by what means.
+/// Draws a picture for measures, which need not know how it is drawn.
 using DrawPicture = std::function<Result<Image>(
     const model::Scene& scene, const model::Camera& camera, const PictureSettings& settings)>;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera of one picture with everything that follows from it, in pixels of the whole picture
-// with y upwards.
+// Holds the camera of one picture with everything that follows from it, in pixels of the whole
+// picture with y upwards.
 #pragma once
 
 #include <algorithm>
@@ -18,22 +18,22 @@ namespace sline::render {
 
 class PictureView {
  public:
-  /// `bounds` is what the depth range must hold.
+  /// Takes in `bounds` what the depth range must hold.
   PictureView(const model::Camera& camera, const model::Box& bounds, int width, int height);
 
   const model::Camera& camera() const { return m_camera; }
   const model::Box& bounds() const { return m_bounds; }
   const model::EyePoint& eye() const { return m_eye; }
-  /// Position and 1, or for a parallel projection direction and 0.
+  /// Returns the position and 1, or for a parallel projection the direction and 0.
   glm::vec4 eyeVector() const { return {m_eye.value, m_eye.atInfinity ? 0.0f : 1.0f}; }
   const glm::mat4& viewProjection() const { return m_viewProjection; }
-  /// The projection matrix' [2][2], [3][2], [2][3] and [3][3].
+  /// Returns the projection matrix' [2][2], [3][2], [2][3] and [3][3].
   const glm::vec4& depthTerms() const { return m_depthTerms; }
   glm::vec2 size() const { return m_size; }
   PixelRect whole() const { return {0, 0, int(m_size.x), int(m_size.y)}; }
-  /// λ in pixels: the unit of pens (METHOD §1).
+  /// Returns λ in pixels, the unit of pens (METHOD §1).
   float outputUnit() const { return m_size.y / 720.0f; }
-  /// At the point's depth; 0 behind a perspective camera.
+  /// Returns the size of a pixel at the point's depth; 0 behind a perspective camera.
   float millimetresPerPixel(const glm::vec3& p) const {
     // w is the distance from the eye's plane, or 1 in a parallel projection.
     return std::max(m_viewProjection[0][3] * p.x + m_viewProjection[1][3] * p.y +
@@ -48,14 +48,15 @@ class PictureView {
     float w;      ///< ≤ 0 behind the eye
   };
   Point project(const glm::vec3& p) const;
-  /// The direction in the picture into which a point of the surface moves along its normal; zero
-  /// where it moves straight towards the eye.
+  /// Returns the direction in the picture in which a point of the surface moves along its normal;
+  /// zero where it moves straight towards the eye.
   glm::vec2 projectedDirection(const glm::vec3& p, const glm::vec3& normal) const;
-  /// A direction in the camera's frame (right, up, back) in the patient's.
+  /// Converts a direction from the camera's frame (right, up, back) to the patient's.
   glm::vec3 toPatient(const glm::vec3& direction) const {
     return glm::transpose(glm::mat3(m_view)) * direction;
   }
-  /// Pixels that the sphere can touch; the whole picture where it reaches behind the eye.
+  /// Returns the pixels that the sphere can touch; the whole picture where it reaches behind the
+  /// eye.
   PixelRect bounds(const model::Sphere& sphere) const;
 
  private:
@@ -66,7 +67,7 @@ class PictureView {
   glm::mat4 m_viewProjection;
   glm::vec4 m_depthTerms;
   glm::vec2 m_size;
-  glm::vec2 m_focal;  ///< pixels: of a unit slope, or of a millimetre in a parallel projection
+  glm::vec2 m_focal;  ///< pixels per unit slope, or per millimetre in a parallel projection
 };
 
 }  // namespace sline::render

@@ -9,9 +9,9 @@ namespace sline::render {
 
 namespace {
 
-/// One-ring averaging steps of the curvature tensor (METHOD §5). Refinement halves the rings, so
-/// that twice the steps make up for a part of it; four times, for the whole, were seen to wipe out
-/// the folds of a coarse colon.
+/// Returns the one-ring averaging steps of the curvature tensor (METHOD §5). Refinement halves the
+/// rings, so twice the steps make up for a part of it; four times, for the whole, were seen to wipe
+/// out the folds of a coarse colon.
 int tensorSmoothing(const model::Provenance& provenance) {
   constexpr int steps = 4;
   if (provenance.refinementSteps > 0)

@@ -9,17 +9,17 @@
 
 namespace sline::render {
 
-/// Returns the surface as pictures show it. What import smoothed, because it shows the steps of a
-/// label map, or refined, because its few vertices carry its noise, has its curvature smoothed too
-/// (METHOD §5).
+/// Returns the surface as pictures show it. Its curvature is also smoothed (METHOD §5) if import
+/// smoothed the surface, because it shows the steps of a label map, or refined it, because its few
+/// vertices carry its noise.
 model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Provenance& provenance);
 
-/// A surface with what its strokes need, made once per mesh.
+/// Holds a surface with what its strokes need, made once per mesh.
 struct PreparedSurface {
   model::SurfacePtr surface;
   std::unique_ptr<StrokeLayout> strokes;  ///< null until some hatching needs it
 
-  /// Prepares for strokes of hatching, once.
+  /// Prepares the surface for strokes of hatching, once.
   void needStrokes();
 };
 

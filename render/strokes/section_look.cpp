@@ -14,15 +14,18 @@ namespace sline::render {
 
 namespace {
 
-/// Of the structure's colour over the background, on the cut face of a structure without fill.
+/// The share of the structure's colour over the background, on the cut face of a structure without
+/// fill.
 constexpr float lightTint = 0.35f;
-/// Of the face's colour times the structure's: the strokes on it, where the pen has no colour.
+/// The share of the face's colour times the structure's that gives the strokes on it, where the pen
+/// has no colour.
 constexpr float strokeShade = 0.75f;
 constexpr float strokeSpacing = 9.0f;  // λ
 constexpr float strokeWidth = 1.2f;    // λ
 
-/// Faces of one plane would lie equally deep. The smaller comes first, so that what lies inside
-/// another shows on its cut face: a step of depth for every 4 % of area.
+/// Returns a small step towards the eye, as faces of one plane would lie equally deep. The smaller
+/// face comes first, so that a structure inside another shows on its cut face: a step of depth for
+/// every 4 % of area.
 float lift(const CutFace& face, const PictureView& view) {
   const glm::vec3 size = view.bounds().size();
   const double whole = double(glm::dot(size, size));
@@ -30,8 +33,8 @@ float lift(const CutFace& face, const PictureView& view) {
   return 1.2e-7f * float(std::round(16.0 * std::max(halvings, 0.0)));
 }
 
-/// Window depth on the plane over pixels from the picture's middle. A plane seen edge-on has none,
-/// and no pixels either.
+/// Returns the window depth on the plane over pixels from the picture's middle. A plane seen
+/// edge-on has none, and no pixels either.
 glm::vec3 depthPlane(const model::Plane& plane, const PictureView& view) {
   const glm::dmat4 toClip(view.viewProjection());
   const glm::dvec4 q = glm::transpose(glm::inverse(toClip)) *
@@ -42,9 +45,9 @@ glm::vec3 depthPlane(const model::Plane& plane, const PictureView& view) {
   return {-q.x / q.z / size.x, -q.y / q.z / size.y, 0.5 - 0.5 * q.w / q.z};
 }
 
-/// Stripes at 45° between the plane's own axes, rising or falling so that neighbours differ. Their
-/// distance in millimetres is a power of two, so they stay in place while the picture is zoomed;
-/// every other one enters gradually.
+/// Returns stripes at 45° between the plane's own axes, rising or falling so that neighbours
+/// differ. Their distance in millimetres is a power of two, so they stay in place while the picture
+/// is zoomed; every other one enters gradually.
 glm::vec4 stripes(const model::Plane& plane, const PictureView& view, bool falling) {
   const float unit = view.outputUnit() * view.millimetresPerPixel(view.bounds().centre());
   const float octave = std::log2(std::max(strokeSpacing * unit, 1e-20f));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What sections take away of a structure, and how its cut faces look (METHOD §7).
+// Finds which parts of a structure sections take away, and how its cut faces look (METHOD §7).
 #pragma once
 
 #include "render/strokes/drawn_structure.h"
@@ -17,11 +17,11 @@ bool hasCaps(const DrawnStructure& shown);
 /// Returns the pixels that cut faces and their outlines can touch, strokes not included.
 PixelRect sectionArea(const DrawnStructure& shown, const PictureView& view);
 
-/// How far towards the eye (window depth) the outlines of cut faces lie, so that no face of the
-/// same plane covers half of them.
+/// The distance towards the eye (window depth) at which the outlines of cut faces lie, so that no
+/// face of the same plane covers half of them.
 inline constexpr float outlineLift = 6e-5f;
 
-/// How a cut face looks; see cap.frag.glsl.
+/// Describes how a cut face looks; see cap.frag.glsl.
 struct CapLook {
   glm::vec4 colour{0.0f};        ///< premultiplied
   glm::vec4 strokeColour{0.0f};  ///< premultiplied; alpha 0: no hatching

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface cut by section planes; it does not depend on the view.
+// Cuts a surface by section planes, independently of the view.
 #pragma once
 
 #include <memory>
@@ -15,13 +15,13 @@ namespace sline::render {
 struct SectionedSurface {
   model::SurfacePtr surface;
   std::vector<model::Plane> planes;
-  std::vector<CutFace> faces;  ///< of each plane
+  std::vector<CutFace> faces;  ///< one per plane
 };
 
 SectionedSurface sectioned(const model::SurfacePtr& surface, std::vector<model::Plane> planes);
 
-/// Keeps what was cut while the planes stay where they are. `Cut` is a `SectionedSurface`, or one
-/// with more that is made of it.
+/// Keeps cut surfaces while their planes stay where they are. `Cut` is a `SectionedSurface`, or a
+/// type that adds to it and is made of it.
 template <class Cut>
 class SectionCache {
  public:
@@ -36,7 +36,7 @@ class SectionCache {
     m_entries.push_back({std::make_shared<Cut>(sectioned(surface, std::move(planes))), true});
     return m_entries.back().cut;
   }
-  /// Forgets what was not asked for since the last call.
+  /// Forgets surfaces that were not asked for since the last call.
   void forgetUnused() {
     std::erase_if(m_entries, [](const Entry& entry) { return !entry.used; });
     for (Entry& entry : m_entries)
@@ -51,7 +51,7 @@ class SectionCache {
   std::vector<Entry> m_entries;
 };
 
-/// Returns those of the sections that take anything of the box away, at most `maximumSections`: a
+/// Returns those of the sections that take any of the box away, at most `maximumSections`: a
 /// structure that they all spare is drawn as if there were none.
 std::vector<model::Section> sectionsThatCut(std::vector<model::Section> sections,
                                             const model::Box& box);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a pen sets: a piece of a line in pixels of the whole picture, y upwards. The ink pass draws
-// it, and vector drawings look what of it can be seen.
+// Describes what a pen draws: a piece of a line in pixels of the whole picture, y upwards. The ink
+// pass draws it, and vector drawings find which part of it can be seen.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@ namespace sline::render {
 
 enum class StrokeKind : std::uint8_t {
   surfaceLine,  ///< centred on a line of the surface
-  contour,      ///< outside of a contour
-  hatching      ///< as a surface line, its edge softer or harder
+  contour,      ///< outside a contour
+  hatching      ///< like a surface line, its edge softer or harder
 };
 
 struct Stroke {
@@ -19,10 +19,10 @@ struct Stroke {
   glm::vec2 b{0.0f};
   float depthA = 0.0f;  ///< window depth, 0 … 1
   float depthB = 0.0f;
-  float tolerance = 0.0f;  ///< mm that its own surface may lie before it
+  float tolerance = 0.0f;  ///< mm by which its own surface may lie in front of it
   StrokeKind kind = StrokeKind::surfaceLine;
   float innerShare =
-      1.0f;  ///< of a contour: what of it is left within the surface's own mask, 0 … 1
+      1.0f;  ///< of a contour: the share of it that remains within the surface's own mask, 0 … 1
   float softness = 1.0f;  ///< of hatching: pixels over which its edge fades
   glm::vec2 outwardA{0.0f};
   glm::vec2 outwardB{0.0f};

@@ -21,14 +21,15 @@ namespace {
 
 constexpr float standardPen = 2.0f;  // λ, METHOD §4
 
-// λ within which a contour of a surface seen along its length may find its far side.
+// The distance in λ within which a contour of a surface seen along its length may find its far
+// side.
 constexpr float wideStep = 2.5f;
 
-// Where triangles are smaller than pixels, segments are joined: by at most this many pixels off the
+// Where triangles are smaller than pixels, segments are joined: at most this many pixels off the
 // line, to strokes of at most that many.
 constexpr float simplification = 0.12f;
 constexpr float longestStroke = 16.0f;
-// Likewise for hatching, in λ and in points.
+// Limits as above, but for hatching: in λ and in points.
 constexpr float chordError = 0.12f;
 constexpr std::size_t longestChord = 8;
 
@@ -42,9 +43,9 @@ Pen devicePen(float width, float opacity) {
   return width >= 1.0f ? Pen{width, opacity} : Pen{1.0f, opacity * std::max(width, 0.0f)};
 }
 
-/// Pixels over which the edge of hatching is softened. Its strokes are nearly all edge: in print,
-/// at two pixels to λ and more, they would turn grey (METHOD §6.8); on the screen they must not
-/// crawl.
+/// Returns the pixels over which the edge of hatching is softened. Its strokes are nearly all edge:
+/// in print, at two pixels to λ and more, they would turn grey (METHOD §6.8); on the screen they
+/// must not crawl.
 float hatchEdge(float outputUnit) {
   return std::clamp(1.4f - 0.4f * outputUnit, 0.36f, 1.0f);
 }
@@ -54,8 +55,8 @@ float pixelsPerMillimetre(const model::Surface& surface, const PictureView& view
   return mm > 0.0f ? 1.0f / mm : 0.0f;
 }
 
-/// How far the triangles' own outline may lie from the line where nv = 0, in pixels: the sagitta
-/// of an edge.
+/// Returns how far the triangles' own outline may lie from the line where nv = 0, in pixels: the
+/// sagitta of an edge.
 float outlineError(const model::Surface& surface, const PictureView& view) {
   const float sagitta =
       surface.meanEdge * surface.meanEdge / (2.0f * std::max(surface.filigreeSize, 1e-20f));
@@ -72,9 +73,9 @@ class StrokeMaker {
       : m_surface(surface), m_view(view), m_area(area) {}
 
   std::vector<Stroke> take() {
-    // Contours last, being another kind to draw; each kind by depth, so that where strokes of a
-    // layer cross the nearest depth is written last; stable, so that equal depths keep the
-    // surface's own order.
+    // Contours come last, as they are drawn in another way; each kind is sorted by depth, so that
+    // where strokes of a layer cross the nearest depth is written last; the sort is stable, so that
+    // equal depths keep the surface's own order.
     std::stable_sort(m_strokes.begin(), m_strokes.end(), [](const auto& a, const auto& b) {
       if (isContour(a) != isContour(b))
         return isContour(b);
@@ -83,7 +84,7 @@ class StrokeMaker {
     return std::move(m_strokes);
   }
 
-  /// `t` is T_C, by which the parts within the structure's own mask enter.
+  /// Adds a contour. `t` is T_C, by which the parts within the structure's own mask enter.
   void contour(const Segment& s, float width, float opacity, float t) {
     Stroke stroke;
     if (!place(s.a, s.b, stroke))
@@ -96,7 +97,7 @@ class StrokeMaker {
     finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
   }
 
-  /// Around a cut face: centred on the line, in front of the faces that it borders.
+  /// Adds a line around a cut face: centred on the line, in front of the faces that it borders.
   void outline(const Segment& s, float width, float opacity) {
     Stroke stroke;
     if (!place(s.a, s.b, stroke))
@@ -108,7 +109,7 @@ class StrokeMaker {
     finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
   }
 
-  /// `t` is T_SC.
+  /// Adds a line on the surface; `t` is T_SC.
   void surfaceLine(const Segment& s, float width, float opacity, float t) {
     Stroke stroke;
     if (!place(s.a, s.b, stroke))
@@ -125,7 +126,7 @@ class StrokeMaker {
     finish(stroke, pen(s.opacityA, s.entryA), pen(s.opacityB, s.entryB));
   }
 
-  /// A stroke of hatching as few capsules as its curve allows.
+  /// Adds a stroke of hatching as few capsules as its curve allows.
   void hatching(std::span<const HatchPoint> points, float width, float opacity) {
     const float unit = m_view.outputUnit();
     for (std::size_t from = 0; from + 1 < points.size();) {
@@ -162,7 +163,8 @@ class StrokeMaker {
                std::max(slope(a.position, a.normal), slope(b.position, b.normal));
   }
 
-  /// The last point to which one capsule from `from` stays true to the stroke's course and width.
+  /// Returns the last point to which one capsule from `from` stays true to the stroke's course and
+  /// width.
   std::size_t farthestChord(std::span<const HatchPoint> points, std::size_t from) const {
     const float unit = m_view.outputUnit();
     const glm::vec2 start = m_view.project(points[from].position).pixel / unit;
@@ -195,7 +197,8 @@ class StrokeMaker {
     return true;
   }
 
-  /// How much depth changes per unit across the picture where the surface is seen at that angle.
+  /// Returns how much depth changes per unit across the picture where the surface is seen at that
+  /// angle.
   float slope(const glm::vec3& p, const glm::vec3& normal) const {
     const float nv = glm::dot(normal, directionTo(m_view.eye(), p));
     const float tangent = std::sqrt(std::max(0.0f, 1.0f - nv * nv)) / std::max(nv, 1e-3f);
@@ -316,7 +319,7 @@ std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& vi
           maker.surfaceLine(s, pen * t.lines, t.lines, entered);
           break;
         case LinePen::cutEdge:
-          // What is cut stays outlined where other lines leave: half as wide.
+          // Cut edges stay outlined where other lines leave: half as wide.
           maker.outline(s, pen * (0.5f + 0.5f * t.lines), style.penWeight > 0.0f ? 1.0f : 0.0f);
           break;
       }
@@ -347,8 +350,8 @@ std::size_t firstContour(std::span<const Stroke> strokes) {
 }
 
 PixelRect strokeBounds(const Stroke& s) {
-  // The stroke's middle lies up to a half width off the line, its edge as much again, and half a
-  // pixel of softness.
+  // The stroke's middle lies up to half a width off the line, its edge as much again, and half a
+  // pixel of softness is added.
   const float reach = 2.0f * std::max(s.halfWidthA, s.halfWidthB) + 1.5f;
   const glm::vec2 limit(1e6f);
   const glm::vec2 low = glm::clamp(glm::floor(glm::min(s.a, s.b) - reach), -limit, limit);

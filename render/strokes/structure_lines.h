@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of one structure, from its surface to the strokes that a pen sets (METHOD §4–5, §7).
+// Turns the lines of one structure from its surface into the strokes that a pen draws (METHOD §4–5,
+// §7).
 #pragma once
 
 #include <span>
@@ -15,34 +16,36 @@
 
 namespace sline::render {
 
-/// All that a pen draws of one structure.
+/// Holds everything that a pen draws of one structure.
 struct StructureLines {
   LineSet lines;
   Hatching hatching;
 };
 
-/// True where a structure of that style shows any line.
+/// Tells whether a structure of that style shows any line.
 bool showsLines(const model::ResolvedStyle& style);
 bool showsHatching(const model::ResolvedStyle& style);
-/// True where lines leave and the fill needs a soft edge of its own.
+/// Tells whether lines leave and the fill needs a soft edge of its own.
 bool showsEdges(const model::ResolvedStyle& style);
-/// Width of the pen in pixels for this structure, before Γ thins it (METHOD §4 ▲).
+/// Returns the width of the pen in pixels for this structure, before Γ thins it (METHOD §4 ▲).
 float penWidth(const model::Surface& surface, const PictureView& view, float penWeight);
 
-/// The segments that the style's lines and edges ask for, in the patient's frame.
+/// Returns the segments that the style's lines and edges ask for, in the patient's frame.
 LineSet styledLines(const model::Surface& surface, const PictureView& view,
                     const model::ResolvedStyle& style);
-/// The hatching that the style asks for, with the light there in the camera's frame.
+/// Returns the hatching that the style asks for; `light` is the direction towards the light in the
+/// camera's frame.
 Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
                         const model::ResolvedStyle& style, const glm::vec3& light);
-/// Ends them at the section planes and adds the outlines of the cut faces.
+/// Ends the lines at the section planes and adds the outlines of the cut faces.
 void cutLines(const SectionedSurface& cut, StructureLines& drawn);
-/// Finds when each enters its stage and joins them to the strokes a pen would set: pieces of a line
-/// become one, specks fade, and what its own closed surface always hides goes.
+/// Finds when each line enters its stage and joins lines to the strokes that a pen would draw:
+/// pieces of a line become one, specks fade, and lines that their own closed surface always hides
+/// are removed.
 void joinLines(const model::Surface& surface, const PictureView& view,
                const model::ResolvedStyle& style, LineSet& lines);
 
-/// How contours are looked at in the picture; see InkDraw, which has the same.
+/// Holds how contours are tested in the picture; InkDraw has the same values.
 struct ContourProbes {
   float probe = 3.0f;
   glm::vec2 reach{1.0f, 4.0f};
@@ -51,19 +54,20 @@ struct ContourProbes {
 ContourProbes contourProbes(const model::Surface& surface, const PictureView& view,
                             const model::ResolvedStyle& style);
 
-/// The strokes within `area`: lines on the surface, then contours, each farthest first.
+/// Returns the strokes within `area`: lines on the surface, then contours, each farthest first.
 std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& view,
                             const model::ResolvedStyle& style, const StructureLines& drawn,
                             const PixelRect& area);
 
-/// Where the contours begin among such strokes.
+/// Returns the index where the contours begin among such strokes.
 std::size_t firstContour(std::span<const Stroke> strokes);
 
-/// The contours within `area` as strokes of one pixel that soften a fill's edge, farthest first.
+/// Returns the contours within `area` as strokes of one pixel that soften a fill's edge, farthest
+/// first.
 std::vector<Stroke> edges(const model::Surface& surface, const PictureView& view,
                           const LineSet& lines, const PixelRect& area);
 
-/// Pixels that a stroke can touch.
+/// Returns the pixels that a stroke can touch.
 PixelRect strokeBounds(const Stroke& segment);
 
 }  // namespace sline::render

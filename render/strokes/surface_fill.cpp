@@ -9,7 +9,7 @@ namespace sline::render {
 namespace {
 
 constexpr float tintStrength = 0.2f;
-// Of what lies behind one veil two fifths show, behind two a sixth: near and far stay apart.
+// Two fifths of what lies behind one veil show, a sixth behind two: near and far stay apart.
 constexpr float veilStrength = 0.6f;
 
 }  // namespace

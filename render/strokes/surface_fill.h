@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a structure's surface is filled, and the colours of ink and ground (METHOD §7).
+// Describes how a structure's surface is filled, and the colours of ink and ground (METHOD §7).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,18 +11,18 @@
 
 namespace sline::render {
 
-/// How the surface's pixels look.
+/// Describes how the surface's pixels look.
 struct SurfaceFill {
   enum class Kind { depthOnly, flat, phong };
   Kind kind = Kind::depthOnly;
-  glm::vec4 wash{0.0f};  ///< premultiplied, under the shading; all there is to a flat fill
+  glm::vec4 wash{0.0f};  ///< premultiplied, under the shading; a flat fill consists of it alone
   glm::vec3 colour{1.0f};
   float shading = 0.0f;   ///< T_P
   float complete = 0.0f;  ///< clamp01(Γ − 4): mixes the opacity with 1
-  float opacity = 1.0f;   ///< the style's
+  float opacity = 1.0f;   ///< that of the style
   float filigree = 1.0f;  ///< F_c in mm
-  /// Fills enter as light instead of shade: from what faces the eye, where on paper they enter from
-  /// the rim, as S eq. 11 says.
+  /// Fills enter as light instead of shade: from parts that face the eye, while on paper they enter
+  /// from the rim, as S eq. 11 says.
   bool darkGround = false;
   bool twoSided = false;  ///< normals turn towards the eye
 };

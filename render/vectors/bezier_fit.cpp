@@ -22,7 +22,7 @@ glm::vec2 at(const std::array<glm::vec2, 4>& p, float t) {
   return s * s * s * p[0] + 3.0f * s * s * t * p[1] + 3.0f * s * t * t * p[2] + t * t * t * p[3];
 }
 
-/// How far along each point lies, 0 … 1, by the length of the chords between them.
+/// Returns how far along each point lies, 0 … 1, by the length of the chords between them.
 std::vector<float> chordParameters(Points points) {
   std::vector<float> u(points.size(), 0.0f);
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -38,7 +38,8 @@ struct Tangents {
   glm::vec2 end;    ///< unit, back into the curve
 };
 
-/// The cubic with these end tangents that is nearest to the points in the sense of least squares.
+/// Returns the cubic with these end tangents that is nearest to the points in the sense of least
+/// squares.
 std::array<glm::vec2, 4> leastSquares(Points points, const std::vector<float>& u,
                                       const Tangents& tangents) {
   const glm::vec2 p0 = points.front();
@@ -68,7 +69,7 @@ std::array<glm::vec2, 4> leastSquares(Points points, const std::vector<float>& u
     first = (x0 * c11 - x1 * c01) / determinant;
     second = (c00 * x1 - c01 * x0) / determinant;
   }
-  // Wu and Barsky's rule, as Schneider has it, where the squares know no better.
+  // Wu and Barsky's rule, as Schneider has it, for where least squares give no usable result.
   const double least = 1e-3 * double(chord);
   const double most = 4.0 * double(chord);
   if (!(first > least && second > least && first < most && second < most))
@@ -76,7 +77,7 @@ std::array<glm::vec2, 4> leastSquares(Points points, const std::vector<float>& u
   return {p0, p0 + float(first) * tangents.start, p3 + float(second) * tangents.end, p3};
 }
 
-/// One step of Newton's towards the nearest point of the curve.
+/// Takes one step of Newton's method towards the nearest point of the curve.
 float nearer(const std::array<glm::vec2, 4>& p, const glm::vec2& point, float t) {
   const float s = 1.0f - t;
   const glm::vec2 off = at(p, t) - point;
@@ -103,9 +104,9 @@ Worst worst(Points points, const std::vector<float>& u, const std::array<glm::ve
   return found;
 }
 
-/// Into the points from one of their ends, over a few of them: single steps are noisy. Of the
-/// parabola through three of them, where there are as many, or arcs would seem to leave their ends
-/// too far inwards.
+/// Returns the direction into the points from one of their ends, over a few of them, as single
+/// steps are noisy. Where there are enough points, it is that of the parabola through three of
+/// them; otherwise arcs would seem to leave their ends too far inwards.
 glm::vec2 endTangent(Points points, bool fromBack) {
   constexpr std::size_t reach = 3;
   const auto point = [&](std::size_t i) {
@@ -132,7 +133,7 @@ class Fitter {
     std::vector<float> u = chordParameters(points);
     std::array<glm::vec2, 4> p = leastSquares(points, u, tangents);
     Worst off = worst(points, u, p);
-    // Up to ten times too far off, better parameters can still make it fit: that spares a piece.
+    // Up to ten times the tolerance, better parameters can still make it fit, which saves a piece.
     constexpr int steps = 8;
     const float mendable = 100.0f * m_squared;
     for (int i = 0; i < steps && off.squared > m_squared && off.squared < mendable; ++i) {
@@ -145,8 +146,8 @@ class Fitter {
       m_pieces.push_back({p[1], p[2], p[3]});
       return;
     }
-    // Far from a fit, the worst place says little of where a curve should end: arcs fall apart into
-    // uneven pieces there.
+    // Far from a fit, the worst place says little about where a curve should end, and arcs fall
+    // apart into uneven pieces there.
     const std::size_t split = off.squared > 16.0f * m_squared ? points.size() / 2 : off.index;
     const std::size_t reach = std::min({std::size_t(2), split, points.size() - 1 - split});
     const glm::vec2 through = unit(points[split + reach] - points[split - reach]);
@@ -159,7 +160,7 @@ class Fitter {
   std::vector<Cubic>& m_pieces;
 };
 
-/// Points that lie on each other say nothing about direction.
+/// Returns the points without repetitions, which have no direction.
 std::vector<glm::vec2> distinct(Points points) {
   std::vector<glm::vec2> kept;
   kept.reserve(points.size());

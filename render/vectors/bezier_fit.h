@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Few smooth curves for many points: P. J. Schneider, "An Algorithm for Automatically Fitting
-// Digitized Curves", Graphics Gems (1990).
+// Fits a few smooth curves to many points, after P. J. Schneider, "An Algorithm for Automatically
+// Fitting Digitized Curves", Graphics Gems (1990).
 #pragma once
 
 #include <span>
@@ -11,13 +11,15 @@ namespace sline::render {
 
 struct FitOptions {
   float tolerance = 0.25f;  ///< no point lies farther from the curve, in the points' own unit
-  /// Where the points turn by more than this within a step, the curve has a corner; radians.
+  /// The curve has a corner where the points turn by more than this within a step; radians.
   float corner = 0.9f;
 };
 
-/// An open curve from the first point to the last. Of one point, a curve without pieces.
+/// Returns an open curve from the first point to the last; for a single point, a curve without
+/// pieces.
 Curve fittedCurve(std::span<const glm::vec2> points, const FitOptions& options);
-/// Around once and back to the first point, which need not be repeated; no corners are looked for.
+/// Returns a curve around all points and back to the first, which need not be repeated. It has no
+/// corners.
 Curve fittedLoop(std::span<const glm::vec2> points, float tolerance);
 
 }  // namespace sline::render

@@ -13,7 +13,7 @@ namespace sline::render {
 
 namespace {
 
-constexpr float hairline = 0.75f;  // px, half of its width: just enough for no gaps
+constexpr float hairline = 0.75f;  // px, half of its width: just enough to leave no gaps
 
 float cross(const glm::vec2& a, const glm::vec2& b) {
   return a.x * b.y - a.y * b.x;
@@ -23,7 +23,7 @@ ScreenTriangle projected(const PictureView& view, const std::array<glm::vec3, 3>
   return {view.project(p[0]), view.project(p[1]), view.project(p[2])};
 }
 
-/// Calls draw(x, y, weights) for each pixel of the area whose middle lies in the triangle.
+/// Calls draw(x, y, weights) for each pixel of the area that has its middle in the triangle.
 template <class Draw>
 void forEachPixel(const ScreenTriangle& t, const PixelRect& area, const Draw& draw) {
   if (t.a.w <= 0.0f || t.b.w <= 0.0f || t.c.w <= 0.0f)
@@ -44,7 +44,7 @@ void forEachPixel(const ScreenTriangle& t, const PixelRect& area, const Draw& dr
   const float whole = cross(t.b.pixel - t.a.pixel, t.c.pixel - t.a.pixel);
   if (whole == 0.0f)
     return;
-  // What lies on an edge belongs to both of its triangles.
+  // A point on an edge belongs to both triangles at it.
   constexpr float onEdge = -1e-5f;
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x) {
@@ -96,7 +96,7 @@ class LayerDrawing {
         drawCap(face);
   }
 
-  /// Colours of all that was drawn.
+  /// Fills in the colours of everything that was drawn.
   void fill() {
     if (m_triangles.empty())
       return;
@@ -179,7 +179,8 @@ class LayerDrawing {
     }
   }
 
-  /// As cap.frag.glsl has it, `right` and `up` being a pixel's step.
+  /// Tells whether a place lies on a stripe, as cap.frag.glsl does; `right` and `up` are a pixel's
+  /// step.
   static bool onStripe(const CapLook& look, const glm::vec3& place, const glm::vec3& right,
                        const glm::vec3& up) {
     const glm::vec3 direction(look.stripes);
@@ -199,8 +200,8 @@ class LayerDrawing {
   const DrawnStructure& m_shown;
   const LayerInput& m_input;
   DepthLayer& m_layer;
-  std::vector<std::uint32_t> m_triangles;  ///< of each pixel one more than its index; 0: none
-  std::vector<std::uint8_t> m_caps;        ///< 1 + 2·face, one more on its strokes; 0: none
+  std::vector<std::uint32_t> m_triangles;  ///< one per pixel: index + 1; 0: none
+  std::vector<std::uint8_t> m_caps;        ///< 0: none, else 1 + 2·face, one more on its strokes
 };
 
 }  // namespace

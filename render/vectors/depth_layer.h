@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A structure as pixels without a GPU: how deep its nearest surface lies, and how it is filled
-// there. What the surface and cap passes draw into a layer, for finding what hides what.
+// Draws a structure as pixels without a GPU: how deep its nearest surface lies and how it is filled
+// there. This is what the surface and cap passes draw into a layer; it serves to find what hides
+// what.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +12,13 @@
 
 namespace sline::render {
 
-/// Of a picture; y upwards.
+/// One structure's layer of a picture; y points upwards.
 struct DepthLayer {
   PixelRect area;
   std::vector<float> depths;        ///< window depth, 1 where there is nothing; row by row
-  std::vector<std::uint8_t> tones;  ///< 0 unfilled, else one more than an index into `colours`
+  std::vector<std::uint8_t> tones;  ///< 0: unfilled, else one more than an index into `colours`
   std::vector<glm::vec4> colours;   ///< premultiplied
-  /// Tones from here on are cut faces; all before are shades of the surface.
+  /// The first tone that belongs to cut faces; all tones before it are shades of the surface.
   std::size_t firstCapTone = 0;
 
   std::ptrdiff_t index(int x, int y) const {
@@ -25,7 +26,7 @@ struct DepthLayer {
       return -1;
     return std::ptrdiff_t(y - area.y) * area.width + (x - area.x);
   }
-  /// 1 outside of the layer, as for the picture's shaders.
+  /// Returns the depth at a pixel, 1 outside the layer, as the picture's shaders do.
   float depthAt(const glm::vec2& pixel) const {
     const std::ptrdiff_t i = index(int(std::floor(pixel.x)), int(std::floor(pixel.y)));
     return i < 0 ? 1.0f : depths[std::size_t(i)];
@@ -33,21 +34,21 @@ struct DepthLayer {
   bool filled() const { return !tones.empty(); }
 };
 
-/// Everything that decides a layer's pixels.
+/// Holds everything that decides a layer's pixels.
 struct LayerInput {
   const PictureView& view;
   Background background = Background::white;
   glm::vec3 keyLight{0.0f};    ///< patient frame, unit; 0: there is none
-  double pixelsPerTone = 9.0;  ///< of a structure's side: how many tones its shading has
+  double pixelsPerTone = 9.0;  ///< pixels along a structure's side for each of its tones
 };
 
-/// Draws surface and cut faces into `area`, which may go on beyond the picture.
+/// Draws the surface and the cut faces into `area`, which may extend beyond the picture.
 DepthLayer depthLayer(const DrawnStructure& shown, const LayerInput& input, const PixelRect& area);
 
-/// Mean depth of the layer's pixels, 0 … 1.
+/// Returns the mean depth of the layer's pixels, 0 … 1.
 float meanDepth(const DepthLayer& layer);
 
-/// Which triangle of the surface a pixel shows, and where in it.
+/// Tells which triangle of the surface a pixel shows, and where in the triangle.
 struct SurfaceSpot {
   std::uint32_t triangle = 0;
   glm::vec3 weights{0.0f};  ///< of its corners
@@ -59,9 +60,9 @@ struct ScreenTriangle {
   PictureView::Point b;
   PictureView::Point c;
 
-  /// Weights in the picture's plane at a pixel; they add up to 1.
+  /// Returns the weights of the corners at a pixel, in the picture's plane; they add up to 1.
   glm::vec3 weightsAt(const glm::vec2& pixel) const;
-  /// The same on the triangle itself, as perspective foreshortens it.
+  /// Converts such weights to those on the triangle itself, as perspective foreshortens it.
   glm::vec3 inSpace(const glm::vec3& weights) const;
 };
 

@@ -11,11 +11,11 @@ namespace sline::render {
 
 namespace {
 
-// Pixels of area. Smaller spots of a tone are noise; smaller parts of a fill, specks.
+// Pixels of area. Smaller spots of a tone are noise; smaller parts of a fill are specks.
 constexpr float smallestSpot = 60.0f;
 constexpr float smallestPart = 3.0f;
-// Pixels. Regions come in whole ones: their outlines may lie so far off the pixels' edges, and
-// where one tone goes over into the next nobody sees a little more.
+// Pixels. Regions consist of whole pixels, so their outlines may lie this far off the pixels'
+// edges; where one tone changes to the next, a slightly larger error goes unnoticed.
 constexpr float partTolerance = 0.75f;
 constexpr float spotTolerance = 1.3f;
 
@@ -30,7 +30,7 @@ class ShapeMaker {
  public:
   ShapeMaker(const SeenTones& seen, const PageMapping& page) : m_seen(seen), m_page(page) {}
 
-  /// All that is seen and whose tone, from 1, lies in the range.
+  /// Adds everything that is seen with a tone, counted from 1, in the range.
   void add(std::size_t first, std::size_t last, const Colour& colour, float opacity) {
     std::vector<std::uint8_t> inside(m_seen.tones.size());
     for (std::size_t i = 0; i < inside.size(); ++i)
@@ -51,19 +51,19 @@ class ShapeMaker {
   std::vector<VectorShape> m_shapes;
 };
 
-/// Finds the paint that makes each tone of what lies below it: P_k = c·d + P_(k−1)·(1 − d).
+/// Finds the paint that makes each tone of the one below it: P_k = c·d + P_(k−1)·(1 − d).
 class TonePaint {
  public:
   explicit TonePaint(const glm::vec3& paper) : m_paper(paper) {}
 
-  /// Colour and opacity of a layer of paint after which there is that tone (premultiplied); nothing
-  /// where it is there already.
+  /// Returns colour and opacity of a layer of paint that results in that tone (premultiplied);
+  /// nothing where the tone is already there.
   std::optional<glm::vec4> over(const glm::vec4& wanted) {
     float opacity = 1.0f;
     if (wanted.a < 0.99f && m_below.a < 1.0f)
       opacity = 1.0f - (1.0f - wanted.a) / (1.0f - m_below.a);
-    // A tone may be denser and yet have less light: no paint takes light away without covering.
-    // Then it covers more than it should, and is right on the page's own paper.
+    // A tone may be denser and yet have less light, but no paint takes light away without covering.
+    // It then covers more than it should, and is right on the page's own paper.
     for (int i = 0; i < 3; ++i)
       opacity = std::max(opacity, 1.0f - wanted[i] / std::max(m_below[i], 1e-3f));
     if (!(opacity > 0.002f))

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float quarterTurn = 1.5707963268f;
 
-// The three functions of phong.glsl.
+// The following three functions are those of phong.glsl.
 glm::vec3 inShadow(const glm::vec3& colour) {
   const float chroma =
       std::max({colour.r, colour.g, colour.b}) - std::min({colour.r, colour.g, colour.b});
@@ -40,7 +40,7 @@ float luminance(const glm::vec4& colour) {
   return glm::dot(glm::vec3(colour), glm::vec3(0.299f, 0.587f, 0.114f));
 }
 
-/// surface.frag.glsl on the CPU.
+/// Shades as surface.frag.glsl does, on the CPU.
 class Shader {
  public:
   Shader(const DrawnStructure& shown, const LayerInput& input)
@@ -52,7 +52,7 @@ class Shader {
   }
 
   bool flat() const { return m_fill.kind != SurfaceFill::Kind::phong; }
-  /// True where some of the fill lets more through than other parts of it.
+  /// Tells whether some parts of the fill let more through than others.
   bool variesInOpacity() const {
     return m_fill.complete < 1.0f && m_fill.wash.a < 0.999f * m_fill.opacity;
   }
@@ -158,7 +158,7 @@ void fillTones(const DrawnStructure& shown, const LayerInput& input,
     sums[std::size_t(step)].colour += glm::dvec4(colour);
     ++sums[std::size_t(step)].pixels;
   }
-  // Tones that nothing has are left out.
+  // Leaves out tones that no pixel has.
   std::array<std::uint8_t, mostToneSteps + 2> renamed{};
   for (std::size_t step = 0; step < sums.size(); ++step)
     if (sums[step].pixels > 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shading of a surface in a few flat tones that can be shapes of their own.
+// Shades a surface in a few flat tones that can be shapes of their own.
 #pragma once
 
 #include <span>
@@ -9,13 +9,13 @@
 
 namespace sline::render {
 
-/// Steps from black to white, or from clear to opaque: the finer the larger a structure is on the
-/// page, as nobody sees many tones on a small one.
+/// The limits of the number of steps from black to white, or from clear to opaque. The number grows
+/// with a structure's size on the page, as few tones can be told apart on a small one.
 inline constexpr int fewestToneSteps = 14;
 inline constexpr int mostToneSteps = 64;
 
-/// Fills `layer.tones` and `layer.colours` where `triangles` (index + 1, 0 for none; one per pixel)
-/// says that the surface is seen.
+/// Fills `layer.tones` and `layer.colours` where `triangles` (one entry per pixel: index + 1, 0 for
+/// none) says that the surface is seen.
 void fillTones(const DrawnStructure& shown, const LayerInput& input,
                std::span<const std::uint32_t> triangles, DepthLayer& layer);
 

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::uint32_t none = ~0u;
 
-/// End 2i is segment i's a, end 2i + 1 its b.
+/// Returns an end of a segment: end 2i is segment i's a, end 2i + 1 its b.
 std::tuple<float, float, float> endOf(std::span<const Stroke> segments, std::uint32_t end) {
   const Stroke& s = segments[end / 2];
   return end % 2 == 0 ? std::tuple(s.a.x, s.a.y, s.depthA) : std::tuple(s.b.x, s.b.y, s.depthB);
 }
 
-/// For each end the only other end at the same point, else `none`.
+/// Returns for each end the only other end at the same point, or else `none`.
 std::vector<std::uint32_t> partners(std::span<const Stroke> segments) {
   std::vector<std::uint32_t> order(2 * segments.size());
   std::iota(order.begin(), order.end(), 0u);

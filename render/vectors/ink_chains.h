@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture's strokes, joined again to the lines that a pen would draw in one go.
+// Joins the picture's strokes to the lines that a pen would draw in one go.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace sline::render {
 
-/// One after the other, each turned so that its b is the next one's a.
+/// Segments one after the other, each turned so that its b is the next one's a.
 using InkChain = std::vector<Stroke>;
 
-/// Every segment once. Neighbours share their ends to the last bit, in the picture and in depth; a
-/// chain ends where a line ends, or where more than two segments meet.
+/// Returns chains that hold every segment once. Neighbours share their ends to the last bit, in the
+/// picture and in depth; a chain ends where a line ends, or where more than two segments meet.
 std::vector<InkChain> inkChains(std::span<const Stroke> segments);
 
 }  // namespace sline::render

@@ -9,9 +9,10 @@ namespace sline::render {
 
 namespace {
 
-// As resolve.frag.glsl stops.
+// The opacity at which resolve.frag.glsl stops.
 constexpr float opaque = 0.998f;
-// Of this many layers before a point the nearest count; more than a dozen glazes hide all.
+// Of the layers before a point, this many of the nearest count; more than a dozen glazes hide
+// everything.
 constexpr std::size_t mostLayers = 32;
 
 bool liesBefore(float depth, std::size_t layer, float otherDepth, std::size_t other) {
@@ -35,7 +36,7 @@ LayerStack::LayerStack(std::span<const DepthLayer> layers, glm::vec2 size)
     const PixelRect& area = layers[i].area;
     if (!layers[i].filled() || area.empty())
       continue;
-    // Areas may go on beyond the picture, and what lies there belongs to the tiles at its edge.
+    // Areas may extend beyond the picture; those parts belong to the tiles at its edge.
     const auto tile = [](int pixel, int tiles) {
       return std::clamp(pixel / tileSide, 0, tiles - 1);
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lies before a point of the picture: the resolve pass (METHOD §10) on the CPU.
+// Finds what lies in front of a point of the picture: the resolve pass (METHOD §10) on the CPU.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace sline::render {
 
-/// What is left of something after all that lies before it.
+/// Describes how much of something is left behind all that lies in front of it.
 struct Veil {
-  glm::vec3 colour{0.0f};      ///< of all that lies before it, premultiplied
-  float transmittance = 1.0f;  ///< 1 nothing is before it … 0 it is hidden
+  glm::vec3 colour{0.0f};      ///< of all that lies in front of it, premultiplied
+  float transmittance = 1.0f;  ///< 1: nothing is in front of it … 0: it is hidden
 };
 
-/// A fill at a pixel.
+/// One fill as it is seen at a pixel.
 struct SeenFill {
   float depth = 1.0f;
   std::size_t layer = 0;
@@ -26,15 +26,16 @@ struct SeenFill {
 
 class LayerStack {
  public:
-  /// Layers in the order of their structures' ids, within a picture of that size.
+  /// Stacks the layers, given in the order of their structures' ids, in a picture of that size.
   LayerStack(std::span<const DepthLayer> layers, glm::vec2 size);
 
-  /// What fills of other layers than `own` leave of something that deep.
+  /// Returns what the fills of layers other than `own` leave of something at that depth.
   Veil before(const glm::vec2& pixel, float depth, std::size_t own) const;
-  /// The layer that is seen instead of something that deep: with the nearest opaque fill before it.
+  /// Returns the layer that is seen instead of something at that depth: the one with the nearest
+  /// opaque fill in front of it.
   std::optional<std::size_t> hider(int x, int y, float depth, std::size_t own) const;
 
-  /// The fills that are seen at a pixel, nearest first, down to the first opaque one.
+  /// Finds the fills that are seen at a pixel, nearest first, down to the first opaque one.
   void seenAt(int x, int y, std::vector<SeenFill>& fills) const;
 
   int width() const { return m_width; }
@@ -49,7 +50,7 @@ class LayerStack {
   int m_height = 0;
   int m_columns = 0;
   int m_rows = 0;
-  std::vector<std::vector<std::uint16_t>> m_tiles;  ///< filled layers that touch each
+  std::vector<std::vector<std::uint16_t>> m_tiles;  ///< the filled layers that touch each tile
 };
 
 }  // namespace sline::render

@@ -5,10 +5,10 @@ namespace sline::render {
 
 namespace {
 
-// Every so many pixels, both ways, is looked at.
+// One pixel in so many, both ways, is looked at.
 constexpr int sampleStep = 4;
 
-/// How many samples want one layer painted before another, by both.
+/// Counts how many samples want one layer painted before another, for each pair of layers.
 class Wishes {
  public:
   explicit Wishes(std::size_t layers) : m_layers(layers), m_counts(layers * layers) {}
@@ -39,7 +39,7 @@ Wishes wishes(const LayerStack& stack, std::size_t layers) {
 std::vector<std::size_t> paintRanks(const LayerStack& stack, std::span<const float> depths) {
   const std::size_t count = depths.size();
   Wishes order = wishes(stack, count);
-  // What is yet to be painted but should have been before each.
+  // For each layer, counts the wishes for layers before it that are not yet painted.
   std::vector<std::uint64_t> owed(count, 0);
   for (std::size_t then = 0; then < count; ++then)
     for (std::size_t first = 0; first < count; ++first)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// In which order fills are painted. The picture finds it anew at every pixel; shapes have one for
-// all of the page.
+// Decides in which order fills are painted. The picture finds it anew at every pixel, but shapes
+// have one order for the whole page.
 #pragma once
 
 #include <span>
@@ -10,9 +10,9 @@
 
 namespace sline::render {
 
-/// The rank of each layer of the stack, 0 for what is painted first: behind every see-through fill
-/// is painted what shows through it, on as much of the page as can be where fills interlock. Else
-/// the farthest comes first, by the depths given.
+/// Returns the rank of each layer of the stack, 0 for the one painted first. Whatever shows through
+/// a see-through fill is painted before that fill, on as much of the page as possible where fills
+/// interlock. Otherwise the farthest comes first, by the depths given.
 std::vector<std::size_t> paintRanks(const LayerStack& stack, std::span<const float> depths);
 
 }  // namespace sline::render

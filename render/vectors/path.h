@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Smooth paths: cubic Béziers, as every vector format knows them.
+// Smooth paths made of cubic Béziers, which every vector format knows.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -7,14 +7,14 @@
 
 namespace sline::render {
 
-/// From where the last piece ended.
+/// A cubic Bézier that starts where the piece before it ended.
 struct Cubic {
   glm::vec2 control1{0.0f};
   glm::vec2 control2{0.0f};
   glm::vec2 end{0.0f};
 };
 
-/// One stretch of a path. A closed one ends where it starts.
+/// One stretch of a path; a closed one ends where it starts.
 struct Curve {
   glm::vec2 start{0.0f};
   std::vector<Cubic> pieces;

@@ -14,11 +14,11 @@ namespace {
 
 // A pen's widths come in steps of so many pixels: strokes that differ by less share a path.
 constexpr float penStep = 0.25f;
-// A stroke is of one width where it varies by less than this share.
+// A stroke counts as one of constant width where it varies by less than this share.
 constexpr float evenness = 0.12f;
-// Of a circle's radius: the controls of a quarter of it.
+// The distance of the controls of a quarter of a circle, as a share of the radius.
 constexpr float quarterControl = 0.5522847498f;
-// The same of a half of it.
+// The distance for half a circle.
 constexpr float halfControl = 4.0f / 3.0f;
 
 glm::vec2 unit(const glm::vec2& v, const glm::vec2& otherwise) {
@@ -30,7 +30,8 @@ glm::vec2 leftOf(const glm::vec2& direction) {
   return {-direction.y, direction.x};
 }
 
-/// As appendHalfCircle by a single cubic, which leaves the circle by 2 % of the radius.
+/// Appends what `appendHalfCircle` appends, but as a single cubic, which deviates from the circle
+/// by 2 % of the radius.
 void appendCap(Curve& curve, const StrokePoint& end, const glm::vec2& side,
                const glm::vec2& forwards) {
   const glm::vec2 s = end.halfWidth * side;
@@ -38,7 +39,7 @@ void appendCap(Curve& curve, const StrokePoint& end, const glm::vec2& side,
   curve.pieces.push_back({end.at + s + f, end.at - s + f, end.at - s});
 }
 
-/// Half a circle on around `centre`, from centre + radius·side to the other side, forwards.
+/// Appends half a circle around `centre`, from centre + radius·side forwards to the other side.
 void appendHalfCircle(Curve& curve, const glm::vec2& centre, float radius, const glm::vec2& side,
                       const glm::vec2& forwards) {
   const glm::vec2 s = radius * side;
@@ -75,7 +76,7 @@ float meanWidth(std::span<const StrokePoint> points) {
   return float(sum / double(points.size()));
 }
 
-/// What a line of the ink's colour looks like through what lies before it.
+/// Returns how a line of the ink's colour looks through what lies in front of it.
 Colour behind(const Veil& veil, const Colour& ink) {
   const auto channel = [&veil](float before, std::uint8_t own) {
     const float value = 255.0f * before + veil.transmittance * float(own);
@@ -85,7 +86,7 @@ Colour behind(const Veil& veil, const Colour& ink) {
           channel(veil.colour.b, ink.blue)};
 }
 
-/// Colours of veiled lines in steps, so that they share paths.
+/// Rounds colours of veiled lines to steps, so that they share paths.
 Colour stepped(const Colour& colour) {
   const auto channel = [](std::uint8_t value) {
     return std::uint8_t(std::min((int(value) + 6) / 12 * 12, 255));

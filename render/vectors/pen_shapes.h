@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strokes as shapes: those of one width as paths for a round pen, the others as outlines.
+// Turns strokes into shapes: those of one width into paths for a round pen, the others into
+// outlines.
 #pragma once
 
 #include <map>
@@ -11,7 +12,7 @@
 
 namespace sline::render {
 
-/// From pixels of the picture, y upwards, to the page.
+/// Maps pixels of the picture, y upwards, to the page.
 struct PageMapping {
   float mmPerPixel = 1.0f;
   float heightMm = 1.0f;
@@ -22,20 +23,20 @@ struct PageMapping {
   Curve toPage(Curve curve) const;
 };
 
-/// Collects strokes; those of one colour and pen become one shape.
+/// Collects strokes and makes one shape of those that share colour and pen.
 class PenShapes {
  public:
-  /// `tolerance` of curves in pixels.
+  /// Starts an empty collection; `tolerance` is that of curves, in pixels.
   PenShapes(const PageMapping& page, float tolerance) : m_page(page), m_tolerance(tolerance) {}
 
   void add(const VisibleStroke& stroke, const Colour& ink);
-  /// In an order that depends on nothing but what was added.
+  /// Returns the shapes in an order that depends only on what was added.
   std::vector<VectorShape> take();
 
  private:
   struct Key {
     Colour colour;
-    int pen = 0;  ///< width in steps; 0: outlines
+    int pen = 0;  ///< width in steps; 0: an outline
     auto operator<=>(const Key&) const = default;
   };
   Path& pathOf(const Key& key);
@@ -45,7 +46,7 @@ class PenShapes {
   std::map<Key, Path> m_paths;
 };
 
-/// The outline of a stroke whose width varies, with round ends; closed, pixels.
+/// Returns the outline of a stroke of varying width, with round ends; it is closed, in pixels.
 Curve strokeOutline(std::span<const StrokePoint> points, float tolerance);
 
 }  // namespace sline::render

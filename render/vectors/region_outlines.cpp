@@ -12,7 +12,7 @@ namespace sline::render {
 
 namespace {
 
-/// Right, up, left, down.
+/// Steps to the right, up, left and down.
 constexpr std::array<glm::ivec2, 4> steps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 /// Walks along the edges between pixels with the region on the left.
@@ -25,13 +25,14 @@ class Tracer {
     return x >= 0 && y >= 0 && x < m_width && y < m_height &&
            m_inside[std::size_t(y) * std::size_t(m_width) + std::size_t(x)] != 0;
   }
-  /// True where an outline that was not walked yet runs to the right along the pixel's lower edge.
+  /// Tells whether an outline that was not walked yet runs to the right along the pixel's lower
+  /// edge.
   bool startsAt(int x, int y) const {
     return at(x, y) && !at(x, y - 1) &&
            m_walked[std::size_t(y) * std::size_t(m_width) + std::size_t(x)] == 0;
   }
 
-  /// Corners of the outline; two regions that touch at a corner stay apart.
+  /// Returns the corners of the outline; two regions that touch at a corner stay separate.
   std::vector<glm::ivec2> walk(int x, int y) {
     std::vector<glm::ivec2> corners;
     const glm::ivec2 start(x, y);
@@ -53,7 +54,7 @@ class Tracer {
     const glm::ivec2 d = steps[std::size_t(heading)];
     const glm::ivec2 n(-d.y, d.x);
     const auto pixel = [&](const glm::ivec2& side) {
-      // The pixel whose middle is at corner + (d + side) / 2.
+      // The pixel that has its middle at corner + (d + side) / 2.
       const glm::ivec2 twice = 2 * corner + d + side - 1;
       return at(twice.x / 2, twice.y / 2);
     };
@@ -78,8 +79,8 @@ double enclosed(const std::vector<glm::ivec2>& corners) {
   return 0.5 * twice;
 }
 
-/// The middles of the edges, each drawn a little to its neighbours: what is straight but slanted
-/// becomes straight again.
+/// Returns the middles of the edges, each moved a little towards its neighbours, so that straight
+/// but slanted edges become straight again.
 std::vector<glm::vec2> smoothed(const std::vector<glm::ivec2>& corners, const PixelRect& area) {
   const std::size_t count = corners.size();
   std::vector<glm::vec2> middles(count);

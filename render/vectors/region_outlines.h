@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outlines of regions of pixels.
+// Finds the outlines of regions of pixels.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace sline::render {
 
-/// Closed curves around the pixels that are not 0, those around holes turning the other way; in
-/// pixels of the picture. `inside` has a byte for each pixel of the area, row by row from below.
-/// Regions and holes smaller than `smallest` pixels are left out.
+/// Returns closed curves around the pixels that are not 0, in pixels of the picture; curves around
+/// holes turn the other way. `inside` has a byte for each pixel of the area, row by row from the
+/// bottom. Regions and holes smaller than `smallest` pixels are left out.
 Path regionOutlines(std::span<const std::uint8_t> inside, const PixelRect& area, float smallest,
                     float tolerance);
 

@@ -10,21 +10,21 @@ namespace sline::render {
 
 namespace {
 
-// Pixels by which a fill goes on below what hides it, so that no paper shows between them.
+// Pixels by which a fill continues below what hides it, so that no paper shows between them.
 constexpr int underlap = 2;
-// Pixels from one place to the next where it is asked what lies before a fill.
+// Pixels between the places at which the layers in front of a fill are examined.
 constexpr int probeStep = 4;
-// What is seen that faintly is seen that faintly however many tones it has.
+// A fill that is seen more faintly than this is treated as if it were seen this faintly.
 constexpr float faintest = 0.02f;
-// Opacity of a tone that is next to none.
+// The opacity below which a tone counts as clear.
 constexpr float clearest = 0.05f;
 
-/// 1 where the layer has a fill that is seen, and a little beyond.
+/// Returns 1 where the layer has a fill that is seen, and a little beyond.
 std::vector<std::uint8_t> seenFill(const FilledLayer& filled, const LayerStack& stack) {
   const DepthLayer& layer = filled.layer;
   const std::size_t width = std::size_t(layer.area.width);
   std::vector<std::uint8_t> seen(layer.tones.size());
-  std::vector<std::uint8_t> below(layer.tones.size());  // of what is painted later
+  std::vector<std::uint8_t> below(layer.tones.size());  // pixels hidden by layers painted later
   for (int y = 0; y < layer.area.height; ++y)
     for (int x = 0; x < layer.area.width; ++x) {
       const std::size_t i = std::size_t(y) * width + std::size_t(x);
@@ -48,7 +48,7 @@ std::vector<std::uint8_t> seenFill(const FilledLayer& filled, const LayerStack& 
   return seen;
 }
 
-/// True where some of the fill lets more through than other parts of it.
+/// Tells whether some parts of the fill let more through than others.
 bool variesInOpacity(const DepthLayer& layer) {
   float low = 1.0f;
   float high = 0.0f;
@@ -59,8 +59,8 @@ bool variesInOpacity(const DepthLayer& layer) {
   return high - low > 0.02f;
 }
 
-/// Lets tones go on beyond the structure's own edge, below its contour. The densest tone is a thin
-/// rim there, and what outlines cut off of it would show the lightest below.
+/// Extends tones beyond the structure's own edge, below its contour. The densest tone is a thin rim
+/// there, and where outlines cut off some of it, the lightest tone would show below.
 void widenRim(SeenTones& seen, const DepthLayer& layer, int rimGrowth) {
   const std::size_t width = std::size_t(seen.area.width);
   for (int round = 0; round < rimGrowth; ++round) {
@@ -76,10 +76,11 @@ void widenRim(SeenTones& seen, const DepthLayer& layer, int rimGrowth) {
   }
 }
 
-/// The tones of what is seen in the smallest rectangle that holds them, within a page of that size.
+/// Returns the tones of what is seen in the smallest rectangle that holds them, within a page of
+/// that size.
 SeenTones cropped(const DepthLayer& layer, const std::vector<std::uint8_t>& seen,
                   const glm::ivec2& page) {
-  constexpr int bleed = 2;  // pixels that a fill goes on beyond the page's edge
+  constexpr int bleed = 2;  // pixels by which a fill continues beyond the page's edge
   const int rimGrowth = variesInOpacity(layer) ? underlap : 0;
   glm::ivec2 low(layer.area.width, layer.area.height);
   glm::ivec2 high(0);
@@ -111,7 +112,7 @@ SeenTones cropped(const DepthLayer& layer, const std::vector<std::uint8_t>& seen
   return found;
 }
 
-/// What is left of a layer's light where it is seen, on the average.
+/// Returns the share of a layer's light that is left where it is seen, on average.
 float meanTransmittance(const SeenTones& seen, const FilledLayer& filled, const LayerStack& stack) {
   double sum = 0.0;
   std::size_t probes = 0;
@@ -130,7 +131,7 @@ float meanTransmittance(const SeenTones& seen, const FilledLayer& filled, const 
   return probes > 0 ? float(sum / double(probes)) : 1.0f;
 }
 
-/// Of each tone, how long the outline around it and all later ones is; pixels.
+/// Returns, for each tone, the length of the outline around it and all later tones; pixels.
 std::vector<double> outlineLengths(const SeenTones& seen) {
   const std::size_t width = std::size_t(seen.area.width);
   std::vector<double> lengths(seen.colours.size(), 0.0);
@@ -148,12 +149,13 @@ std::vector<double> outlineLengths(const SeenTones& seen) {
   return lengths;
 }
 
-/// What is all but clear stays so: the widest tone of what fills rims alone.
+/// Returns the number of tones that are almost clear and stay so: the widest tone of fills that
+/// fill only rims.
 std::size_t clearTones(const SeenTones& seen) {
   return seen.firstCapTone > 0 && seen.colours.front().a < clearest ? 1 : 0;
 }
 
-/// How many tones become one where those of what nothing veils are `atFull`.
+/// Returns how many tones become one where those of a fill without any veil are `atFull`.
 std::size_t joined(const SeenTones& seen, double atFull) {
   const double count = atFull / double(std::max(seen.transmittance, faintest));
   return std::max(std::size_t(std::lround(count)), std::size_t(1));
@@ -186,7 +188,7 @@ void joinTones(SeenTones& seen, std::size_t count) {
     glm::dvec4 sum(0.0);
     double weight = 0.0;
     for (std::size_t k = first; k < std::min(first + count, tones); ++k) {
-      // A tone that is seen nowhere counts for next to nothing.
+      // A tone that is seen nowhere counts almost nothing.
       const double w = pixels[k + 1] + 1e-6;
       sum += w * glm::dvec4(seen.colours[k]);
       weight += w;

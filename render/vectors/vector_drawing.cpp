@@ -22,19 +22,21 @@ namespace sline::render {
 
 namespace {
 
-// Depth is found in a picture this high, three pixels to λ, unless it were larger than that.
+// Depth is found in a picture of this height, three pixels to λ, unless that has more pixels than
+// allowed.
 constexpr float standardHeight = 2160.0f;
 constexpr float mostPixels = 12e6f;
-// Of all layers together, five bytes each.
+// The most pixels of all layers together, five bytes each.
 constexpr double mostLayerPixels = 90e6;
-// Files are to stay below 5 MB: outlines of fills have what lines leave of so many bytes, but no
-// less than that. A piece of a curve and λ of a fill's outline take so many as SVG.
+// Files are to stay below 5 MB: outlines of fills may take the bytes that lines leave of this, but
+// always at least the second number. The others are the bytes in SVG of a piece of a curve and of λ
+// of a fill's outline.
 constexpr double mostBytes = 4.4e6;
 constexpr double leastFillBytes = 0.8e6;
 constexpr double bytesPerPiece = 36.0;
 constexpr double bytesPerOutline = 2.25;
 
-/// A picture's size in pixels.
+/// The size of a picture in pixels.
 struct PixelSize {
   int width = 1;
   int height = 1;
@@ -46,7 +48,7 @@ PixelSize pixelSize(const glm::vec2& sizeMm, float height) {
   return {std::max(16, int(std::lround(h * aspect))), std::max(16, int(std::lround(h)))};
 }
 
-/// One structure on its way to the page.
+/// Holds one structure on its way to the page.
 struct Work {
   DrawnStructure shown;
   PixelRect area;
@@ -116,7 +118,7 @@ class Drawing {
       m_progress(share, what);
   }
 
-  /// A page without background is meant for white paper.
+  /// Returns the page's colour; a page without background is meant for white paper.
   glm::vec3 paper() const {
     return m_settings.environment.background == Background::transparent
                ? glm::vec3(1.0f)
@@ -129,7 +131,8 @@ class Drawing {
             std::uint8_t(std::lround(c.b))};
   }
 
-  /// The more structures are shaded the fewer tones each has: files are to stay handy.
+  /// Returns the pixels per tone. The more structures are shaded, the fewer tones each has, to keep
+  /// files small.
   double pixelsPerTone() const {
     const auto shaded = std::count_if(m_work.begin(), m_work.end(), [](const Work& work) {
       return transitions(work.shown.style.gamma).shading > 0.0f;
@@ -157,7 +160,7 @@ class Drawing {
     }
   }
 
-  /// The surface of the node's mesh, shared by all structures of that mesh.
+  /// Returns the surface of the node's mesh, which all structures of that mesh share.
   PreparedSurface& prepared(const model::Node& node) {
     for (const Work& work : m_work)
       if (work.shown.mesh == node.mesh)
@@ -175,7 +178,7 @@ class Drawing {
       m_view.emplace(m_camera, m_bounds, size.width, size.height);
       double pixels = 0.0;
       parallelFor(m_work.size(), 1, [&](std::size_t i) {
-        // A little beyond the page, as lines at its edge look beside them.
+        // A little beyond the page, as lines at its edge look at pixels beside them.
         const DrawnStructure& shown = m_work[i].shown;
         m_work[i].area =
             coveredArea(shown, *m_view, grown(m_view->whole(), strokeReach(shown, *m_view)));
@@ -193,7 +196,7 @@ class Drawing {
       m_keyLight = m_view->toPatient(m_light);
     m_page = {.mmPerPixel = m_settings.sizeMm.y / m_view->size().y,
               .heightMm = m_settings.sizeMm.y};
-    // Layouts are shared by structures of one mesh, so each is made before lines are.
+    // Structures of one mesh share a layout, so each is made before the lines.
     std::vector<PreparedSurface*> hatched;
     for (const Work& work : m_work)
       if (showsHatching(work.shown.style))
@@ -215,7 +218,7 @@ class Drawing {
     joinLines(shown.surface(), *m_view, shown.style, work.lines.lines);
   }
 
-  /// How long outlines of fills may be together, beside these lines; pixels.
+  /// Returns how long outlines of fills may be in total, in addition to these lines; pixels.
   double fillOutline(std::span<const VectorStructure> structures) const {
     std::size_t pieces = 0;
     for (const VectorStructure& structure : structures)
@@ -261,7 +264,7 @@ class Drawing {
       add("Hatching", ink);
     }
     for (const LineTechnique& technique : lineTechniques()) {
-      // What is cut stays outlined where other lines leave.
+      // Cut edges stay outlined where other lines leave.
       const bool stays = technique.pen == LinePen::cutEdge;
       if (!pens && !stays)
         continue;
@@ -281,9 +284,9 @@ class Drawing {
   model::Box m_bounds;
   std::optional<PictureView> m_view;
   PageMapping m_page;
-  std::vector<float> m_depths;       ///< of each layer
+  std::vector<float> m_depths;       ///< one per layer
   std::vector<std::size_t> m_ranks;  ///< see FilledLayer
-  std::vector<SeenTones> m_tones;    ///< of each layer
+  std::vector<SeenTones> m_tones;    ///< one per layer
   glm::vec3 m_light{0.0f};
   glm::vec3 m_keyLight{0.0f};  ///< patient frame; 0: there is none
 };

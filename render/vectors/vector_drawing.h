@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as shapes: the very lines of the picture as smooth paths, cut where they are hidden, and
+// Draws a scene as shapes: the picture's own lines as smooth paths, cut where they are hidden, and
 // the fills that lie behind them. No OpenGL is called: depth is found on the CPU, pixel by pixel at
-// a few pixels to the pen, and a line is hidden by the same rules as in the picture.
+// a few pixels to the pen's width, and a line is hidden by the same rules as in the picture.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace sline::render {
 
-/// Filled, or drawn with a round pen of that width; even-odd where regions have holes.
+/// A shape is filled, even-odd where regions have holes, or drawn with a round pen of that width.
 struct VectorShape {
   Path path;
   Colour colour;
@@ -25,27 +25,27 @@ struct VectorShape {
   float penWidth = 0.0f;  ///< mm; 0: filled
 };
 
-/// What a pen draws of a structure, kind by kind.
+/// One kind of line that a pen draws of a structure.
 struct VectorLines {
   const char* kind = "";            ///< "Hatching", or a technique's layer
-  float opacity = 1.0f;             ///< of all of them together
-  std::vector<VectorShape> shapes;  ///< of one colour but where veiled
+  float opacity = 1.0f;             ///< of all the lines together
+  std::vector<VectorShape> shapes;  ///< of one colour, except where they are veiled
 };
 
 struct VectorStructure {
   model::NodeId id;
-  float depth = 0.0f;              ///< how far it lies on the whole, 0 … 1: the farthest has most
-  std::size_t paintRank = 0;       ///< of its fills among those of others
+  float depth = 0.0f;              ///< mean depth, 0 … 1: the farthest structure has the largest
+  std::size_t paintRank = 0;       ///< of its fills among those of other structures
   std::vector<VectorShape> fills;  ///< painted one over the other
-  float fillOpacity = 1.0f;        ///< of all of them together
+  float fillOpacity = 1.0f;        ///< of all the fills together
   std::vector<VectorLines> lines;  ///< in drawing order
 };
 
-/// In millimetres from the page's upper left corner, y downwards.
+/// A drawing in millimetres from the page's upper left corner, y downwards.
 struct VectorDrawing {
   glm::vec2 sizeMm{160.0f, 90.0f};
   std::optional<Colour> background;
-  std::vector<VectorStructure> structures;  ///< those that show anything, as fills are painted
+  std::vector<VectorStructure> structures;  ///< those that show anything, in order of their fills
 };
 
 struct VectorSettings {
@@ -53,19 +53,20 @@ struct VectorSettings {
   Environment environment;
 };
 
-/// How far curves may lie off the lines that they stand for, in λ (1/720 of the page's height): on
-/// a page of 90 mm, 0.01 mm.
+/// The largest distance of curves from the lines that they stand for, in λ (1/720 of the page's
+/// height): on a page of 90 mm, 0.01 mm.
 inline constexpr float vectorTolerance = 0.08f;
 
-/// Told what is being done, and what part of the whole is behind it.
+/// Is told what is being done and what share of the whole is complete.
 using VectorProgress = std::function<void(double share, std::string_view what)>;
 
-/// The error says what is wrong with size or camera. The result depends on the arguments alone.
+/// Returns the scene as shapes. The error says what is wrong with the size or the camera. The
+/// result depends on the arguments alone.
 Result<VectorDrawing> drawVectors(const model::Scene& scene, const model::Camera& camera,
                                   const VectorSettings& settings,
                                   const VectorProgress& progress = {});
 
-/// Of either side of a page.
+/// Limits of either side of a page.
 inline constexpr Limits<float> pageLimitsMm{10.0f, 5000.0f};
 
 }  // namespace sline::render

@@ -10,12 +10,12 @@ namespace sline::render {
 
 namespace {
 
-// Pixels. A pen would not lift for so short a gap, nor set so short a mark.
+// Pixels. A pen would not lift for a gap this short, nor draw a mark this short.
 constexpr std::size_t shortestGap = 3;
 constexpr std::size_t shortestMark = 3;
-// Fills before a line leave this many grades of it.
+// Fills in front of a line leave one of this many grades of it.
 constexpr int veilGrades = 8;
-// Pixels of half a width, below which there is no ink worth drawing.
+// Pixels of half a width; thinner ink is not worth drawing.
 constexpr float thinnest = 0.06f;
 
 struct Sample {
@@ -24,7 +24,7 @@ struct Sample {
   int grade = 0;  ///< 0 hidden … veilGrades whole
 };
 
-/// As depth.glsl.
+/// Returns what the function in depth.glsl returns.
 float eyeDistance(float windowDepth, const glm::vec4& projection) {
   const float z = 2.0f * windowDepth - 1.0f;
   return (projection.y - z * projection.w) / (projection.x - z * projection.z);
@@ -73,7 +73,7 @@ class Looker {
   float depthAt(const glm::vec2& pixel) const { return m_scene.own.depthAt(pixel); }
   float distanceAt(float depth) const { return eyeDistance(depth, m_scene.projection); }
 
-  /// As contour.frag.glsl.
+  /// Lifts a depth as contour.frag.glsl does.
   float lifted(float windowDepth, float mm) const {
     const glm::vec4& p = m_scene.projection;
     const float distance = distanceAt(windowDepth) - mm;
@@ -81,7 +81,7 @@ class Looker {
     return std::clamp(0.5f * z + 0.5f, 0.0f, windowDepth);
   }
 
-  /// As contour_visibility.glsl.
+  /// Tests a contour as contour_visibility.glsl does.
   bool contourVisible(const glm::vec2& on, float depth, float tolerance, const glm::vec2& outward,
                       float& wide) const {
     const glm::vec2 reach = m_scene.probes.reach;
@@ -98,7 +98,7 @@ class Looker {
     return distance <= distanceAt(behind) + tolerance;
   }
 
-  /// As surface_line.frag.glsl.
+  /// Tests a line as surface_line.frag.glsl does.
   bool surfaceLineVisible(const glm::vec2& on, float depth, float tolerance) const {
     const glm::vec2 corner = on - 0.5f;
     const float behind = std::max(
@@ -120,7 +120,7 @@ std::vector<Sample> samples(const InkChain& chain, const Looker& looker) {
   return found;
 }
 
-/// Gives runs of one grade that are shorter than a pen would mind the grade of the run before them.
+/// Gives runs of one grade that are too short for a pen the grade of the run before them.
 void closeGaps(std::vector<Sample>& all) {
   for (std::size_t from = 0; from < all.size();) {
     std::size_t to = from + 1;
@@ -133,7 +133,7 @@ void closeGaps(std::vector<Sample>& all) {
       const Sample before = all[from - 1];
       const Sample after = all[to];
       for (std::size_t i = from; i < to; ++i) {
-        // What was hidden was not placed either: it goes straight from one side to the other.
+        // Hidden samples were not placed either: they go straight from one side to the other.
         if (all[i].grade == 0) {
           const float t = float(i - from + 1) / float(to - from + 1);
           all[i].point = {glm::mix(before.point.at, after.point.at, t),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines cut where they are hidden, by the rules of the ink and resolve passes.
+// Cuts lines where they are hidden, by the rules of the ink and resolve passes.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -16,24 +16,25 @@ struct StrokePoint {
   float halfWidth = 0.0f;
 };
 
-/// A visible piece of a line, a point for each pixel of its way.
+/// A visible piece of a line has a point for each pixel along its way.
 struct VisibleStroke {
   std::vector<StrokePoint> points;
-  bool closed = false;  ///< the whole of a line without ends
-  Veil veil;            ///< what lies before it, the same for all of it
+  bool closed = false;  ///< it is the whole of a line without ends
+  Veil veil;            ///< what lies in front of it, the same along all of it
 };
 
-/// One structure's lines against what hides them.
+/// Describes one structure's lines and what may hide them.
 struct StrokeScene {
   const LayerStack& stack;
   const DepthLayer& own;
   std::size_t ownIndex = 0;
   glm::vec4 projection{0.0f};  ///< see depth.glsl
   ContourProbes probes;
-  float ink = 1.0f;  ///< the opacity of a whole line: what a line has less makes it thinner
+  float ink = 1.0f;  ///< the opacity of a whole line; lines of less opacity become thinner instead
 };
 
-/// What of strokes lies within a page of that size, or within half their width of it.
+/// Returns the parts of the strokes that lie within a page of that size, or within half their width
+/// of it.
 std::vector<VisibleStroke> withinPage(std::vector<VisibleStroke> strokes, const glm::vec2& page);
 
 std::vector<VisibleStroke> visibleStrokes(const InkChain& chain, const StrokeScene& scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section planes as (unit normal, −offset): what lies on the side of the normal is taken away.
+// Section planes as (unit normal, −offset): everything on the side of the normal is taken away.
 uniform vec4 sections[8];
 uniform int sectionCount;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each rule twice: on a sample that breaks it, so that it is known to fail, and on the tree itself.
+// Tests each rule twice: on a sample that breaks it, so that it is known to fail, and on the tree
+// itself.
 #include <QDirIterator>
 #include <QFile>
 #include <QProcess>

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# clang_format.sh SOURCE_DIR: every C++ file is in clang-format's shape.
+# clang_format.sh SOURCE_DIR: checks that every C++ file is in clang-format's shape.
 set -euo pipefail
 cd "$1"
 command -v clang-format >/dev/null || { echo "clang-format is not installed"; exit 77; }

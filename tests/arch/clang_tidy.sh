@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# clang_tidy.sh SOURCE_DIR BUILD_DIR: clang-tidy has nothing to say of model and render. Nearly all
-# its time goes into the standard library's headers, which every source file brings again; so four
-# neighbours are looked at as one. Where something is said of the four, or they cannot stand
-# together (two have a name in common), each is looked at alone, and that is what counts. Only a
-# using-declaration that nobody uses is not seen in company. The
-# path-sensitive analyzer, which takes three times as long as all other checks together, is left to
-# editors and to runs by hand. Two sources are left out: gemmi and qpdf declare vectors of a class
-# before it is complete, which clang 14 and libstdc++ 12 do not compile together.
+# clang_tidy.sh SOURCE_DIR BUILD_DIR: checks that clang-tidy reports nothing about model and render.
+# Nearly all its time goes into the standard library's headers, which every source file brings
+# again; so four neighbours are checked as one. If it reports something about the four, or they
+# cannot stand together (two have a name in common), each is checked alone, and that result counts.
+# Only an unused using-declaration is not seen in company. The path-sensitive analyzer, which takes
+# three times as long as all other checks together, is left to editors and to runs by hand. Two
+# sources are left out: gemmi and qpdf declare vectors of a class before it is complete, which clang
+# 14 and libstdc++ 12 do not compile together.
 set -euo pipefail
 cd "$1"
 command -v clang-tidy >/dev/null || { echo "clang-tidy is not installed"; exit 77; }
@@ -16,7 +16,7 @@ trap 'rm -rf "$scratch"' EXIT
 export build=$2 scratch
 
 # unit.N.cpp includes neighbours that are compiled alike, unit.N.flags says how. g++'s own options
-# are not clang's business.
+# do not concern clang.
 awk -v top="$PWD" -v out="$scratch" '
   /^ *"command": / { command = $0 }
   /^ *"file": / {

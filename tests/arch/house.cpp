@@ -30,7 +30,7 @@ std::string layerOf(const std::string& name) {
   return {};
 }
 
-/// "model/base, scene, render/lines": a name without a layer is of the layer before it.
+/// Splits "model/base, scene, render/lines": a name without a layer belongs to the layer before it.
 std::vector<std::string> names(const std::string& cell) {
   std::vector<std::string> all;
   std::string layer;
@@ -61,7 +61,7 @@ Room roomIn(const std::string& cell) {
   return room;
 }
 
-/// "Q*, vtk*": stars stand for anything.
+/// Reads "Q*, vtk*", in which stars stand for anything.
 std::regex headersIn(const std::string& cell) {
   std::string pattern;
   for (const std::string& header : parts(cell, ',')) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What ARCHITECTURE.md says of rooms and libraries, read from its tables: the rules have no list of
+// Reads what ARCHITECTURE.md says of rooms and libraries from its tables: the rules have no list of
 // their own.
 #pragma once
 
@@ -11,32 +11,33 @@
 
 namespace sline::arch {
 
-/// A folder of sources, or a single source, and the rooms that it may include besides itself.
+/// Describes a folder of sources, or a single source, and the rooms that it may include besides
+/// itself.
 struct Room {
   std::set<std::string> mayUse;
   std::set<std::string> wholeLayers;  ///< "render" where the table says "all of render"
 };
 
-/// Headers of others, and the folders that alone may include them.
+/// Describes headers of another project and the only folders that may include them.
 struct Library {
   std::string name;
   std::regex headers;
   std::vector<std::string> folders;
-  bool sourcesAlone = false;  ///< in no header but of tests
+  bool sourcesAlone = false;  ///< no header may include it, except those of tests
 };
 
 struct House {
   std::map<std::string, Room> rooms;
   std::vector<Library> libraries;
-  std::set<std::string> largeFiles;  ///< that may pass the limits of size
+  std::set<std::string> largeFiles;  ///< files that may exceed the limits of size
 };
 
 /// Reads the tables under "| room | what it is for | may include |" and "| library | its headers |
 /// only in |" and the list under "Exceptions from the sizes".
 House houseOf(const std::string& architecture);
 
-/// Returns the room that a file of the tree lies in: itself, or its folder; empty where the table
-/// has neither.
+/// Returns the room that a file of the tree lies in: the file itself, or its folder; empty if the
+/// table has neither.
 std::string roomOf(const House& house, const std::string& path);
 
 bool isUnder(const std::string& path, const std::string& folder);

@@ -34,7 +34,7 @@ void checkLibrary(const File& file, const std::string& header, const House& hous
   }
 }
 
-/// The rooms that a file enters, its own left out.
+/// Returns the rooms that a file enters, its own left out.
 std::vector<std::string> roomsEntered(const File& file, const House& house) {
   std::vector<std::string> rooms;
   for (const std::string& line : linesOf(file.text)) {
@@ -57,7 +57,7 @@ void checkRoom(const File& file, const std::string& included, const House& house
     out.push_back(file.path + " lies in no room of the table");
     return;
   }
-  // Made files have no folder, shaders' snippets no room.
+  // Generated files have no folder, and shaders' snippets no room.
   if (to.empty() && (included.find('/') == std::string::npos || isUnder(included, "resources")))
     return;
   const Room& room = house.rooms.at(from);
@@ -66,7 +66,8 @@ void checkRoom(const File& file, const std::string& included, const House& house
                   (to.empty() ? "what is no room" : to));
 }
 
-/// The headers that a CMakeLists.txt lists as those that others include, from the tree's top.
+/// Returns the headers that a CMakeLists.txt lists as those that others include, from the tree's
+/// top.
 std::set<std::string> listedHeaders(const File& lists) {
   static const std::regex part(R"(\bHEADERS((\s+[\w./]+\.h)+))");
   static const std::regex header(R"([\w./]+\.h)");
@@ -80,7 +81,7 @@ std::set<std::string> listedHeaders(const File& lists) {
   return all;
 }
 
-/// The folder of the CMakeLists.txt that a file belongs to.
+/// Returns the folder of the CMakeLists.txt that a file belongs to.
 std::string targetOf(const std::string& path, const std::set<std::string>& folders) {
   std::string folder = path.substr(0, path.rfind('/'));
   while (!folder.empty() && !folders.contains(folder))
@@ -88,7 +89,8 @@ std::string targetOf(const std::string& path, const std::set<std::string>& folde
   return folder;
 }
 
-/// A definition: its first line, the lines of its signature joined, and how many lines it takes.
+/// Describes a definition: its first line, the lines of its signature joined, and how many lines it
+/// takes.
 struct Function {
   std::size_t line;
   std::string signature;
@@ -103,7 +105,7 @@ bool opensFunction(const std::string& signature) {
          !std::regex_match(signature, other) && !std::regex_search(signature, lambda);
 }
 
-/// Functions whose definitions start at this indentation, in clang-format's shape.
+/// Collects functions with definitions that start at this indentation, in clang-format's shape.
 void collectFunctions(const std::vector<std::string>& lines, std::size_t indent,
                       std::vector<Function>& out) {
   const std::string margin(indent, ' ');

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# web_shared.sh SOURCE_DIR: what the web page will be built of compiles with clang as well, and reads
-# no header of Qt, VTK, OpenMesh, oneTBB or OpenImageIO on the way.
+# web_shared.sh SOURCE_DIR: checks that the sources of the web page compile with clang as well, and
+# read no header of Qt, VTK, OpenMesh, oneTBB or OpenImageIO on the way.
 set -euo pipefail
 cd "$1"
 command -v clang++ >/dev/null || { echo "clang++ is not installed"; exit 77; }
@@ -29,6 +29,6 @@ check() {
 }
 export -f check
 
-# Threads and the headless context are the desktop's alone.
+# Threads and the headless context belong to the desktop alone.
 find "${rooms[@]}" -name '*.cpp' ! -name 'parallel_tbb.cpp' ! -path '*/headless/*' -print0 |
   xargs -0 -n 1 -P "$(nproc)" bash -c 'check "$0"'

@@ -13,7 +13,7 @@ namespace sline::bench {
 
 namespace {
 
-/// The largest, and every so many of the rest from large to small.
+/// Returns the largest structures, and an even selection of the rest from large to small.
 std::vector<model::NodeId> chosen(const model::Scene& scene, int count) {
   std::vector<model::NodeId> ids;
   for (const model::NodeId id : scene.structuresBelow(model::rootId))
@@ -43,7 +43,7 @@ class Drag {
     m_passes.clear();
     const int steps = int(5.0f / m_plan.step + 0.5f);
     constexpr int fullEvery = 10;
-    // Once without looking at the clock: what is computed once per structure is no part of a step.
+    // The first round is not timed: what is computed once per structure is no part of a step.
     for (const bool warm : {true, false})
       for (int i = 0; i <= steps; ++i) {
         if (i % fullEvery == 0)
@@ -60,7 +60,7 @@ class Drag {
   }
 
  private:
-  /// All layers, from hardly another place, then again from the drag's own.
+  /// Draws all layers from a place hardly different, then again from the drag's own.
   Status full(bool counts) {
     model::Camera aside = m_plan.camera;
     aside.eye += 1e-3f * glm::length(aside.eye - aside.target) * glm::vec3(1.0f, 0.0f, 0.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a drag of one structure's Γ costs, measured against a full frame of the same scene.
+// Measures what a drag of one structure's Γ costs, against a full frame of the same scene.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ namespace sline::bench {
 struct DraggedStructure {
   std::string name;
   std::size_t triangles = 0;
-  double firstMs = 0.0;  ///< of the dearest step: the first that needs strokes lays them
+  double firstMs = 0.0;  ///< the dearest step: the first that needs strokes lays them
   Spread step;
-  Spread full;         ///< of frames that draw every layer, taken in between
+  Spread full;         ///< frames that draw every layer, taken in between
   int mostLayers = 0;  ///< drawn by any step after the first
-  /// What each part of a step took at the median.
+  /// Holds the time that each part of a step took at the median.
   std::vector<std::pair<std::string, double>> passes;
 
   double ratio() const { return full.median > 0.0 ? step.median / full.median : 0.0; }
@@ -30,7 +30,7 @@ struct GammaDragPlan {
   model::Camera camera;
   render::PictureSettings settings;
   int structures = 8;  ///< the largest, and as many spread over the rest
-  float step = 0.1f;   ///< of Γ, from 0 to 5
+  float step = 0.1f;   ///< step of Γ, from 0 to 5
 };
 
 /// Drags one structure after the other from silhouette to surface and back to where it was.

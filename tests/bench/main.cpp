@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// sline-bench: turns the camera once around a scene and reports where the time and the memory went.
-// Figures of one run are compared with each other (frame against plain Phong), never with a clock:
-// machines are shared and noisy.
+// Runs sline-bench, which turns the camera once around a scene and reports where the time and the
+// memory went. Figures of one run are compared with each other (frame against plain Phong), never
+// with a clock: machines are shared and noisy.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ std::optional<glm::ivec2> parsedSize(const std::string& text) {
   return size;
 }
 
-/// Γ for all, or from 0 to 5 over the structures sorted by name.
+/// Sets Γ for all, or from 0 to 5 over the structures sorted by name.
 model::Scene withGamma(const model::Scene& scene, std::optional<float> gamma) {
   std::vector<model::NodeId> ids = scene.structuresBelow(model::rootId);
   std::sort(ids.begin(), ids.end(), [&](model::NodeId a, model::NodeId b) {
@@ -65,7 +65,7 @@ model::Scene withGamma(const model::Scene& scene, std::optional<float> gamma) {
   return result;
 }
 
-/// The anterior camera turned about the vertical through the middle of the scene.
+/// Returns the anterior camera turned about the vertical through the middle of the scene.
 model::Camera turned(const model::Camera& start, float share) {
   const float angle = 2.0f * 3.14159265f * share;
   const glm::vec3 d = start.eye - start.target;
@@ -80,7 +80,8 @@ int fail(const Error& error) {
   return 1;
 }
 
-/// Calls draw for every step of the turn, after one frame to warm up; the times in milliseconds.
+/// Calls draw for every step of the turn, after one frame to warm up; returns the times in
+/// milliseconds.
 template <class Draw>
 Result<std::vector<double>> timed(int frames, const model::Camera& start, const Draw& draw) {
   if (const Status status = draw(turned(start, 0.5f / float(frames))); !status)
@@ -119,7 +120,7 @@ Status measureFrames(render::Picture& picture, const Stage& stage, bench::Report
   });
   if (!frame)
     return frame.error();
-  // Read here: the yardsticks upload and hold what no picture needs.
+  // The peak is read here, since the yardsticks upload and hold what no picture needs.
   report.peakRssMiB = test::peakResidentMiB();
   report.frame = bench::spreadOf(*frame);
   report.lines = bench::spreadOf(lines);
@@ -142,7 +143,7 @@ Status measurePhong(const Stage& stage, bench::Report& report) {
   return Unit{};
 }
 
-/// From the front, on a page of the picture's shape.
+/// Measures a vector drawing from the front, on a page of the picture's shape.
 Status measureVectors(const Stage& stage, bench::Report& report) {
   const float aspect = float(stage.settings.width) / float(stage.settings.height);
   const bench::Stopwatch watch;
@@ -152,7 +153,7 @@ Status measureVectors(const Stage& stage, bench::Report& report) {
   return drawing ? Status(Unit{}) : drawing.error();
 }
 
-/// In a context of its own: VTK takes a fresh one's state for granted.
+/// Measures VTK in a context of its own, since VTK relies on a fresh one's state.
 Status measureVtk(const Stage& stage, bench::Report& report) {
   auto context = render::gpu::HeadlessContext::create();
   if (!context)
@@ -169,7 +170,7 @@ Status measureVtk(const Stage& stage, bench::Report& report) {
   return Unit{};
 }
 
-/// Imports and counts; the camera stands before the whole.
+/// Imports and counts; the camera stands before the whole scene.
 Result<Stage> importStage(const Options& options, const glm::ivec2& size, bench::Report& report) {
   const bench::Stopwatch watch;
   const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
@@ -189,7 +190,7 @@ Result<Stage> importStage(const Options& options, const glm::ivec2& size, bench:
   return stage;
 }
 
-/// Prints what drags of Γ take.
+/// Prints the time that drags of Γ take.
 Status runDrags(const Options& options, const glm::ivec2& size) {
   bench::Report report;
   auto context = render::gpu::HeadlessContext::create();
@@ -213,7 +214,8 @@ Status runDrags(const Options& options, const glm::ivec2& size) {
   return Unit{};
 }
 
-/// Prints what is made of each surface, as its file has it, and what OpenMesh makes of it.
+/// Prints what our own algorithms make of each surface, as its file has it, and what OpenMesh makes
+/// of it.
 Status runMeshing(const Options& options) {
   model::ImportOptions unsmoothed;
   unsmoothed.smoothing.mode = model::Smoothing::Mode::off;

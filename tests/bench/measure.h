@@ -7,7 +7,7 @@
 
 namespace sline::bench {
 
-/// Median and 95th percentile of a series, milliseconds.
+/// Holds the median and 95th percentile of a series, in milliseconds.
 struct Spread {
   double median = 0.0;
   double p95 = 0.0;

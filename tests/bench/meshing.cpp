@@ -50,7 +50,7 @@ std::size_t largestValence(std::size_t vertexCount, std::span<const model::Trian
   return most;
 }
 
-/// How many faces OpenMesh refused.
+/// Adds all faces and returns how many OpenMesh refused.
 std::size_t addAll(OpenMeshMesh& to, const model::Mesh& mesh) {
   to.reserve(mesh.vertexCount(), mesh.triangleCount() * 3 / 2, mesh.triangleCount());
   for (const glm::vec3& p : mesh.positions())
@@ -77,15 +77,15 @@ model::MeshPtr meshOf(OpenMeshMesh& from) {
       model::Mesh::create(std::move(positions), std::move(triangles)).value());
 }
 
-/// What DecimaterT leaves below that quadric error, with a limit of 75° on normals and of ten on
-/// aspects, as ours.
+/// Returns the mesh that DecimaterT leaves below that quadric error, with a limit of 75° on normals
+/// and of ten on aspects, as in our own.
 model::MeshPtr decimatedBelow(const model::Mesh& mesh, double quadricError) {
   namespace Decimater = OpenMesh::Decimater;
   OpenMeshMesh work;
   addAll(work, mesh);
   work.request_face_normals();
   work.update_face_normals();
-  // Kept beyond the decimater: they say which faces are deleted.
+  // These are kept beyond the decimater, since they say which faces are deleted.
   work.request_vertex_status();
   work.request_edge_status();
   work.request_face_status();
@@ -113,8 +113,8 @@ float apart(const model::MeshPtr& a, const model::MeshPtr& b, float spacing) {
                   farthestSample(*b, Bvh(a, model::spatialOrder(*a)), spacing));
 }
 
-/// The fewest triangles within the bound that any of many quadric errors leaves (the true error
-/// does not grow with them steadily); the time is that of the one run which leads there.
+/// Returns the fewest triangles within the bound that any of many quadric errors leaves (the true
+/// error does not grow with them steadily); the time is that of the one run that leads there.
 Decimated openMeshWithin(const model::MeshPtr& mesh, float bound) {
   const float spacing = model::meanEdgeLength(mesh->positions(), mesh->triangles());
   Decimated best{.triangles = mesh->triangleCount()};
@@ -158,7 +158,7 @@ MeshingRow measureMeshing(const std::string& name, const model::MeshPtr& mesh, f
     OpenMeshMesh work;
     row.refusedFaces = addAll(work, *mesh);
   });
-  // LoopT's table of weights ends at a valence of 50 otherwise, and it would read on beyond.
+  // Otherwise LoopT's table of weights ends at a valence of 50, and it would read on beyond.
   const std::size_t mostNeighbours = largestValence(positions.size(), triangles);
   row.subdivisionMs = processorMs([&] { model::loopSubdivided(positions, triangles); });
   row.openMeshSubdivisionMs = processorMs([&] {

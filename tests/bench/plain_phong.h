@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The benchmark's yardstick: one opaque Phong pass of the visible structures straight to a target,
-// without layers or lines.
+// Draws the benchmark's yardstick: one opaque Phong pass of the visible structures straight to a
+// target, without layers or lines.
 #pragma once
 
 #include <map>

@@ -26,9 +26,9 @@ struct Report {
   std::string driver;
 
   double bytesPerTriangle() const;
-  /// The frame over the smaller of both yardsticks.
+  /// Returns the frame's time over the smaller of both yardsticks.
   double frameRatio() const;
-  /// A vector drawing over the frame.
+  /// Returns a vector drawing's time over the frame's.
   double vectorsRatio() const;
 };
 

@@ -52,7 +52,7 @@ vtkNew<vtkPolyData> polyDataOf(const model::Mesh& mesh) {
   return data;
 }
 
-/// VTK's window for contexts made elsewhere, minus one false alarm: GLEW loads every entry point
+/// A window of VTK for contexts made elsewhere, minus one false alarm: GLEW loads every entry point
 /// and then reports failure because it finds no X11 display behind an EGL context.
 class HeadlessWindow : public vtkGenericOpenGLRenderWindow {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The yardstick from outside: VTK's own mapper draws the same scene, from the same camera, in a
-// context of the same kind.
+// Draws the yardstick from outside: VTK's own mapper draws the same scene, from the same camera, in
+// a context of the same kind.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace sline::bench {
 
 class VtkPhong {
  public:
-  /// Needs a current OpenGL context for its whole life.
+  /// Needs a current OpenGL context for its whole lifetime.
   VtkPhong(const model::Scene& scene, int width, int height);
   ~VtkPhong();
   VtkPhong(const VtkPhong&) = delete;
@@ -21,7 +21,7 @@ class VtkPhong {
 
   /// Draws one frame and waits for the GPU.
   void draw(const model::Camera& camera);
-  /// How much of the last frame is not background, 0 … 1: proof that something was drawn.
+  /// Returns how much of the last frame is not background, 0 … 1: proof that something was drawn.
   double covered() const;
 
  private:

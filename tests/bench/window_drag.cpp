@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// sline-bench-window: from a move of the Γ slider, of the mouse that turns, and of a section's
-// arrow to the picture on screen, through the whole window, beside a full frame through the same
-// window. Needs a display (xvfb-run).
+// Runs sline-bench-window, which measures the time from a move of the Γ slider, of the mouse that
+// turns, and of a section's arrow to the picture on screen, through the whole window, beside a full
+// frame through the same window. Needs a display (xvfb-run).
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QtTest>
@@ -16,7 +16,7 @@ using namespace sline;
 
 namespace {
 
-/// Milliseconds until the picture shows what was done.
+/// Returns the milliseconds until the picture shows what was done.
 double shownAfter(test::WindowFixture& f) {
   constexpr int minute = 60'000;
   QElapsedTimer clock;
@@ -39,7 +39,7 @@ double shownAfter(test::WindowFixture& f) {
 struct Times {
   std::vector<double> steps;
   std::vector<double> full;
-  std::vector<double> drawing;  // what the renderer's thread took of each step
+  std::vector<double> drawing;  // the time that the renderer's thread took for each step
   int mostLayers = 0;
 };
 
@@ -62,7 +62,7 @@ Times drag(test::WindowFixture& f, model::NodeId id) {
       test::sendMouse(slider, QEvent::MouseMove, at(gamma));
       const double milliseconds = shownAfter(f);
       if (!counts)
-        continue;  // the first time strokes are laid
+        continue;  // strokes are laid the first time
       times.steps.push_back(milliseconds);
       times.drawing.push_back(f.viewport().lastMilliseconds());
       times.mostLayers = std::max(times.mostLayers, f.viewport().lastLayersDrawn());
@@ -73,11 +73,11 @@ Times drag(test::WindowFixture& f, model::NodeId id) {
   return times;
 }
 
-/// A drag in the picture to and fro along a line, the mouse telling its place 60 times a second:
-/// from one picture to the next.
+/// Drags in the picture to and fro along a line, with the mouse reporting its place 60 times a
+/// second, and measures the time from one picture to the next.
 void dragInPicture(test::WindowFixture& f, const char* what, QPoint from, glm::vec2 along) {
   constexpr int moves = 300;
-  constexpr int half = 100;  // steps of a pixel one way
+  constexpr int half = 100;  // steps of one pixel in one direction
   constexpr int interval = 16;
   std::vector<double> gaps;
   std::vector<double> drawing;
@@ -107,7 +107,7 @@ void dragInPicture(test::WindowFixture& f, const char* what, QPoint from, glm::v
             << " ms; fine after " << fine << " ms" << std::endl;
 }
 
-/// A section through the middle, pushed by its arrow.
+/// Pushes a section through the middle by its arrow.
 void dragSection(test::WindowFixture& f, const char* what, Qt::Key key) {
   QTest::keyClick(&f.window, key, Qt::ControlModifier);
   f.settled();

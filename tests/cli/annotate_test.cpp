@@ -43,7 +43,7 @@ class AnnotateTest : public QObject {
 };
 
 namespace {
-/// Pixels that differ.
+/// Returns the number of pixels that differ.
 int difference(const Pixels& a, const Pixels& b) {
   int count = 0;
   for (std::size_t i = 0; i + 3 < std::min(a.rgba.size(), b.rgba.size()); i += 4)
@@ -88,7 +88,7 @@ void AnnotateTest::namesInOtherLanguages() {
   QVERIFY2(listed.contains("la=arteria renalis"), listed);
 }
 
-// A name that is the same in another language is known there, too; one that nobody knows is not.
+// A name that is the same in another language is known there, too; an unknown name is not.
 void AnnotateTest::namesThatAreTheSame() {
   writeObj(path("sample/ureter.obj"), *sphere(10.0f, 3));
   writeObj(path("sample/blob.obj"), *sphere(12.0f, 3));
@@ -99,7 +99,8 @@ void AnnotateTest::namesThatAreTheSame() {
   QVERIFY2(listed.contains("\tblob\tblob\n"), listed);
 }
 
-// A saved view that left out none shows what is made later, another one where it is named.
+// A saved view that left out no label shows those made later; another view shows them only if it is
+// named.
 void AnnotateTest::savedViewsGetThem() {
   QCOMPARE(annotate({"--on", "kidney"}).code, 0);
   const auto view = [this](const QStringList& flags) {

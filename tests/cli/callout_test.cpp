@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A callout with bold and italic words and a list, in every kind of file, and its words wherever
-// they are listed.
+// Tests a callout with bold and italic words and a list, in every kind of file, and its words
+// wherever they are listed.
 #include <QDir>
 #include <QFile>
 #include <QJsonDocument>
@@ -30,7 +30,7 @@ class CalloutTest : public QObject {
 
  private:
   QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
-  /// Exports it to a file of that name.
+  /// Exports the scene to a file of that name.
   QByteArray exported(const char* name, const QStringList& flags);
   QString run(const QString& program, const QStringList& arguments);
   void annotate(const QString& scene, const QString& text);
@@ -82,7 +82,7 @@ QString CalloutTest::run(const QString& program, const QStringList& arguments) {
   return QString::fromUtf8(process.readAllStandardOutput());
 }
 
-/// A label's asterisks are asterisks.
+/// A label's asterisks stay asterisks.
 void CalloutTest::listsAreWithoutMarkers() {
   const QByteArray listed = runSline({"annotate", path("scene.sline"), "--list"}).out;
   QCOMPARE(listed,
@@ -93,7 +93,7 @@ void CalloutTest::listsAreWithoutMarkers() {
 }
 
 void CalloutTest::vectorsHaveStyles() {
-  // So wide that no line need be broken.
+  // The page is so wide that no line need be broken.
   const QByteArray svg = exported("figure.svg", {"--labels", "on", "--size-mm", "240x135"});
   for (const char* part :
        {">Kidney</tspan> &amp; <tspan font-style=\"italic\">ren</tspan></tspan>",
@@ -120,7 +120,7 @@ void CalloutTest::printHasTextInItsFonts() {
   const QString fonts = run("pdffonts", {path("figure.pdf")});
   for (const char* name :
        {"DejaVuSans", "DejaVuSans-Bold", "DejaVuSans-Oblique", "DejaVuSans-BoldOblique"}) {
-    // Type, encoding, embedded.
+    // The columns are type, encoding and embedded.
     const QRegularExpression row("(^|\\+|\n)" + QRegularExpression::escape(name) +
                                  " +CID TrueType +\\S+ +yes ");
     QVERIFY2(row.match(fonts).hasMatch(), qPrintable(name + ('\n' + fonts)));
@@ -148,7 +148,7 @@ void CalloutTest::picturesDiffer() {
     runSline(QStringList{"render", path(scene), "-o", file, "--size", "800x400"} + flags);
     return readPicture(file);
   };
-  // Ink, as far as it is dark.
+  // Sums up ink by how dark it is.
   const auto ink = [](const Pixels& picture) {
     qint64 sum = 0;
     for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4)
@@ -161,7 +161,7 @@ void CalloutTest::picturesDiffer() {
   QCOMPARE(marked.width, 800);
   QVERIFY2(ink(marked) > ink(plain) + 2000,
            qPrintable(QString("%1, %2").arg(ink(marked)).arg(ink(plain))));
-  // Without words there is nothing to tell them apart.
+  // Without words nothing tells the two apart.
   QVERIFY(drawn("scene.sline", {}).rgba == drawn("plain.sline", {}).rgba);
 }
 
@@ -172,7 +172,7 @@ void CalloutTest::cardsAndModels() {
   const QByteArray deck = contents(path("cards/deck.txt"));
   QVERIFY2(deck.contains("<br>Kidney &amp; ren • a hilum • 5 * 3 &lt;b&gt;cm&lt;/b&gt;*\t"), deck);
   const QByteArray glb = exported("model.glb", {});
-  // Its second word is the JSON chunk's length.
+  // The file's fourth word is the JSON chunk's length.
   const QJsonObject root =
       QJsonDocument::fromJson(
           glb.mid(20, qsizetype(*reinterpret_cast<const quint32*>(glb.constData() + 12))))

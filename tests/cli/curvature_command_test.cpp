@@ -48,7 +48,8 @@ void CurvatureCommandTest::sphere() {
     for (const QByteArray& cell : rows[i].split(','))
       v << cell.toDouble();
     QCOMPARE(v.size(), 18);
-    const glm::vec3& p = ball->positions()[std::size_t(i)];  // the file's order, to the last digit
+    const glm::vec3& p =
+        ball->positions()[std::size_t(i)];  // in the file's order, to the last digit
     QCOMPARE(float(v[0]), sign * p.x);
     QCOMPARE(float(v[1]), sign * p.y);
     QCOMPARE(float(v[2]), p.z);

@@ -17,7 +17,7 @@ QJsonObject objectIn(const QByteArray& text) {
   return QJsonDocument::fromJson(text).object();
 }
 
-/// Name → group and counts of each structure.
+/// Returns group and counts of each structure by name.
 std::map<QString, QJsonObject> structuresIn(const QJsonObject& root) {
   std::map<QString, QJsonObject> all;
   for (const QJsonValue& value : root["structures"].toArray())
@@ -32,7 +32,8 @@ QByteArray contentOf(const QString& file) {
 
 }  // namespace
 
-/// All with the kidney, which is modelled in no time, and a cache folder of the test's own.
+/// Tests all with the kidney, which is modelled in no time, and with a cache folder of the test's
+/// own.
 class DemoTest : public QObject {
   Q_OBJECT
 
@@ -98,7 +99,7 @@ void DemoTest::ownFolderIsReplaced() {
   QVERIFY(before.size() > 1000);
   writeFile(mesh, "changed");
   writeFile(folder + "/notes.txt", "mine");
-  // What an earlier run listed and this one does not write goes.
+  // A file that an earlier run listed and this one does not write is removed.
   writeFile(folder + "/old.ply", "old");
   writeFile(folder + "/sline-files.txt", contentOf(folder + "/sline-files.txt") + "old.ply\n");
   QCOMPARE(runSline({"demo", "kidney", "-o", folder}).code, 0);
@@ -176,7 +177,7 @@ void DemoTest::cacheIsMadeAndMended() {
     QCOMPARE(runSline({"demo", "kidney", "--json"}).out, listed);
     QCOMPARE(contentOf(file), kept);
   }
-  // A cache that cannot be written says nothing.
+  // A cache that cannot be written gives no message.
   qputenv("XDG_CACHE_HOME", file.toUtf8());
   const Finished finished = runSline({"demo", "kidney", "--json"});
   qputenv("XDG_CACHE_HOME", at("cache").toUtf8());

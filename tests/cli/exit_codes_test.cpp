@@ -7,7 +7,7 @@
 
 namespace sline::test {
 
-/// What the program answers to right and wrong command lines. In the arguments, SAMPLE is a good
+/// Tests how the program answers right and wrong command lines. In the arguments, SAMPLE is a good
 /// scene, DIR the test's folder.
 class ExitCodesTest : public QObject {
   Q_OBJECT
@@ -38,7 +38,8 @@ void ExitCodesTest::initTestCase() {
 void ExitCodesTest::answers_data() {
   QTest::addColumn<QString>("arguments");
   QTest::addColumn<int>("code");
-  QTest::addColumn<QString>("says");  // somewhere in either stream; '|' parts all
+  QTest::addColumn<QString>(
+      "says");  // somewhere in either stream; '|' separates texts that must all be there
   const QString render = "render|SAMPLE|-o|DIR/a.png|--size|64x64";
 
   QTest::newRow("version") << "--version" << 0 << "sline ";
@@ -111,7 +112,7 @@ void ExitCodesTest::answers_data() {
       << "curvature|SAMPLE/Organs/kidney.obj|-o|DIR/empty" << 1 << "folder";
 
   const QString exported = "export|--svg|DIR/a.svg|--size-mm|20x20|";
-  // Inputs after options that take several values, in every command that has them.
+  // Inputs follow options that take several values, in every command that has them.
   const QString after = "|SAMPLE|--svg|DIR/a.svg|--size-mm|20x20";
   QTest::newRow("input after an ink") << "export|--ink-color|#30405a" + after << 0 << "";
   QTest::newRow("input after an ink of a name")
@@ -168,7 +169,7 @@ void ExitCodesTest::answers() {
 void ExitCodesTest::outputThatGoesNowhere_data() {
   QTest::addColumn<QString>("streams");
   QTest::addColumn<QString>("arguments");
-  QTest::addColumn<bool>("tells");  // something on standard output
+  QTest::addColumn<bool>("tells");  // it prints something on standard output
   const QString scene = m_folder.filePath("labelled.sline");
   QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
   for (const char* streams : {">&-", ">/dev/full", "<&- >&-"}) {
@@ -200,7 +201,7 @@ void ExitCodesTest::outputThatGoesNowhere() {
   const Finished finished = runSlineLed(streams, arguments.split('|'));
   QVERIFY2(finished.code == (tells ? 1 : 0), finished.err.constData());
   QCOMPARE(finished.err.contains("standard output cannot be written"), tells);
-  // What is printed is in no file that was written meanwhile.
+  // No printed output went into a file that was written meanwhile.
   QCOMPARE(runSline({"info", m_folder.filePath("labelled.sline")}).code, 0);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What other programs make of our vectors against our own picture: the ink lies where ours does.
+// Compares our vectors, as other programs draw them, with our own picture: the ink lies where ours
+// does.
 #include <QDir>
 #include <QFileInfo>
 #include <QProcess>
@@ -103,7 +104,7 @@ void ExportAgreementTest::inkLiesWhereOursDoes() {
   for (const QString kind : {"svg", "pdf"}) {
     if (kind == "pdf" && m_pdfRasteriser.isEmpty())
       continue;
-    // As large as pictures are taken to be, so that labels are as well.
+    // The page is as large as pictures are taken to be, so that labels are as large as well.
     const QString file = m_folder.filePath("ours." + kind);
     const Finished exported = runSline(QStringList{"export", scene, "--" + kind, file, "--size-mm",
                                                    "338.6667x190.5", "--bw", "--marks", "on"} +

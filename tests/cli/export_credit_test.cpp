@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who made a file and under which terms: where other programs look for it when it was said, and
-// nowhere when it was not.
+// Tests the credit of a file, its author and terms: it is where other programs look for it if it
+// was given, and nowhere if it was not.
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -26,7 +26,7 @@ QByteArray contents(const QString& file) {
   return source.open(QIODevice::ReadOnly) ? source.readAll() : QByteArray();
 }
 
-/// What a program says of a file; empty where it is not there.
+/// Returns a program's output about a file; empty if the program is absent.
 QString told(const QString& program, const QStringList& arguments) {
   QProcess process;
   process.setProcessChannelMode(QProcess::MergedChannels);
@@ -45,7 +45,7 @@ class ExportCreditTest : public QObject {
   QString m_scene = m_folder.filePath("scene.sline");
 
   QString out() const { return m_folder.filePath("out"); }
-  /// Files of that kind, in an empty folder.
+  /// Returns the files of that kind, exported to an empty folder.
   QStringList exported(const QString& kind, const QString& name, const QStringList& flags) {
     QDir(out()).removeRecursively();
     QDir().mkpath(out());
@@ -100,7 +100,7 @@ class ExportCreditTest : public QObject {
     for (const QString& file : files)
       if (!file.endsWith(".txt"))  // the pictures beside it have it
         QCOMPARE(markersIn(contents(file), words), words);
-    // Without it no place is made for it, and with one of both not for the other.
+    // Without a credit the file has no field for it, and with one of the two none for the other.
     const QStringList places{"dc:creator",    "dc:rights", "cc:Agent",
                              "adobe:ns:meta", "/Author",   "Author:"};
     for (const QString& file : exported(kind, name, sheet))
@@ -178,7 +178,7 @@ class ExportCreditTest : public QObject {
     QVERIFY2(tooLong.err.contains("--author is too long"), tooLong.err.constData());
   }
 
-  /// A list has a column for each.
+  /// A list has a column for each of the two.
   void listsHaveIt() {
     writeFile(m_folder.filePath("list.csv"),
               "input,svg,size-mm,author,copyright\nscene.sline,list.svg,24x18,QZXAUTHOR,\n");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file lacks is said when it is written: what it is, whose, and what to do.
+// Tests that the lack of anything in a file is reported when it is written: what it is, of which
+// structure, and what to do.
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -29,7 +30,7 @@ class ExportNotesTest : public QObject {
 
   void said_data() {
     QTest::addColumn<QStringList>("flags");
-    QTest::addColumn<QStringList>("says");  // none: nothing at all
+    QTest::addColumn<QStringList>("says");  // empty: nothing at all
     const QString near = m_folder.filePath("near.json");
     const auto row = [](const char* name, const QStringList& flags, const QStringList& says) {
       QTest::newRow(name) << flags << says;
@@ -94,7 +95,7 @@ class ExportNotesTest : public QObject {
     for (const QString& line : said.split('\n', Qt::SkipEmptyParts))
       QVERIFY2(line.startsWith("sline: warning: " + m_folder.path()), qPrintable(line));
     QVERIFY2(!says.isEmpty() || said.isEmpty(), qPrintable(said));
-    // What holds all that was asked for is not spoken of.
+    // A file that holds all that was asked for is not mentioned.
     QVERIFY2(!said.contains("a.tiff"), qPrintable(said));
   }
 

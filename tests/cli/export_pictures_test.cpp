@@ -101,7 +101,7 @@ void ExportPicturesTest::throughAPipe() {
              piped.err.constData());
 }
 
-/// The program alone, as somebody may have copied it: it draws PNG, and says what others need.
+/// A copy of the program alone draws PNG, and says what other kinds need.
 void ExportPicturesTest::withoutTheModule() {
   const QString folder = m_folder.filePath("alone");
   QVERIFY(QDir().mkpath(folder));
@@ -169,7 +169,7 @@ void ExportPicturesTest::badTargets() {
     QCOMPARE(finished.code, 1);
     QVERIFY(finished.err.contains("nowhere"));
   }
-  // A page that has too many pixels is found when it is drawn.
+  // The drawing of a page finds that it has too many pixels.
   const Finished finished =
       runSline({"export", m_sample, "--png", m_folder.filePath("a.png"), "--size-mm", "2000x2000"});
   QCOMPARE(finished.code, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing of where a scene came from is in any file that is made of it: not its path, not who made
-// it where and when, nothing that DICOM says of a patient, no comment of a mesh.
+// Tests that no file made from a scene reveals where the scene came from: not its path, not who
+// made it where and when, nothing that DICOM says of a patient, no comment of a mesh.
 #include <QDate>
 #include <QDir>
 #include <QDirIterator>
@@ -30,7 +30,7 @@ QByteArray contents(const QString& file) {
   return source.open(QIODevice::ReadOnly) ? source.readAll() : QByteArray();
 }
 
-/// What is planted; nothing of it is a structure's, group's or view's name.
+/// Returns the markers that are planted; none of them is in a structure's, group's or view's name.
 QStringList markers() {
   QStringList all{
       QLatin1String(folderMarker),   QStringLiteral("QZXPLY"),    QStringLiteral("QZXOBJ"),
@@ -40,7 +40,7 @@ QStringList markers() {
       QStringLiteral("qzxhost"),     QStringLiteral("qzxhome"),   QStringLiteral("QZXHIDDEN"),
       QStringLiteral("QZXTHUMB")};
   for (const QByteArray& identity : identities())
-    // Digits alone could be anybody's.
+    // Digits alone could occur by chance.
     if (identity.startsWith("QZX"))
       all << QString::fromLatin1(identity);
   const QDate today = QDate::currentDate();
@@ -56,7 +56,8 @@ void plant(QByteArray& text, const char* before, const QByteArray& marker) {
   text.insert(at, marker);
 }
 
-/// Meshes with comments in them and a structure set, in the folder; paths of all.
+/// Writes meshes with comments in them and a structure set into the folder; returns the paths of
+/// all.
 std::vector<std::filesystem::path> writeSources(const QString& folder) {
   const auto path = [&folder](const char* name) { return folder + '/' + name; };
   const auto ball = [](float x) { return moved(*sphere(12.0f, 3), 1.0f, {x, 0.0f, 0.0f}); };
@@ -69,7 +70,7 @@ std::vector<std::filesystem::path> writeSources(const QString& folder) {
             "# QZXOBJ\nmtllib QZXMATERIAL.mtl\no QZXPART\n" + contents(path("QZXFILE-2.obj")));
   writeMesh(path("QZXFILE-3.stl"), *ball(40.0f));
   QByteArray stl = contents(path("QZXFILE-3.stl"));
-  // Either the first line of text or the first 80 bytes.
+  // The comment goes into the first line of text or into the first 80 bytes.
   stl.startsWith("solid") ? stl.insert(6, "QZXSTL ") : stl.replace(0, 6, "QZXSTL");
   writeFile(path("QZXFILE-3.stl"), stl);
   writeFile(path("QZXFILE-4.dcm"),
@@ -79,7 +80,7 @@ std::vector<std::filesystem::path> writeSources(const QString& folder) {
           path("QZXFILE-3.stl").toStdString(), path("QZXFILE-4.dcm").toStdString()};
 }
 
-/// With names that say nothing, and with all that a scene file can carry unseen.
+/// Returns the scene with names that say nothing, and with all that a scene file can carry unseen.
 model::Scene dressed(model::Scene scene) {
   const std::string unread = R"({"note":"QZXUNREAD"})";
   std::vector<model::Node> nodes = scene.nodes();
@@ -92,7 +93,7 @@ model::Scene dressed(model::Scene scene) {
     node.provenance.file = "QZXFILE.ply";
     node.provenance.part = "QZXPART";
   }
-  // What is hidden is nobody's to see.
+  // A hidden structure is not to be seen.
   nodes.back().style.visible = false;
   nodes.back().name = "QZXHIDDEN";
   scene.setNodes(nodes);
@@ -106,7 +107,7 @@ model::Scene dressed(model::Scene scene) {
   }
   model::Section section{.name = "cut"};
   section.plane.normal = {0.0f, 1.0f, 0.0f};
-  section.plane.offset = 20.0f;  // behind the labels, which it must not take away
+  section.plane.offset = 20.0f;  // it lies behind the labels, which it must not take away
   section.unread = unread;
   scene.appendSection(section);
   model::View view{.name = "front"};
@@ -126,7 +127,7 @@ class ExportPrivacyTest : public QObject {
   QString m_scene = m_folder + "/QZXFILE.sline";
 
   QString out() const { return m_folder + "/out"; }
-  /// Exports the scene to an empty folder; the files that came of it, by their places there.
+  /// Exports the scene to an empty folder and returns the resulting files by their places there.
   QStringList exported(const QString& kind, const QString& extension) {
     QDir(out()).removeRecursively();
     QDir().mkpath(out());
@@ -192,7 +193,7 @@ class ExportPrivacyTest : public QObject {
       }
       first[name] = bytes;
     }
-    // The same each time: no date in bytes that nobody reads, no number drawn by lot.
+    // The files are the same each time: no date in bytes that are never read, no random number.
     QCOMPARE(exported(kind, extension), names);
     for (const QString& name : names)
       QVERIFY2(contents(out() + '/' + name) == first[name], qPrintable(name));

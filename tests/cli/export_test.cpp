@@ -19,7 +19,7 @@ QByteArray contents(const QString& file) {
   return source.open(QIODevice::ReadOnly) ? source.readAll() : QByteArray();
 }
 
-/// Labels of the groups with an id, in order; empty where the document is not well-formed.
+/// Returns the labels of the groups with an id, in order; empty if the document is not well-formed.
 QStringList labels(const QByteArray& svg) {
   QXmlStreamReader reader(svg);
   QStringList found;
@@ -53,7 +53,7 @@ class ExportTest : public QObject {
   void surfacesAndCards();
 
  private:
-  /// Exports the sample; empty where that failed.
+  /// Exports the sample; returns nothing if that failed.
   QByteArray exported(const QStringList& flags);
   QTemporaryDir m_folder;
   QString m_sample = writeSample(m_folder.path());
@@ -78,7 +78,7 @@ void ExportTest::writesGroupsAndPage() {
   for (const char* name : {"Organs", "kidney", "Vessels", "renal artery", "renal vein"})
     QVERIFY2(found.contains(name), name);
   QVERIFY(found.indexOf("renal vein") > found.indexOf("Vessels"));
-  // A usual pen: 2/720 of the page's height.
+  // The pens have a usual width: 2/720 of the page's height.
   static const QRegularExpression width("stroke-width=\"([0-9.]+)\"");
   const double pen = width.match(QString::fromUtf8(svg)).captured(1).toDouble();
   QVERIFY2(std::abs(pen - 2.0 * 120.0 / 720.0) < 0.03, qPrintable(QString::number(pen)));
@@ -92,7 +92,7 @@ void ExportTest::optionsReachTheDrawing() {
   QVERIFY(!labels(exported({"--only", "kidney"})).contains("renal vein"));
   QVERIFY(labels(exported({"--gamma", "5"})).contains("Fills"));
   QVERIFY(exported({"--from", "posterior"}) != exported({}));
-  // Black ink alone.
+  // The drawing has black ink alone.
   static const QRegularExpression colour("(?:fill|stroke)=\"(#[0-9a-f]{6})\"");
   auto colours = colour.globalMatch(QString::fromUtf8(exported({"--gamma", "4", "--bw"})));
   while (colours.hasNext()) {
@@ -130,7 +130,7 @@ void ExportTest::theViewsNameIsTrue() {
   QVERIFY(contents(file).contains(">Urinary System<"));
 }
 
-/// As text, in layers of their own; a name is text whatever it looks like.
+/// Labels and marks are text in layers of their own; a name is text whatever it looks like.
 void ExportTest::labelsAndMarks() {
   const QString scene = m_folder.filePath("labelled.sline");
   QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
@@ -159,7 +159,7 @@ void ExportTest::labelsAndMarks() {
   QCOMPARE(contents(file).count("<text"), 5);
 }
 
-/// A camera so near that the drawing goes on beside the page.
+/// The camera is so near that the drawing goes on beside the page.
 void ExportTest::pathsStayOnThePage() {
   const QString camera = m_folder.filePath("near.json");
   writeFile(camera, QByteArray(frontCamera()).replace("\"fovy_deg\":30", "\"fovy_deg\":6"));
@@ -273,7 +273,7 @@ void ExportTest::tellsNothingElse() {
   for (const char* variable : {"USER", "HOME", "HOSTNAME", "LOGNAME"})
     if (const QByteArray value = qgetenv(variable); value.size() > 3)
       QVERIFY2(!svg.contains(value), variable);
-  // The same each time: no date, no number drawn by lot.
+  // The file is the same each time: no date, no random number.
   const QString again = planted.filePath("again.svg");
   QCOMPARE(runSline({"export", source, "--svg", again}).code, 0);
   QCOMPARE(contents(again), svg);

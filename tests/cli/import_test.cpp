@@ -25,8 +25,8 @@ QJsonObject objectOf(const QStringList& arguments) {
   return finished.code == 0 ? QJsonDocument::fromJson(finished.out).object() : QJsonObject();
 }
 
-/// Runs a shell's script with a disk of that many bytes at /mnt, which nobody else sees. Absent
-/// where the system does not grant that.
+/// Runs a shell's script with a disk of that many bytes at /mnt, which no other process sees.
+/// Returns nothing if the system does not grant that.
 std::optional<Finished> runWithSmallDisk(qint64 bytes, const QString& script,
                                          const QStringList& arguments) {
   QProcess process;

@@ -47,7 +47,8 @@ class InfoTest : public QObject {
   void abdomen();
 };
 
-/// Listed as they are; structures by thresholds; kept with a scene only where that is asked for.
+/// Scans are listed as they are, and as structures by thresholds; a scene keeps them only on
+/// request.
 void InfoTest::scans() {
   const QTemporaryDir folder;
   const QString ct = folder.filePath("ct.mha");

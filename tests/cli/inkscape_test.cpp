@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our drawings in Inkscape, opened without a display: nothing is lost, renamed or drawn otherwise.
+// Tests our drawings in Inkscape, opened without a display: nothing is lost, renamed or drawn
+// otherwise.
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -24,13 +25,13 @@ constexpr double pageWidth = 240.0;
 constexpr double pageHeight = 135.0;
 constexpr const char* spaceOfInkscape = "http://www.inkscape.org/namespaces/inkscape";
 
-/// What a person meets in a drawing.
+/// Holds what a user meets in a drawing.
 struct Outline {
   QString width;
   QString height;
   QString viewBox;
-  std::map<QString, QString> titles;  ///< of groups, by their ids
-  std::map<QString, QString> labels;  ///< as Inkscape shows them, likewise
+  std::map<QString, QString> titles;  ///< titles of groups, by their ids
+  std::map<QString, QString> labels;  ///< labels as Inkscape shows them, by ids too
   QStringList layers;                 ///< ids, in order
   QStringList texts;
   bool wellFormed = false;
@@ -75,7 +76,7 @@ Outline outlineOf(const QString& file) {
   return outline;
 }
 
-/// Without names that a program makes up for what has none.
+/// Returns the names without those that a program makes up for unnamed elements.
 std::map<QString, QString> named(const std::map<QString, QString>& all) {
   std::map<QString, QString> own;
   for (const auto& [id, name] : all)
@@ -98,7 +99,7 @@ class InkscapeTest : public QObject {
   void drawsWhatOthersDraw();
 
  private:
-  /// Standard output; fails where it complains of anything.
+  /// Returns standard output; fails if Inkscape complains of anything.
   QByteArray inkscape(const QStringList& arguments);
   QString at(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
 
@@ -129,7 +130,7 @@ void InkscapeTest::initTestCase() {
 
 QByteArray InkscapeTest::inkscape(const QStringList& arguments) {
   QProcess process;
-  // It writes settings and what was open last: below our folder, and nowhere else.
+  // Inkscape writes settings and recent files below our folder, and nowhere else.
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   for (const char* name : {"HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME",
                            "XDG_STATE_HOME", "XDG_RUNTIME_DIR", "INKSCAPE_PROFILE_DIR"})
@@ -147,7 +148,7 @@ QByteArray InkscapeTest::inkscape(const QStringList& arguments) {
     QTest::qFail("Inkscape does not end, or with an error", __FILE__, __LINE__);
   }
   for (const QByteArray& line : process.readAllStandardError().split('\n'))
-    // Where there is no display its list of recent files has none, whatever the drawing is.
+    // Without a display Inkscape's list of recent files complains, whatever the drawing is.
     if (!line.trimmed().isEmpty() && !line.contains("GtkRecentManager"))
       QTest::qFail(line.constData(), __FILE__, __LINE__);
   return process.readAllStandardOutput();
@@ -176,7 +177,8 @@ void InkscapeTest::savedAgainItIsTheSame() {
   QVERIFY(ours.texts.contains("uterus"));
   QVERIFY(ours.texts.contains("Anterior view"));
   QCOMPARE(theirs.texts, ours.texts);
-  // Structures by id and name: that of a layer is Inkscape's own, a title is everybody's.
+  // Structures are compared by id and name: a layer's name is Inkscape's own, a title is standard
+  // SVG.
   QVERIFY2(ours.titles.size() > 40, qPrintable(QString::number(ours.titles.size())));
   QCOMPARE(theirs.titles, ours.titles);
   QCOMPARE(named(ours.labels), named(ours.titles));
@@ -201,7 +203,7 @@ void InkscapeTest::openedAgainItIsTheSame() {
   QCOMPARE(twice.texts, once.texts);
 }
 
-/// With boxes on the page, in its pixels.
+/// Inkscape lists the groups with boxes on the page, in the page's pixels.
 void InkscapeTest::listsOurGroups() {
   std::map<QString, QRectF> boxes;
   for (const QByteArray& line : inkscape({"--query-all", at("ours.svg")}).split('\n'))
@@ -242,7 +244,7 @@ void InkscapeTest::drawsWhatOthersDraw() {
   QVERIFY(there.ink > 5000 && back.ink > 5000);
   QVERIFY(there.share >= 0.99);
   QVERIFY(back.share >= 0.99);
-  // And the fills: the same colours but for what rounding and edges make.
+  // The fills have the same colours, too, except for rounding and edges.
   qsizetype different = 0;
   for (int y = 0; y < theirs.height; ++y)
     for (int x = 0; x < theirs.width; ++x)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No command writes over what it reads, drops a target or writes two into one file.
+// Tests that no command writes over what it reads, drops a target or writes two into one file.
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -11,14 +11,14 @@
 
 namespace sline::test {
 
-/// In the arguments, DIR is a folder with scene.sline, mesh.obj, front.json, picture.png, which
-/// leads to the scene, and meshes/liver.glb.
+/// Runs commands on a test folder. In the arguments, DIR is that folder with scene.sline, mesh.obj,
+/// front.json, picture.png, which leads to the scene, and meshes/liver.glb.
 class InputsStayTest : public QObject {
   Q_OBJECT
 
   QTemporaryDir m_folder;
 
-  /// All files below the folder with what is in them, links followed.
+  /// Returns all files below the folder with their content, links followed.
   QMap<QString, QByteArray> everything() const {
     QMap<QString, QByteArray> all;
     for (const QString& folder : {QStringLiteral("."), QStringLiteral("meshes")})

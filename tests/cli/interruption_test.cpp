@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl+C in the middle of an export: the program ends by the signal, and no half file stays.
+// Tests Ctrl+C in the middle of an export: the program ends by the signal, and no half file stays.
 #include <signal.h>
 
 #include <QDir>
@@ -37,7 +37,7 @@ class InterruptionTest : public QObject {
     QFETCH(int, signal);
     const QTemporaryDir out;
     QProcess process;
-    // Long films, and a picture of many bands.
+    // The exports are long films, and a picture of many bands.
     process.start(QStringLiteral(SLINE_PROGRAM),
                   {"export", m_sample, "--" + kind, out.filePath(name), "--seconds", "60",
                    "--film-height", "480", "--size-px", "6000x6000"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists of exports, understood or refused, and their parts.
+// Tests that lists of exports are understood or refused, and splits them into parts.
 #include <QElapsedTimer>
 #include <QTest>
 
@@ -157,12 +157,12 @@ class JobListTest : public QObject {
     QCOMPARE(staysBelow(path.toStdString()), stays);
   }
 
-  /// Whatever a list says, it is a list or an error with a remedy.
+  /// Any text gives either a list or an error with a remedy.
   void spoiltLists() {
     const QByteArray seeds[] = {
         "input,svg,view\n\"a,\"\"b\",out/c.svg,front\nd;e,f,\n",
         R"([{"input":"a","svg":"b","gamma":["liver=4",3],"bw":true},{"input":"心"}])"};
-    // What parts and nests, put where it does not belong.
+    // Characters that separate and nest are put where they do not belong.
     const auto put = [](test::Mutator& random, QByteArray& bytes, qsizetype at) {
       static const QByteArray marks = "[]{}\",:;\t\n\r\\\xef\xbf";
       bytes.insert(at, marks[qsizetype(random.below(std::size_t(marks.size())))]);
@@ -179,7 +179,8 @@ class JobListTest : public QObject {
     }
   }
 
-  /// A megabyte of the same, as nobody writes it, is a list or an error within seconds.
+  /// A megabyte of one repeated piece, as no author writes it, gives a list or an error within
+  /// seconds.
   void hugeLists_data() {
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<bool>("json");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline jobs`: figures of a list, all of them or a part.
+// Tests `sline jobs`: figures of a list, all of them or a part.
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -29,7 +29,7 @@ class JobsCommandTest : public QObject {
     writeFile(m_folder.filePath(name), text);
     return m_folder.filePath(name);
   }
-  /// Files that were written, below "out".
+  /// Returns the files that were written, below "out".
   QStringList written() {
     QStringList names = QDir(m_folder.filePath("out")).entryList(QDir::Files | QDir::Hidden);
     names.sort();
@@ -50,7 +50,7 @@ class JobsCommandTest : public QObject {
     QVERIFY2(finished.err.contains("3 jobs done, 0 failed, 0 skipped, of 3"),
              finished.err.constData());
     QCOMPARE(written(), (QStringList{"a.svg", "b.svg", "c.svg"}));
-    // As the same flags make them.
+    // The same flags given to `sline export` make the same file.
     const QString alone = m_folder.filePath("alone.svg");
     QCOMPARE(
         runSline({"export", m_sample, "--svg", alone, "--view", "posterior", "--size-mm", "27x18",
@@ -150,7 +150,7 @@ class JobsCommandTest : public QObject {
   }
 
   void valuesAreNoFlags_data() {
-    QTest::addColumn<QByteArray>("job");  // JSON; OUT is a file elsewhere
+    QTest::addColumn<QByteArray>("job");  // in JSON; OUT is a file elsewhere
     QTest::newRow("several values")
         << QByteArray(R"("input": "sample", "svg": "out/a.svg", "only": "kidney; --png=OUT")");
     QTest::newRow("a list") << QByteArray(
@@ -165,14 +165,14 @@ class JobsCommandTest : public QObject {
   void valuesAreNoFlags() {
     QFETCH(QByteArray, job);
     QTemporaryDir elsewhere;
-    // Where the list lies in the folder that is worked in, its inputs are not made longer.
+    // If the list lies in the working folder, its inputs' names are not made longer.
     const QString there = QDir::currentPath();
     QVERIFY(QDir::setCurrent(m_folder.path()));
     job.replace("OUT", elsewhere.filePath("a.png").toUtf8());
     list("[{" + job + "}]", "list.json");
     const Finished finished = runSline({"jobs", "list.json"});
     QVERIFY(QDir::setCurrent(there));
-    // A job that fails, or an input that is not there.
+    // Either a job fails, or an input is not there.
     QVERIFY2(finished.code != 0 || finished.err.contains("--png="), finished.err.constData());
     QVERIFY(QDir(elsewhere.path()).isEmpty());
   }
@@ -188,7 +188,7 @@ class JobsCommandTest : public QObject {
       QVERIFY2(finished.err.contains("lies outside"), finished.err.constData());
     }
     QVERIFY(QDir(elsewhere.path()).isEmpty());
-    // A link above the folder, or to a place in it, is nobody's fault.
+    // A link above the folder, or to a place in it, is allowed.
     QTemporaryDir another;
     QVERIFY(QFile::link(another.path(), m_folder.filePath("out/top")));
     QVERIFY(QDir(another.path()).mkdir("deep"));
@@ -200,7 +200,7 @@ class JobsCommandTest : public QObject {
     QVERIFY(QFile::exists(another.filePath("deep/a.svg")));
   }
 
-  /// Help and code know the same flags whose values are files.
+  /// Help and code know the same flags that have files as values.
   void filesAreKnown() {
     QStringList flags;
     for (const QByteArray& line : runSline({"export", "--help"}).out.split('\n'))

@@ -19,7 +19,7 @@ double distance(const QJsonValue& a, const QJsonValue& b) {
                     a[2].toDouble() - b[2].toDouble());
 }
 
-/// Area of ink on the surface and its middle along x, mm.
+/// Holds the area of ink on the surface and its middle along x, in mm.
 struct Inked {
   double area = 0.0;
   double x = 0.0;
@@ -299,7 +299,7 @@ void LinesCommandTest::mirroredHatchingIsMirrored() {
   const Inked here = inked(strokes("aside.obj"));
   const Inked there = inked(strokes("mirrored.obj"));
   QVERIFY(here.area > 1.0);
-  // Seeds have other names there and take their places in another order.
+  // In the mirror image seeds have other names and take their places in another order.
   QVERIFY2(std::abs(there.area / here.area - 1.0) < 0.1,
            qPrintable(QString("%1 and %2").arg(here.area).arg(there.area)));
   QVERIFY2(std::abs(there.x + here.x) < 1.0,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline ramp` and `sline steadiness` on small shapes.
+// Tests `sline ramp` and `sline steadiness` on small shapes.
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>

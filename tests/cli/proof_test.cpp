@@ -73,7 +73,7 @@ void ProofTest::jsonHoldsThem() {
 
 void ProofTest::appliedSceneIsClean() {
   const QString file = m_folder.filePath("mended.sline");
-  // In a scene file, whose colours are the scene's own.
+  // The input is a scene file, so the colours are the scene's own.
   const QString scene = m_folder.filePath("scene.sline");
   QCOMPARE(runSline({"import", m_folder.filePath("left.obj"), m_folder.filePath("right.obj"), "-o",
                      scene})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline reload`, and saved views by `sline render`.
+// Tests `sline reload`, and saved views in `sline render`.
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -155,7 +155,7 @@ void ReloadTest::savedViews() {
   const Pixels blue = drawn({"--view", "blue kidney"});
   QVERIFY(tinted(blue, 2).count > 500);
   QCOMPARE(tinted(blue, 0).count, 0);
-  // Flags come on top.
+  // Flags override the view.
   QVERIFY(tinted(drawn({"--view", "blue kidney", "--color", "kidney=#ff0000"}), 0).count > 500);
 }
 

@@ -34,7 +34,7 @@ class RenderTest : public QObject {
   void demo();
 
  private:
-  /// Renders the sample; the picture is empty where that failed.
+  /// Renders the sample; the picture is empty if that failed.
   Pixels rendered(const QStringList& flags);
   QTemporaryDir m_folder;
   QString m_sample = writeSample(m_folder.path());
@@ -83,7 +83,7 @@ void RenderTest::writesEveryKind() {
   QCOMPARE(picture.channels, channels);
   const PixelBox box = drawnBox(picture);
   QVERIFY(box.right - box.left > 100);
-  // Nothing is left beside it.
+  // Nothing is left beside the picture.
   QCOMPARE(QDir(m_folder.path()).entryList({"*" + name + "*"}, QDir::Files | QDir::Hidden).size(),
            1);
   QFile::remove(file);
@@ -155,10 +155,10 @@ void RenderTest::focusFollowsTheAmount() {
   const PixelBox alone = box("kidney", "0");
   QVERIFY(alone.right - alone.left < all.right - all.left - 40);
   QCOMPARE(box("kidney", "1").left, all.left);
-  // Two names in one, and a group.
+  // Two names may stand in one text, and a group's name counts as well.
   QCOMPARE(box("renal artery,renal vein", "0").right, all.right);
   QCOMPARE(box("Vessels", "0").right, all.right);
-  // What is said of Γ wins.
+  // A Γ that is given wins.
   const Pixels shaded = rendered(base + QStringList{"--focus", "kidney", "--context", "0"});
   const Pixels plain =
       rendered(base + QStringList{"--focus", "kidney", "--context", "0", "--gamma", "0"});
@@ -216,7 +216,7 @@ void RenderTest::sectionsKeepTheirSide() {
 }
 
 void RenderTest::cameraFileIsFollowed() {
-  // A parallel camera 100 mm high: a ball of radius 30 takes 60 % of the height.
+  // The camera is parallel and 100 mm high: a ball of radius 30 takes 60 % of the height.
   writeFile(m_folder.filePath("parallel.json"),
             R"({"projection":"orthographic","eye":[0,-400,0],"target":[0,0,0],"up":[0,0,1],)"
             R"("height_mm":100})");
@@ -279,7 +279,7 @@ void RenderTest::pensAndHatching() {
   QVERIFY(ink({"--hatch-tone", "1.6"}) > 1.1 * usual);
   QVERIFY(std::abs(ink({"--hatch-density", "2"}) / usual - 1.0) < 0.1);
   QVERIFY(ink({"--pen", "2"}) > 1.05 * usual);
-  // Of something else.
+  // The tone is set for another structure.
   QCOMPARE(ink({"--hatch-tone", "Vessels=0"}), usual);
   QCOMPARE(ink({"--hatch-tone", "0", "--hatch-tone", "kidney=1"}), usual);
 }

@@ -95,7 +95,7 @@ void SectionFlagsTest::halfTowardsTheCameraGoes_data() {
   row("coronal", anterior, posterior);
   row("coronal", posterior, anterior);
   row("coronal", left, posterior);
-  row("sagittal:right", right, right);  // what is said counts
+  row("sagittal:right", right, right);  // a named side counts
   row("-1,0,0,0", left, left);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PDF figures and sheets, as other programs read them: what text they hold, in which fonts, on what
-// paper, and that they say nothing of who made them.
+// Tests PDF figures and sheets as other programs read them: what text they hold, in which fonts, on
+// what paper, and that they say nothing of who made them.
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -68,7 +68,7 @@ QString SheetTest::run(const QString& program, const QStringList& arguments) {
   return QString::fromUtf8(process.readAllStandardOutput());
 }
 
-/// Of that page, with single spaces.
+/// Returns the text of that page, with single spaces.
 QString SheetTest::textOf(const QString& file, int page) {
   const QString number = QString::number(page);
   return run("pdftotext", {"-f", number, "-l", number, file, "-"}).simplified();
@@ -115,7 +115,7 @@ void SheetTest::figureAlone() {
   QCOMPARE(textOf(exported({m_sample, "--marks", "off"}), 1), QString());
 }
 
-/// The sample has no labels: its structures get some.
+/// The sample has no labels, so its structures get some.
 void SheetTest::teachingSheet() {
   const QString file = exported({m_sample, "--sheet", "teaching", "--title", "The left kidney"});
   QCOMPARE(pages(file), 3);
@@ -135,7 +135,7 @@ void SheetTest::teachingSheet() {
   QVERIFY(key.contains("Key"));
   for (const char* number : {"1", "2", "3"})
     QVERIFY(test.contains(number));
-  // Name, type, encoding, embedded, a subset, with what its letters mean.
+  // The columns are name, type, encoding, embedded, a subset, with what its letters mean.
   static const QRegularExpression font("^\\S+ .+ (yes|no) +(yes|no) +(yes|no) +[0-9]+ +0$");
   const QStringList fonts = run("pdffonts", {file}).split('\n', Qt::SkipEmptyParts).mid(2);
   QVERIFY(!fonts.isEmpty());
@@ -145,7 +145,8 @@ void SheetTest::teachingSheet() {
   }
 }
 
-/// Those of the scene, in the mode that was asked for; their numbers are the same on all pages.
+/// A scene's own labels are shown in the mode that was asked for; their numbers are the same on all
+/// pages.
 void SheetTest::ownLabels() {
   const QString scene = m_folder.filePath("own.sline");
   QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
@@ -222,7 +223,7 @@ void SheetTest::patientSheet() {
   file = exported({m_sample, "--sheet", "patient", "--text", "Short and on the command line"});
   QCOMPARE(pages(file), 1);
   QVERIFY(textOf(file, 1).contains("Short and on the command line"));
-  // The figure takes what a short text leaves: that one stands at the page's foot.
+  // The figure takes the room that a short text leaves, so that the text stands at the page's foot.
   static const QRegularExpression word("yMin=\"([0-9.]+)\"[^>]*>Short<");
   const QRegularExpressionMatch found = word.match(run("pdftotext", {"-bbox", file, "-"}));
   QVERIFY(found.hasMatch());
@@ -272,8 +273,8 @@ void SheetTest::picturesBesideASheet() {
   QVERIFY2(both.err.contains("beside.png is of the sheet's figure: " + size), both.err.constData());
 }
 
-/// Markup, quotes and brackets of PDF are letters like others; where no font has a letter nothing
-/// breaks.
+/// Markup, quotes and brackets of PDF are letters like others; a letter that no font has breaks
+/// nothing.
 void SheetTest::namesAreText() {
   const QString title = "<i>Nephros</i> (νεφρός) \\ & \"office\" %s";
   const QString file = exported({m_sample, "--sheet", "figure", "--title", title});
@@ -313,7 +314,7 @@ void SheetTest::saysNothingElse() {
     static const QRegularExpression told("^(Title|Creator|Producer|CreationDate|ModDate|Author):",
                                          QRegularExpression::MultilineOption);
     QVERIFY(!run("pdfinfo", {file}).contains(told));
-    // The same each time.
+    // The file is the same each time.
     const QString again = exported({source, "--sheet", kind});
     QFile second(again);
     QVERIFY(second.open(QIODevice::ReadOnly));

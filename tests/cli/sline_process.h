@@ -17,23 +17,23 @@ struct Finished {
   QByteArray err;
 };
 Finished runSline(const QStringList& arguments);
-/// A copy of the program alone in that folder, without what lies beside it.
+/// Runs a copy of the program alone in that folder, without what lies beside it.
 Finished runSlineCopiedTo(const QString& folder, const QStringList& arguments);
-/// With its streams led elsewhere by a shell, as in ">/dev/full 2>&1" or ">&-".
+/// Runs the program with its streams redirected by a shell, as in ">/dev/full 2>&1" or ">&-".
 Finished runSlineLed(const QString& streams, const QStringList& arguments);
 
 /// Writes the mesh as OBJ, by default without a group's name in it.
 void writeObj(const QString& file, const model::Mesh& mesh, const QString& group = {});
 void writeFile(const QString& file, const QByteArray& text);
 
-/// In the folder: Organs/kidney.obj (radius 30 at the middle), Vessels/renal artery.obj (radius 10,
-/// at +x), Vessels/renal vein.obj (radius 10, at −x). Returns its path.
+/// Writes into the folder Organs/kidney.obj (radius 30 at the middle), Vessels/renal artery.obj
+/// (radius 10, at +x) and Vessels/renal vein.obj (radius 10, at −x). Returns its path.
 QString writeSample(const QString& folder);
 
-/// A camera from the front, 400 mm before the middle.
+/// Returns a camera from the front, 400 mm before the middle.
 QByteArray frontCamera();
 
-/// 8-bit pixels with straight alpha, rows from the top; empty where the file cannot be read.
+/// Holds 8-bit pixels with straight alpha, rows from the top; empty if the file cannot be read.
 struct Pixels {
   int width = 0;
   int height = 0;
@@ -43,7 +43,7 @@ struct Pixels {
 };
 Pixels readPicture(const QString& file);
 
-/// The smallest box of pixels that differ from the top left one; [0, −1] where there are none.
+/// Holds the smallest box of pixels that differ from the top left one; [0, −1] if there are none.
 struct PixelBox {
   int left = 0;
   int top = 0;
@@ -52,8 +52,8 @@ struct PixelBox {
 };
 PixelBox drawnBox(const Pixels& picture);
 
-/// The pixels in which channel `strong` (0 red, 1 green, 2 blue) is at least 60 above the others:
-/// how many, and their mean column.
+/// Describes the pixels in which channel `strong` (0 red, 1 green, 2 blue) is at least 60 above the
+/// others: how many there are, and their mean column.
 struct Tinted {
   int count = 0;
   double column = 0.0;

@@ -14,7 +14,7 @@ namespace sline::cli {
 
 namespace fs = std::filesystem;
 
-/// Names of what is to be written, in a folder with "scene.sline", "mesh.glb", "front.json",
+/// Tests names of files to be written, in a folder with "scene.sline", "mesh.glb", "front.json",
 /// "notes.txt" and, in "meshes", "liver.glb" and "liver.png".
 class TargetsTest : public QObject {
   Q_OBJECT
@@ -24,7 +24,7 @@ class TargetsTest : public QObject {
   fs::path at(const std::string& name) const {
     return fs::path(m_folder.path().toStdString()) / name;
   }
-  /// The error's text of targets "png a.png; pdf b.pdf"; empty where all is well.
+  /// Returns the error's text for targets "png a.png; pdf b.pdf"; empty if all is well.
   std::string fault(const QString& targets, const std::vector<std::string>& read) const {
     std::map<std::string, std::string> byKind;
     for (const QString& each : targets.split("; ")) {
@@ -53,7 +53,8 @@ class TargetsTest : public QObject {
 
   void targets_data() {
     QTest::addColumn<QString>("targets");
-    QTest::addColumn<QString>("says");  // '|' parts all; none: it is fine
+    QTest::addColumn<QString>(
+        "says");  // '|' separates texts that must all be there; empty: it is fine
     const auto row = [](const char* name, const char* targets, const char* says) {
       QTest::newRow(name) << targets << says;
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline view`.
+// Tests `sline view`.
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline-fuzz`: libFuzzer's program for all harnesses; the variable SLINE_HARNESS names the one.
+// Runs `sline-fuzz`, libFuzzer's program for all harnesses; the variable SLINE_HARNESS names the
+// one.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -11,7 +12,7 @@ const sline::fuzz::Harness& chosen() {
   const char* const name = std::getenv("SLINE_HARNESS");
   if (const sline::fuzz::Harness* harness = sline::fuzz::harnessNamed(name ? name : ""))
     return *harness;
-  // The list for run.sh, one name to the line.
+  // The list is for run.sh, one name to the line.
   for (const sline::fuzz::Harness& harness : sline::fuzz::harnesses())
     std::printf("%.*s\n", int(harness.name.size()), harness.name.data());
   std::exit(2);

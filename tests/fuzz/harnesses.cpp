@@ -25,7 +25,7 @@ namespace sline::fuzz {
 namespace {
 using model::MeshPtr;
 
-/// An extension as an argument of a template.
+/// Holds an extension as an argument of a template.
 struct Extension {
   char text[16] = {};
   template <std::size_t n>
@@ -64,8 +64,8 @@ std::string faultOf(const Result<model::RawMeshes>& read) {
   return {};
 }
 
-/// Any kind of file in the table of kinds; those that the program reads in a process of their own
-/// are read in this one, where faults are seen.
+/// Reads any kind of file in the table of kinds; those that the program reads in a process of their
+/// own are read in this one, where faults are seen.
 template <Extension extension, auto reader = readAnyKind>
 std::string surfaces(std::string_view bytes) {
   static const InputFolder folder;
@@ -73,7 +73,7 @@ std::string surfaces(std::string_view bytes) {
   return faultOf(reader(folder.put(extension.text, bytes), options));
 }
 
-/// A volume in two files: the first 352 bytes are the header's.
+/// Reads a volume in two files: the first 352 bytes are the header's.
 std::string imagePair(std::string_view bytes) {
   static const InputFolder folder;
   const std::size_t header = std::min<std::size_t>(352, bytes.size());
@@ -81,7 +81,7 @@ std::string imagePair(std::string_view bytes) {
   return faultOf(model::readSurfaces(folder.put(".img", bytes.substr(header))));
 }
 
-/// A file of several slices.
+/// Reads a file of several slices.
 std::string dicomSeries(std::string_view bytes) {
   static const InputFolder folder;
   const std::array files{folder.put(".dcm", bytes)};
@@ -96,7 +96,7 @@ std::string dicomSeries(std::string_view bytes) {
              : "a volume that is none";
 }
 
-/// The first assembly of an entry.
+/// Reads the first assembly of an entry.
 std::string assembly(std::string_view bytes) {
   static const InputFolder folder;
   const Result<model::RawMeshes> read =
@@ -142,7 +142,7 @@ std::string fiducials(std::string_view bytes) {
   return {};
 }
 
-/// What is read is written and read again: the same bytes must come of it.
+/// Writes what was read and reads it again: the same bytes must result.
 std::string savedTwice(const model::SceneDocument& document) {
   const Result<std::string> once = model::sceneFileBytes(document);
   if (!once.ok())
@@ -199,8 +199,8 @@ std::string scanCodec(std::string_view bytes) {
   return model::encodedVoxels(*voxels) == bytes ? "" : "encoded again it is another scan";
 }
 
-/// What callouts show are bytes of their text in order; another style for some of them changes no
-/// word. The first byte says where the selection is.
+/// Checks that the spans of a callout are bytes of its text in order, and that another style for
+/// some of them changes no word. The first byte says where the selection is.
 std::string markup(std::string_view bytes) {
   const std::string text(bytes.substr(std::min<std::size_t>(1, bytes.size())));
   std::size_t last = 0;
@@ -222,13 +222,13 @@ std::string markup(std::string_view bytes) {
   const auto words = [](const std::string& marked) {
     return model::plainText(model::AnnotationKind::callout, marked);
   };
-  // An empty pair is typed into, and may be read as a part of others until then.
+  // An empty pair of marks is waiting for letters, and may be read as a part of others until then.
   if (selection.begin < selection.end && words(made.text) != words(text))
     return "another style has changed words";
   return made.selection.end > made.text.size() ? "the selection is outside of the text" : "";
 }
 
-/// The whole way in: what a reader hands on is mended, smoothed and refined, or decimated, and
+/// Takes the whole way in: the reader's result is mended, smoothed and refined, or decimated, and
 /// saved. Refinement makes much of little by design, so the input is kept small.
 std::string wholeImport(std::string_view bytes) {
   if (bytes.size() > 8192)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What takes bytes from outside, each as a function of bytes alone: libFuzzer looks for input that
-// breaks one, and an ordinary test replays what it found.
+// Declares each reader of bytes from outside as a function of bytes alone: libFuzzer looks for
+// input that breaks one, and an ordinary test replays what it found.
 #pragma once
 
 #include <span>
@@ -10,14 +10,14 @@
 namespace sline::fuzz {
 
 struct Harness {
-  std::string_view name;  ///< of its folders of seeds and crashers, and of its dictionary
-  /// What was wrong with the answer, empty where nothing was. The input may be refused, but with a
+  std::string_view name;  ///< names its folders of seeds and crashers, and its dictionary
+  /// Returns what was wrong with the answer, or an empty text. The input may be refused, but with a
   /// reason.
   std::string (*run)(std::string_view bytes);
 };
 
 std::span<const Harness> harnesses();
-/// Null where there is none of that name.
+/// Returns the harness of that name, or null if there is none.
 const Harness* harnessNamed(std::string_view name);
 
 }  // namespace sline::fuzz

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readers take paths; this makes one of bytes.
+// Makes paths out of bytes, since readers take paths.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,9 @@
 
 namespace sline::fuzz {
 
-/// A folder of this process alone, below TMPDIR. It holds what it was given and nothing else, so a
-/// file that refers to others finds itself or nothing. Goes with the object.
+/// An InputFolder is a folder of this process alone, below TMPDIR. It holds what it was given and
+/// nothing else, so a file that refers to others finds itself or nothing. It is removed with the
+/// object.
 class InputFolder {
  public:
   InputFolder();
@@ -16,7 +17,7 @@ class InputFolder {
   InputFolder(const InputFolder&) = delete;
   InputFolder& operator=(const InputFolder&) = delete;
 
-  /// The bytes as "input" with that extension; aborts where they cannot be written.
+  /// Writes the bytes as "input" with that extension; aborts if they cannot be written.
   std::filesystem::path put(std::string_view extension, std::string_view bytes) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What fuzzing began with and what it found, given once to each harness: whatever broke a reader
-// once is tried with every build.
+// Gives each harness once the inputs that fuzzing began with and those it found: any input that
+// broke a reader once is tried with every build.
 #include <QDirIterator>
 #include <QFile>
 #include <QtTest>

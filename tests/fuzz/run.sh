@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # run.sh SECONDS [HARNESS...]: builds sline-fuzz and lets the harnesses (all, if none is named) run
 # for that long together, one to a core. Fails at the first input that crashes, takes longer than
-# 5 s (molecules: see below) or more than 2 GB; it then lies in build/fuzz/findings. The corpus grows in build/fuzz/corpus
-# from run to run; small files of the folder SLINE_TEST_DATA are seeds as well.
+# 5 s (molecules: see below) or more than 2 GB; it then lies in build/fuzz/findings. The corpus
+# grows in build/fuzz/corpus from run to run; small files of the folder SLINE_TEST_DATA are seeds
+# as well.
 set -euo pipefail
 
 seconds=${1:?how many seconds}
@@ -20,7 +21,7 @@ cmake --build "$build" --parallel "$jobs" --target sline-fuzz
 
 program=$build/bin/sline-fuzz
 names=("$@")
-# Asked for nobody, it lists them.
+# Without a harness's name it lists them.
 [ ${#names[@]} -gt 0 ] || mapfile -t names < <("$program" 2>/dev/null || true)
 each=$((seconds * jobs / ${#names[@]}))
 [ "$each" -ge 1 ] || each=1
@@ -46,7 +47,7 @@ fuzz() { # harness
     inputs+=("$data")
   fi
   # Surfaces of molecules, which are arithmetic through and through, take forty times as long with
-  # sanitizers as without: 18 s for what takes 0.45 s.
+  # sanitizers as without: 18 s instead of 0.45 s.
   local limit=5
   case $name in pdb | cif | cif_gz | json | assembly) limit=60 ;; esac
   local options=(-max_total_time="$each" -max_len=1048576 -timeout="$limit" -rss_limit_mb=2048
@@ -54,7 +55,7 @@ fuzz() { # harness
   [ -f "$here/dictionaries/$name.dict" ] && options+=(-dict="$here/dictionaries/$name.dict")
   local rc=0
   SLINE_HARNESS=$name "$program" "${options[@]}" "${inputs[@]}" >"$log" 2>&1 || rc=$?
-  # What the last line of progress and the final statistics say.
+  # These are from the last line of progress and the final statistics.
   awk -v name="$name" -v rc="$rc" '
     { for (i = 1; i < NF; ++i) {
         if ($i == "cov:") cov = $(i + 1)

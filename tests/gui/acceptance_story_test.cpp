@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The main job from start to end by hand, clicks counted: a folder is dropped, an organ found, its
-// line style set, focus, a colour, a turn, saved, closed and opened again.
+// Tests the main job from start to end by hand, counting clicks: a folder is dropped, an organ
+// found, its line style set, focus, a colour, a turn, saved, closed and opened again.
 #include <QAction>
 #include <QColorDialog>
 #include <QFileDialog>
@@ -18,8 +18,8 @@ namespace sline::test {
 
 namespace {
 
-/// A person's hands. A press of the mouse is a click, whether or not a drag follows; a key with its
-/// modifiers and a word typed in one go are actions of their own.
+/// Acts and counts as a user does. A press of the mouse is a click, whether or not a drag follows;
+/// a key with its modifiers and a word typed in one go are actions of their own.
 class Hands {
  public:
   void click(QWidget& widget, const QPoint& at) {
@@ -39,12 +39,13 @@ class Hands {
     QTest::keyClicks(&widget, text);
     ++m_words;
   }
-  /// As typed, but letter by letter completion would have its say.
+  /// Sets the text in one go and counts a typed word; typed letter by letter, completion would
+  /// interfere.
   void write(QLineEdit& edit, const QString& text) {
     edit.setText(text);
     ++m_words;
   }
-  /// A drag of files from elsewhere onto the window.
+  /// Counts a drag of files from elsewhere onto the window.
   void dropped() { ++m_clicks; }
   int clicks() const { return m_clicks; }
   QString text() const {
@@ -70,7 +71,7 @@ T* dialog(const char* name = nullptr) {
   return there ? found : nullptr;
 }
 
-/// Equal in all but where in memory the meshes lie.
+/// Tells whether the scenes are equal in all but where in memory the meshes lie.
 bool alike(const model::Scene& a, const model::Scene& b) {
   std::vector<model::Node> nodes = a.nodes();
   if (nodes.size() != b.nodes().size())
@@ -85,7 +86,7 @@ bool alike(const model::Scene& a, const model::Scene& b) {
          a.annotations() == b.annotations() && a.keyLight() == b.keyLight();
 }
 
-/// The files of that folder's manifest that make a scene of 28 structures.
+/// Copies the files of that folder's manifest that make a scene of 28 structures.
 bool copyCore(const QString& from, const QString& to) {
   QFile manifest(from + QStringLiteral("/MANIFEST.tsv"));
   if (!manifest.open(QIODevice::ReadOnly))
@@ -105,7 +106,8 @@ bool copyCore(const QString& from, const QString& to) {
 class AcceptanceStoryTest : public QObject {
   Q_OBJECT
 
-  /// Where in the picture a click selects the structure: it may be behind another in places.
+  /// Returns where in the picture a click selects the structure: it may be behind another in
+  /// places.
   static std::optional<QPoint> placeOf(WindowFixture& f, model::NodeId id) {
     const QRect area = f.areaOf(id) & f.viewport().rect();
     for (int step = 6; step >= 2; --step)
@@ -124,7 +126,7 @@ class AcceptanceStoryTest : public QObject {
     return std::nullopt;
   }
 
-  /// Everything up to saving; leaves the structure in focus and coloured.
+  /// Does everything up to saving; leaves the structure in focus and coloured.
   void illustrate(WindowFixture& f, Hands& hands, const QString& word, const QString& name,
                   bool inThePicture) {
     const model::NodeId id = f.session.scene().named(name.toStdString()).front();
@@ -211,7 +213,7 @@ class AcceptanceStoryTest : public QObject {
     QVERIFY(saving);
     auto* path = saving->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     QVERIFY(path);
-    // While it has no focus the list of files has its say.
+    // While the dialog has no focus, its list of files would interfere.
     QApplication::setActiveWindow(saving);
     path->setFocus();
     hands.write(*path, file);

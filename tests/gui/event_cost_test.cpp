@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window answers within a tenth of a second, whatever is done and however large the scene: no
-// event is more work than that for the window's thread, and none waits for the renderer.
+// Tests that the window answers within a tenth of a second, whatever is done and however large the
+// scene: no event is more work than that for the window's thread, and none waits for the renderer.
 #include <QAbstractButton>
 #include <QMessageBox>
 #include <QtTest>
@@ -23,7 +23,7 @@ WatchedApplication& watch() {
   return *static_cast<WatchedApplication*>(QCoreApplication::instance());
 }
 
-/// 40 groups of 25 small structures.
+/// Returns 40 groups of 25 small structures.
 Result<widgets::Loaded> crowd(const model::ImportProgress&, const std::stop_token&) {
   model::Scene scene;
   for (int g = 0; g < 40; ++g) {
@@ -41,7 +41,7 @@ Result<widgets::Loaded> crowd(const model::ImportProgress&, const std::stop_toke
 
 }  // namespace
 
-/// A person at work; between gestures there is time for the window to draw itself.
+/// Acts as a user at work; between gestures there is time for the window to draw itself.
 struct Hands {
   WindowFixture& f;
 
@@ -148,8 +148,8 @@ class EventCostTest : public QObject {
     QVERIFY(affordable("another document and back"));
   }
 
-  /// The renderer stands in the middle of a picture until all is done: whoever waited for it would
-  /// wait for ever.
+  /// The renderer stands in the middle of a picture until all is done: an event that waited for it
+  /// would wait for ever.
   void noEventWaitsForThePicture() {
     const auto gate = std::make_shared<Gate>();
     WindowFixture f(gated(gate));

@@ -21,7 +21,8 @@ double milliseconds(clockid_t clock) {
   return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
 }
 
-/// How long the thread was ready to run while no core was free; 0 where the kernel does not say.
+/// Returns how long the thread was ready to run while no core was free; 0 if the kernel does not
+/// say.
 double waitedForCore() {
   static thread_local const int file = open("/proc/thread-self/schedstat", O_RDONLY | O_CLOEXEC);
   std::array<char, 128> text{};
@@ -50,7 +51,7 @@ QString nameOf(const QObject& receiver, const QEvent& event) {
 bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   if (m_depth > 0)
     return QApplication::notify(receiver, event);
-  // Taken now: the receiver may be gone afterwards.
+  // The name is taken now, since the receiver may be gone afterwards.
   const QString what = nameOf(*receiver, *event);
   const Times before;
   ++m_depth;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each event costs the thread that handles it.
+// Measures what each event costs the thread that handles it.
 #pragma once
 
 #include <QApplication>
@@ -8,16 +8,17 @@
 
 namespace sline::test {
 
-/// One event, with all that was done before its handler came back; milliseconds.
+/// Holds the cost in milliseconds of one event, with all that was done before its handler returned.
 struct EventCost {
   QString what;         ///< kind of the event and class of its receiver
   double wall = 0.0;    ///< from beginning to end
   double worked = 0.0;  ///< the thread's own CPU time
-  /// Neither at work nor waiting for a core: held up by a lock, another thread or the display.
+  /// Holds the time neither at work nor waiting for a core: held up by a lock, another thread or
+  /// the display.
   double stood = 0.0;
 };
 
-/// An application that weighs its events. Times of the thread are the kernel's, so that other
+/// An application that measures its events. Times of the thread are the kernel's, so that other
 /// programs on the machine, which only make the thread wait for a core, do not count.
 class WatchedApplication : public QApplication {
  public:
@@ -26,9 +27,9 @@ class WatchedApplication : public QApplication {
 
   void forget() { m_costs.clear(); }
   const std::vector<EventCost>& costs() const { return m_costs; }
-  /// The event with the largest figure of the kind asked for; all zero where there was none.
+  /// Returns the event with the largest figure of the kind asked for; all zero if there was none.
   EventCost worst(double EventCost::*figure) const;
-  /// "MouseMove of Viewport" and the like with their figures, the dearest first.
+  /// Returns "MouseMove of Viewport" and the like with their figures, the dearest first.
   QString report(std::size_t lines) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every control of the window and its dialogs, in every language: its text has room, it says what
-// it is to those who do not see it, and the keyboard gets there.
+// Tests every control of the window and its dialogs, in every language: its text has room, it says
+// what it is to users who do not see it, and the keyboard gets there.
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSlider>
@@ -32,7 +32,7 @@ namespace sline::test {
 
 namespace {
 
-/// A window with a scene, a structure selected, all panels shown and all folds open.
+/// Provides a window with a scene, a structure selected, all panels shown and all folds open.
 struct Open : WindowFixture {
   widgets::LanguageSwitch language;
 
@@ -44,7 +44,7 @@ struct Open : WindowFixture {
     session.select({session.scene().named("left renal vein").front()});
     language.use(speaks);
     QCoreApplication::sendPostedEvents();
-    // The scene is in English: so are long names.
+    // The scene is in English, and its names must be as long in any language.
     window.preferences().set(QStringLiteral("language/structures"), QStringLiteral("interface"));
     for (QDockWidget* dock : docks())
       dock->show();
@@ -63,7 +63,7 @@ struct Open : WindowFixture {
   }
 };
 
-/// For eyes: SLINE_SCREENSHOTS names a folder that takes the pictures.
+/// Saves a picture to look at: SLINE_SCREENSHOTS names a folder that takes the pictures.
 void keep(QWidget& widget, const QString& name) {
   const QString folder = qEnvironmentVariable("SLINE_SCREENSHOTS");
   if (!folder.isEmpty())
@@ -83,7 +83,8 @@ bool acts(const QWidget& widget) {
          qobject_cast<const QAbstractItemView*>(&widget) || widget.focusPolicy() != Qt::NoFocus;
 }
 
-/// Parts of controls that Qt makes, and bars of scroll areas, which keys move from within.
+/// Tells whether it is a part of a control that Qt makes, or a bar of a scroll area, which keys
+/// move from within.
 bool isPart(const QWidget& widget) {
   for (const QWidget* at = &widget; at; at = at->parentWidget()) {
     if (at->objectName().startsWith(QLatin1String("qt_")))
@@ -123,7 +124,7 @@ QSet<QAction*> actionsInMenus(QMainWindow& window) {
   return all;
 }
 
-/// By the Tab key, from where the focus is until it is there again.
+/// Returns the widgets reached by the Tab key, from where the focus is until it is there again.
 QSet<QWidget*> reachedByTab(QWidget& root) {
   QSet<QWidget*> reached;
   for (int i = 0; i < 300 && QApplication::focusWidget(); ++i) {
@@ -136,7 +137,7 @@ QSet<QWidget*> reachedByTab(QWidget& root) {
   return reached;
 }
 
-/// Of buttons of which one is pressed Tab reaches that one, arrow keys the others.
+/// Tells whether Tab reaches the pressed one of a group of buttons; arrow keys reach the others.
 bool besideReached(QWidget* widget, const QSet<QWidget*>& reached) {
   const auto* button = qobject_cast<QAbstractButton*>(widget);
   if (!button || !button->group() || !button->group()->exclusive())
@@ -159,7 +160,7 @@ class EveryControlTest : public QObject {
       QTest::newRow(qPrintable(language.id)) << language.id;
   }
 
-  /// The dialogs that actions open, by the action's id.
+  /// Returns the dialogs that actions open, by the action's id.
   static QStringList dialogActions() {
     return {QStringLiteral("preferences"), QStringLiteral("controls"), QStringLiteral("about"),
             QStringLiteral("export"), QStringLiteral("help")};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The export dialog itself: preview and summary follow what is chosen, choices are remembered, and
-// all can be read in every language.
+// Tests the export dialog itself: preview and summary follow what is chosen, choices are
+// remembered, and all can be read in every language.
 #include <QAction>
 #include <QClipboard>
 #include <QRadioButton>
@@ -18,7 +18,7 @@ namespace sline::test {
 
 namespace {
 
-/// For eyes: SLINE_SCREENSHOTS names a folder that takes the pictures.
+/// Saves a picture to look at: SLINE_SCREENSHOTS names a folder that takes the pictures.
 void keep(QWidget& widget, const QString& name) {
   const QString folder = qEnvironmentVariable("SLINE_SCREENSHOTS");
   if (!folder.isEmpty())
@@ -99,7 +99,7 @@ class ExportChoicesTest : public QObject {
     QVERIFY(!desk.part<QAbstractButton>("exportPageOn").isEnabled());
     QVERIFY(desk.previewed());
     QVERIFY(desk.dialog()->preview().picture() != first);
-    // It stays there whatever else is chosen, and one file is the first again.
+    // The page stays whatever else is chosen, and going back shows the first file again.
     desk.pick("export-labels", QStringLiteral("None"));
     QVERIFY(name.text().endsWith(QStringLiteral("(2 of 2)")));
     desk.click("exportPageBack");
@@ -163,7 +163,7 @@ class ExportChoicesTest : public QObject {
     const QImage copied =
         QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
     QCOMPARE(copied.size(), 2 * desk.viewport().size());
-    // What is on screen is in it, finer; its labels besides.
+    // The copy shows what is on screen, finer, and its labels besides.
     const QImage shown = desk.picture();
     const QImage coarse =
         copied.scaled(shown.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -176,7 +176,7 @@ class ExportChoicesTest : public QObject {
     for (int x = 1; x + 1 < shown.width(); ++x) {
       const bool there = qGray(shown.pixel(x, middle.y())) < 160;
       ink += there ? 1 : 0;
-      // A finer line may lie in the pixel beside.
+      // A finer line may lie in the neighbouring pixel.
       both += there && (dark(x - 1) || dark(x) || dark(x + 1)) ? 1 : 0;
     }
     QVERIFY(ink > 0);
@@ -251,7 +251,7 @@ class ExportChoicesTest : public QObject {
     QVERIFY2(clipped.isEmpty(), qPrintable('\n' + clipped.join('\n')));
   }
 
-  /// The renderer's table has no translations of its own.
+  /// Tests the renderer's table, which has no translations of its own.
   void kindsAreTranslated_data() {
     QTest::addColumn<QString>("kind");
     for (const render::ExportFormat& format : render::exportFormats())
@@ -260,7 +260,7 @@ class ExportChoicesTest : public QObject {
   void kindsAreTranslated() {
     QFETCH(QString, kind);
     const render::ExportFormat& format = *widgets::formatOf(kind);
-    // Both are read in the window, where there are no flags.
+    // Title and help are read in the window, where there are no flags.
     QVERIFY2(!QByteArray(format.help).contains("--"), format.help);
     QTranslator german;
     QVERIFY(german.load(QStringLiteral(":/translations/sline_de.qm")));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A window with two balls in it, and hands for its export dialog.
+// Provides a window with two balls in it, and helpers that operate its export dialog.
 #pragma once
 
 #include <QAbstractButton>
@@ -32,15 +32,16 @@ inline model::Annotation labelOn(model::NodeId structure, const char* english, c
   return label;
 }
 
-/// A window with two balls, a label on each and two saved views, and hands for the dialog.
+/// Provides a window with two balls, a label on each and two saved views, and helpers that operate
+/// the dialog.
 struct ExportDesk : WindowFixture {
   QTemporaryDir out;
 
   explicit ExportDesk(int fineness = 3) {
-    // Lying, whatever the window's shape is.
+    // The page is landscape, whatever the window's shape is.
     settings.setValue(QStringLiteral("export/width"), 160);
     settings.setValue(QStringLiteral("export/height"), 90);
-    // Short films.
+    // Films are short.
     settings.setValue(QStringLiteral("export/options/seconds"), 1);
     settings.setValue(QStringLiteral("export/options/framesPerSecond"), 5);
     settings.setValue(QStringLiteral("export/options/filmHeight"), 90);
@@ -58,7 +59,7 @@ struct ExportDesk : WindowFixture {
       scene.appendAnnotation(labelOn(left, "The left one", "Die linke"));
       scene.appendAnnotation(labelOn(right, "The right one", "Die rechte"));
       model::View front{.name = "Front/ \xE5\xBF\x83"};
-      model::View back{.name = "front- \xE5\xBF\x83"};  // the same where case does not count
+      model::View back{.name = "front- \xE5\xBF\x83"};  // the same name if case does not count
       back.camera.eye = {0.0f, 1000.0f, 0.0f};
       scene.setViews({front, back});
       return Result<widgets::Loaded>(
@@ -73,7 +74,7 @@ struct ExportDesk : WindowFixture {
     QTest::keyClick(&viewport(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     if (!QTest::qWaitFor([this] { return dialog() && dialog()->isVisible(); }))
       qFatal("no dialog");
-    // There is no window manager to do it.
+    // There is no window manager to activate it.
     QApplication::setActiveWindow(dialog());
     return *dialog();
   }
@@ -84,7 +85,7 @@ struct ExportDesk : WindowFixture {
       qFatal("the dialog has no %s", name);
     return *found;
   }
-  /// By arrow keys, from the top.
+  /// Chooses the kind by arrow keys, from the top.
   void chooseKind(const QString& id) {
     auto& kinds = part<QListWidget>("exportKinds");
     kinds.setFocus();
@@ -100,7 +101,7 @@ struct ExportDesk : WindowFixture {
     for (int i = 0; i < box.count() && box.currentText() != text; ++i)
       QTest::keyClick(&box, Qt::Key_Down);
     QCOMPARE(box.currentText(), text);
-    // As a click on the entry would; arrow keys say so only where the list is open.
+    // A click on the entry would emit this; arrow keys do so only while the list is open.
     emit box.activated(box.currentIndex());
   }
   void number(const char* name, double value) {
@@ -120,10 +121,10 @@ struct ExportDesk : WindowFixture {
   }
   void click(const char* button) {
     auto& pressed = part<QAbstractButton>(button);
-    // Where its box is: a line is longer than its text.
+    // The click goes to the button's box, since a line is longer than its text.
     QTest::mouseClick(&pressed, Qt::LeftButton, {}, {8, pressed.height() / 2});
   }
-  /// A small page, so that every kind is quick.
+  /// Sets a small page, so that every kind is quick.
   void small() {
     number("exportWidth", 60);
     number("exportHeight", 45);
@@ -136,7 +137,7 @@ struct ExportDesk : WindowFixture {
   bool previewed() {
     return QTest::qWaitFor([this] { return dialog()->preview().upToDate(); }, 60'000);
   }
-  /// All below the folder that files went to.
+  /// Returns all files below the folder that exports went to.
   QStringList written() {
     QStringList names;
     for (QDirIterator each(out.path(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);

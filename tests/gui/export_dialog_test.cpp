@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Export by hand: every kind of file there is, and what stands in the way.
+// Tests export by hand: every kind of file there is, and what can prevent it.
 #include <unistd.h>
 
 #include <QAction>
@@ -24,7 +24,7 @@ QByteArray contents(const QString& file) {
   return source.open(QIODevice::ReadOnly) ? source.readAll() : QByteArray();
 }
 
-/// How files begin, by the kind's extension.
+/// Tells whether the file begins as its kind does, by the kind's extension.
 bool beginsRight(const QString& extension, const QByteArray& bytes) {
   static const std::map<QString, QList<QByteArray>> begins = {
       {"svg", {"<?xml", "<svg"}},
@@ -115,7 +115,7 @@ class ExportDialogTest : public QObject {
     QCOMPARE(colours, (QSet<QString>{QStringLiteral("#000000"), QStringLiteral("#ffffff")}));
   }
 
-  /// Letters are for a screen, whatever paper was chosen before.
+  /// A film's page has letters fit for a screen, whatever paper was chosen before.
   void filmsHaveAPageOfTheirOwn() {
     widgets::ExportDraft draft;
     draft.kind = QStringLiteral("mp4");
@@ -144,7 +144,7 @@ class ExportDialogTest : public QObject {
     QVERIFY2(!doubt.text().contains(QStringLiteral("patient's sheet")), qPrintable(doubt.text()));
   }
 
-  /// What the files lack is said before, as far as the preview tells, and after.
+  /// Remarks on what the files lack come before, as far as the preview shows it, and after.
   void remarksBeforeAndAfter() {
     ExportDesk desk;
     desk.show();
@@ -176,7 +176,7 @@ class ExportDialogTest : public QObject {
     dialog.close();
     QTRY_VERIFY(!desk.window.findChild<QDialog*>(QStringLiteral("messageDialog")));
     QApplication::setActiveWindow(&desk.window);  // there is no window manager to do it
-    // A file without faults is spoken of as before.
+    // A file without faults gets the usual message.
     desk.show();
     desk.number("exportWidth", 160);
     desk.number("exportHeight", 90);
@@ -192,10 +192,10 @@ class ExportDialogTest : public QObject {
     QVERIFY2(!desk.message().contains(QStringLiteral("room")), qPrintable(desk.message()));
   }
 
-  /// Typed for one file; neither remembered nor taken from the account.
+  /// A credit is typed for one file; it is neither remembered nor taken from the account.
   void creditIsTyped() {
     ExportDesk desk;
-    // As an older program left it.
+    // An older program left this.
     desk.settings.setValue(QStringLiteral("export/options/sheetText"), QStringLiteral("Mrs Roe"));
     desk.show();
     desk.chooseKind(QStringLiteral("svg"));
@@ -215,7 +215,7 @@ class ExportDialogTest : public QObject {
     for (const QString& key : desk.settings.allKeys())
       QVERIFY2(!desk.settings.value(key).toString().contains(QStringLiteral("Roe")),
                qPrintable(key));
-    // Another document begins without.
+    // Another document begins without a credit.
     desk.open(2);
     desk.show();
     QCOMPARE(desk.part<QLineEdit>("export-author").text(), QString());
@@ -263,7 +263,7 @@ class ExportDialogTest : public QObject {
     desk.target(desk.out.filePath(QStringLiteral("before.svg")));
     desk.click("exportButton");
     QVERIFY(desk.exporting());
-    // What is done now is not in the file: it is of the scene as it was asked for.
+    // An edit made now is not in the file, which shows the scene as it was ordered.
     const model::Scene none;
     desk.session.apply(QStringLiteral("hide"), model::withOnlyVisible(desk.session.scene(), {}));
     desk.window.preferences().set(QStringLiteral("appearance/toolTexts"), true);
@@ -289,7 +289,7 @@ class ExportDialogTest : public QObject {
     QVERIFY(desk.window.isVisible() && desk.exporting());
     QVERIFY(!desk.window.close());
     QTest::mouseClick(&desk.control<QPushButton>("stopExport"), Qt::LeftButton);
-    // The scene was made and is saved nowhere: that is asked about next.
+    // The scene was made and is saved nowhere, so a question about that comes next.
     QTRY_VERIFY_WITH_TIMEOUT(!desk.window.isVisible() ||
                                  desk.window.findChild<QDialog*>(QStringLiteral("unsavedDialog")),
                              60'000);
@@ -372,7 +372,7 @@ class ExportDialogTest : public QObject {
     desk.show();
     desk.chooseKind(QStringLiteral("svg"));
     desk.small();
-    // Without its ending, which it gets: that file is asked about, too.
+    // The name gets the ending that it lacks; the question comes for that file, too.
     desk.target(desk.out.filePath(QStringLiteral("there")));
     desk.click("exportButton");
     QTRY_VERIFY(desk.dialog()->findChild<QDialog*>(QStringLiteral("exportReplaceDialog")));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program itself, worked by keys and killed: what was not saved is there again. Started twice:
-// the window that is open takes what the second start names.
+// Tests the program itself, operated by keys and killed: what was not saved is there again. Started
+// twice, the window that is open takes what the second start names.
 #include <signal.h>
 
 #include <QProcess>
@@ -25,7 +25,8 @@ class FilesCrashTest : public QObject {
   fs::path copies() const {
     return (m_folder.path() + QStringLiteral("/state/sline/autosave")).toStdString();
   }
-  /// With folders and settings of its own, copies a second after a change.
+  /// Starts the program with folders and settings of its own; it writes copies a second after a
+  /// change.
   void start(QProcess& program, const QStringList& arguments) const {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char* name : {"state", "config", "cache"})
@@ -35,7 +36,8 @@ class FilesCrashTest : public QObject {
     QDir().mkpath(sockets);
     QFile::setPermissions(sockets, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     environment.insert(QStringLiteral("XDG_RUNTIME_DIR"), sockets);
-    // Its driver is unloaded at the end, and what that leaks would be nobody's (tests/leaks.supp).
+    // The program's driver is unloaded at the end, so a report could not name its leaks
+    // (tests/leaks.supp).
     environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
     const QString settings = m_folder.filePath(QStringLiteral("config/Sline"));
     QDir().mkpath(settings);
@@ -77,7 +79,7 @@ class FilesCrashTest : public QObject {
     QVERIFY(first.waitForStarted());
     ForeignWindow window(first.processId());
     QVERIFY(soon([&] { return window.title().starts_with("body.sline"); }));
-    QVERIFY(window.press("k"));  // the key light, which is of the scene
+    QVERIFY(window.press("k"));  // the key light belongs to the scene
     QVERIFY(soon([&] { return window.title().starts_with("body.sline*"); }));
     QVERIFY(soon([&] { return copiesThere() == 1; }));
     QCOMPARE(::kill(pid_t(first.processId()), SIGKILL), 0);
@@ -99,7 +101,7 @@ class FilesCrashTest : public QObject {
       static_cast<void>(QTest::qWaitFor(recovered, patience));
     }
     QVERIFY(recovered());
-    // In a copy of its own before the old one goes.
+    // The scene is in a copy of its own before the old one goes.
     QVERIFY(soon([&] { return !fs::exists(found[0].copy) && copiesThere() == 1; }));
     QVERIFY(again.press("s", true));
     QVERIFY(soon([&] {
@@ -126,7 +128,7 @@ class FilesCrashTest : public QObject {
       return !window.title().empty() &&
              !sockets.entryList({QStringLiteral("sline-*")}, QDir::System).isEmpty();
     }));
-    // A path is told from where the second one was started.
+    // A path is relative to where the second program was started.
     QProcess second;
     second.setWorkingDirectory(body.path());
     start(second, {QStringLiteral(".")});
@@ -134,7 +136,7 @@ class FilesCrashTest : public QObject {
     QCOMPARE(second.exitCode(), 0);
     QVERIFY(soon([&] { return window.title().starts_with(name); }));
 
-    // Once, or always, a window of its own is wished for.
+    // A window of its own is asked for once, or always.
     for (const bool once : {true, false}) {
       if (!once)
         QSettings(m_folder.filePath(QStringLiteral("config/Sline/Sline.conf")),

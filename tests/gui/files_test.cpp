@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saving, closing, opening again, by hand: nothing that is unsaved goes without a question.
+// Tests saving, closing and opening again by hand: nothing that is unsaved goes without a question.
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -24,7 +24,7 @@ class FilesTest : public QObject {
 
   QTemporaryDir m_body;
 
-  /// A scene file of its own for each test.
+  /// Writes a scene file of its own for each test.
   QString sceneFile(const WindowFixture& f, const char* name = "body.sline") const {
     Session reader;
     reader.openPaths({m_body.path().toStdString()});
@@ -57,10 +57,10 @@ class FilesTest : public QObject {
   static void typeName(WindowFixture& f, const QString& name) {
     auto& dialog = f.control<QFileDialog>("saveDialog");
     auto& edit = *dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-    // While it has no focus the list of files has its say.
+    // While the dialog has no focus, its list of files would interfere.
     QApplication::setActiveWindow(&dialog);
     edit.setFocus();
-    edit.setText(name);  // letter by letter, completion would have its say
+    edit.setText(name);  // typed letter by letter, completion would interfere
     QTest::keyClick(&edit, Qt::Key_Return);
     QApplication::setActiveWindow(&f.window);
   }
@@ -87,7 +87,7 @@ class FilesTest : public QObject {
     QVERIFY(!f.window.isWindowModified());
     edit(f);
     QVERIFY(f.window.isWindowModified());
-    // Turning it is no edit, but where it was looked at from comes back, too.
+    // Turning the scene is no edit, but the camera comes back, too.
     dragMouse(f.viewport(), {400, 300}, {460, 330});
     QVERIFY(press(f, Qt::Key_S));  // it has no name yet
     const QString path = f.folder.filePath(QStringLiteral("mine.sline"));
@@ -120,7 +120,7 @@ class FilesTest : public QObject {
     const QAction& save = f.control<QAction>("save");
     QVERIFY(!save.isEnabled());
     f.pullGamma(f.session.scene().named("left kidney").front(), 4.0f);
-    QVERIFY(f.window.isWindowModified());  // while it is dragged already
+    QVERIFY(f.window.isWindowModified());  // even while it is dragged
     f.letGoOfGamma();
     QVERIFY(save.isEnabled());
     QVERIFY(press(f, Qt::Key_Z));
@@ -164,7 +164,7 @@ class FilesTest : public QObject {
       QVERIFY(bytesOf(f.session.scene()) == edited && f.window.isWindowModified());
   }
 
-  /// Saving on the way out fails: the window stays.
+  /// If saving on the way out fails, the window stays.
   void closingWaitsForTheDisk() {
     WindowFixture f;
     const QString folder = f.folder.filePath(QStringLiteral("sub"));
@@ -180,7 +180,7 @@ class FilesTest : public QObject {
     QTRY_VERIFY(message.isVisible());
     QVERIFY2(message.text().contains(QStringLiteral("body.sline")), qPrintable(message.text()));
     QVERIFY(f.window.isVisible() && f.window.isWindowModified());
-    QVERIFY(press(f, Qt::Key_S));  // and again, as it is still not saved
+    QVERIFY(press(f, Qt::Key_S));  // again, as it is still not saved
     QVERIFY(f.window.isWindowModified());
   }
 
@@ -243,7 +243,7 @@ class FilesTest : public QObject {
     QTRY_VERIFY(bytesOf(onDisk(copy + QStringLiteral(".sline"))) == bytesOf(f.session.scene()));
     QCOMPARE(f.session.title(), QStringLiteral("body.sline"));
     QVERIFY(f.window.isWindowModified());
-    // Its whole name is there now: that is asked about.
+    // The whole name exists now, so a question comes.
     f.control<QAction>("saveCopy").trigger();
     typeName(f, copy);
     QTRY_VERIFY(f.window.findChild<QMessageBox*>(QStringLiteral("overwriteDialog")));
@@ -274,7 +274,7 @@ class FilesTest : public QObject {
     QVERIFY(!menu.isEnabled());
   }
 
-  /// All of the start page can be reached and used without a mouse; what it says is seen.
+  /// All of the start page can be reached and used without a mouse; its messages are visible.
   void startPageByKeyboard() {
     WindowFixture f;
     const QString there = sceneFile(f, "there.sline");

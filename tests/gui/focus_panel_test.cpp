@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Focus and context by hand: one key, one slider, roles corrected, every change one step.
+// Tests focus and context by hand: one key, one slider, roles corrected, every change one step.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -157,7 +157,7 @@ class FocusPanelTest : public QObject {
     QVERIFY(gammaOf(f, "left renal vein") > 4.0f);
     const int corrections = f.session.history().count() - 1;
     QVERIFY(corrections > 0);
-    // The amount changes nothing of it.
+    // The amount does not change a corrected role.
     slider(f).setFocus();
     QTest::keyClick(&slider(f), Qt::Key_Home);
     QVERIFY(shown(f, "left renal vein") && !shown(f, "bladder"));

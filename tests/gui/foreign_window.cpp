@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No header of Qt here: Xlib's macros and its names do not get on.
+// Includes no header of Qt, since names of Xlib and its macros clash with Qt's.
 #include "tests/gui/foreign_window.h"
 
 #include <X11/Xatom.h>
@@ -10,7 +10,7 @@ namespace sline::test {
 
 struct ForeignWindow::Data {
   explicit Data(std::int64_t id) : process(id), display(XOpenDisplay(nullptr)) {
-    // Windows may go while they are looked at.
+    // Windows may go away while they are examined.
     XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
   }
   Data(const Data&) = delete;
@@ -34,14 +34,14 @@ struct ForeignWindow::Data {
                            AnyPropertyType, &type, &format, &items, &rest, &bytes) != Success ||
         !bytes)
       return {};
-    // What has 32 bits comes as longs.
+    // Items of 32 bits come as longs.
     const std::size_t each = format == 32 ? sizeof(long) : std::size_t(format) / 8;
     std::string text(reinterpret_cast<const char*>(bytes), items * each);
     XFree(bytes);
     return text;
   }
 
-  /// The process's largest one that is shown; 0: none.
+  /// Returns the process's largest window that is shown; 0: none.
   Window window() const {
     Window root = DefaultRootWindow(display);
     Window parent = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window of another process on the same X display, and hands for it.
+// Shows the window of another process on the same X display, and operates it.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@ class ForeignWindow {
   ForeignWindow(const ForeignWindow&) = delete;
   ForeignWindow& operator=(const ForeignWindow&) = delete;
 
-  /// UTF-8; empty while the process shows no window.
+  /// Returns the title in UTF-8; empty while the process shows no window.
   std::string title() const;
-  /// Presses and lets go of the key that X calls by this name ("k", "Tab"). False where there is no
-  /// window.
+  /// Presses and releases the key that X calls by this name ("k", "Tab"). Returns false if there is
+  /// no window.
   bool press(const char* key, bool control = false);
 
  private:

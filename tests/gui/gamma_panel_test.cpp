@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel beside the picture: Γ with its live stages, what is folded away, presets; by mouse and
-// keys on the real window.
+// Tests the panel beside the picture by mouse and keys on the real window: Γ with its live stages,
+// what is folded away, presets.
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QLabel>
@@ -30,7 +30,7 @@ namespace {
 
 constexpr int minute = 60'000;
 
-/// The window with the small body open, and hands for the panel.
+/// Provides the window with the small body open, and helpers that operate the panel.
 struct Panel : WindowFixture {
   QTemporaryDir body;
 
@@ -54,7 +54,7 @@ struct Panel : WindowFixture {
     click(control<QToolButton>("more"));
     QCoreApplication::processEvents();
   }
-  /// The entry of the menu below "My presets" with that text or object name.
+  /// Returns the entry of the menu below "My presets" with that text or object name.
   QAction& presetEntry(const QString& which) {
     auto& menu = control<QMenu>("presetMenu");
     emit menu.aboutToShow();
@@ -172,7 +172,7 @@ void GammaPanelTest::aStageIsOneClick() {
     QCOMPARE(f.gammaOf("aorta"), float(gamma));
     QCOMPARE(f.steps(), steps + 1);
   }
-  // By the keyboard too.
+  // The keyboard chooses a stage, too.
   f.stage(2).setFocus();
   QTest::keyClick(&f.stage(2), Qt::Key_Space);
   QCOMPARE(f.gammaOf("bladder"), 2.0f);
@@ -182,15 +182,15 @@ void GammaPanelTest::stagesAreLive() {
   Panel f;
   f.session.select({f.named("aorta")});
   QVERIFY(f.pictured());
-  // Each stage shows more than the one before, and where most is the surface's colour.
+  // Each stage shows more than the one before, and the last has most, the surface's colour.
   QVERIFY(ink(f.stage(0).picture()) > 1.0);
   QVERIFY(ink(f.stage(3).picture()) > 1.02 * ink(f.stage(2).picture()));
   QVERIFY(ink(f.stage(5).picture()) > 1.5 * ink(f.stage(3).picture()));
-  // Of a structure that is not selected any more nothing stays.
+  // A structure that is no longer selected leaves no picture.
   f.session.select({f.named("bladder")});
   QVERIFY(f.stage(5).picture().isNull());
   QVERIFY(f.pictured());
-  // A colour changes what has colour.
+  // A colour changes the stages that show it.
   const QImage before = f.stage(5).picture();
   f.session.apply(
       QStringLiteral("colour"),
@@ -198,7 +198,7 @@ void GammaPanelTest::stagesAreLive() {
   QVERIFY(QTest::qWaitFor([&] { return f.stage(5).picture() != before; }, minute));
   const QColor middle = f.stage(5).picture().pixelColor(f.stage(5).picture().rect().center());
   QVERIFY(middle.green() > 2 * middle.red());
-  // So does the side it is seen from, but not Γ: the stages are what they are.
+  // The side it is seen from changes them too, but Γ does not: the stages are what they are.
   f.session.select({f.named("aorta")});
   QVERIFY(f.pictured());
   const QImage seen = f.stage(1).picture();
@@ -210,7 +210,7 @@ void GammaPanelTest::stagesAreLive() {
 }
 
 void GammaPanelTest::picturesComeFirst() {
-  // While pictures are asked for again and again no small one is drawn, and all come afterwards.
+  // While new pictures are wanted again and again no small one is drawn, and all come afterwards.
   Panel f;
   f.session.select({f.named("aorta")});
   QVERIFY(f.pictured());
@@ -241,7 +241,7 @@ void GammaPanelTest::severalValuesAreARange() {
                f.number().text().contains(QLocale().toString(3.0, 'f', 2)),
            qPrintable(f.number().text()));
   QCOMPARE(f.steps(), steps);
-  // To give both what one of them has already is a change all the same.
+  // Giving both the value that one of them already has is still a change.
   f.number().setFocus();
   f.number().selectAll();
   QTest::keyClicks(&f.number(), QLocale().toString(3.0, 'f', 2));
@@ -315,13 +315,13 @@ void GammaPanelTest::numbersOfTheLook() {
   // Keys step by the number's own step.
   QTest::keyClick(&slider, Qt::Key_Right);
   QVERIFY(std::abs(value() - set - number.step) < 0.01 * number.step);
-  // Typed.
+  // The number can be typed.
   box.setFocus();
   box.selectAll();
   QTest::keyClicks(&box, QLocale().toString(number.high, 'f', number.decimals));
   QTest::keyClick(&box, Qt::Key_Return);
   QVERIFY(std::abs(value() - number.high) < 1e-4 * number.high);
-  // And back to what the group says.
+  // The button resets it to the group's value.
   f.click(reset);
   QVERIFY(!number.own(f.session.scene().find(id)->style));
   QVERIFY(!reset.isEnabled());
@@ -348,7 +348,7 @@ void GammaPanelTest::numbersOfAGroup() {
   f.session.select({f.named("Organs")});
   QVERIFY(box.isMixed());
   QCOMPARE(pen("left kidney"), 1.0f);
-  // What is said of a group holds for all in it.
+  // A group's value holds for all in it.
   type(QLocale().toString(1.5, 'f', 2));
   QCOMPARE(pen("bladder"), 1.5f);
   QCOMPARE(pen("left kidney"), 1.5f);
@@ -439,7 +439,7 @@ void GammaPanelTest::presetsOfAPerson() {
   QVERIFY(!f.control<QCheckBox>("keep-colour").isChecked());
   QTest::keyClicks(&name, QStringLiteral("Bold & bare"));
   f.click(save);
-  // Put on others: all but the colour, as one step.
+  // The preset changes all but the colour of other structures, as one step.
   const model::NodeId aorta = f.named("aorta");
   const Colour colour = f.session.scene().resolve(aorta).colour;
   f.session.select({aorta, f.named("left kidney")});
@@ -452,7 +452,7 @@ void GammaPanelTest::presetsOfAPerson() {
   QCOMPARE(style.colour, colour);
   QCOMPARE(f.gammaOf("left kidney"), 3.5f);
   QCOMPARE(f.steps(), steps + 1);
-  // Renamed and deleted.
+  // The preset is renamed and deleted.
   f.presetEntry("managePresets").trigger();
   auto& list = f.control<QListWidget>("presetList");
   QCOMPARE(list.count(), 1);

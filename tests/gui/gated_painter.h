@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The renderer behind a gate, to hold it up from outside.
+// Puts the renderer behind a gate, so that a test can hold it up from outside.
 #pragma once
 
 #include <QSemaphore>
@@ -10,7 +10,7 @@
 
 namespace sline::test {
 
-/// What happens on the render thread, seen and steered from outside.
+/// Shows and steers from outside what happens on the render thread.
 struct Gate {
   QSemaphore pass;  ///< one for each picture that may begin
   std::atomic<bool> open = true;
@@ -19,7 +19,7 @@ struct Gate {
   std::atomic<std::uint64_t> last = 0;  ///< number of the last request that was begun
 };
 
-/// The renderer behind a gate.
+/// A painter that holds the renderer behind a gate.
 class GatedPainter : public widgets::PicturePainter {
  public:
   GatedPainter(std::unique_ptr<widgets::PicturePainter> painter, std::shared_ptr<Gate> gate)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window's heart goes on beating while files come in, however many there are. What counts is
-// how long its thread was at work between two beats: where other programs take the cores, the clock
-// says more than it did.
+// Tests that the window's heart goes on beating while files come in, however many there are. The
+// measure is how long its thread was at work between two beats: where other programs take the
+// cores, the clock shows more than it did.
 #include <time.h>
 
 #include <QAction>
@@ -39,7 +39,7 @@ class Heart : public QObject {
  public:
   Heart() { startTimer(5, Qt::PreciseTimer); }
 
-  /// Runs the event loop until it holds; false after two minutes.
+  /// Runs the event loop until the condition holds; returns false after two minutes.
   bool beatUntil(const std::function<bool()>& holds) {
     m_until = holds;
     m_last = {};
@@ -66,7 +66,7 @@ class Heart : public QObject {
       if (m_until())
         m_loop.quit();
     }
-    m_last = {};  // what the condition costs is not the window's
+    m_last = {};  // the time of the condition is not the window's
   }
 
  private:
@@ -82,7 +82,7 @@ class Heart : public QObject {
   double m_worked = 0.0;
 };
 
-/// As many files as the parts of a whole body are, in folders, and two large ones.
+/// Writes as many files as a whole body has parts, in folders, and two large ones.
 void writeCrowd(const QString& folder) {
   const model::MeshPtr small = sphere(3.0f, 2);
   const model::MeshPtr large = sphere(60.0f, 7);
@@ -104,7 +104,7 @@ class HeartbeatTest : public QObject {
 
   QTemporaryDir m_crowd;
 
-  /// Tells what was found; false where the window stood still.
+  /// Prints the measurements; returns false if the window stood still.
   static bool alive(const Heart& heart, const char* during) {
     qInfo().noquote() << during << QStringLiteral(":") << heart.report();
     const bool fine = heart.worked() < limit;
@@ -182,7 +182,7 @@ class HeartbeatTest : public QObject {
     QVERIFY(alive(undoing, "undoing"));
   }
 
-  /// A person who drops the wrong folder has the window back at once, whatever is under way.
+  /// After dropping the wrong folder the user has the window back at once, whatever is under way.
   void cancelling() {
     WindowFixture f;
     for (const int beats : {1, 20, 80, 200}) {
@@ -199,14 +199,14 @@ class HeartbeatTest : public QObject {
       qInfo() << "the thread has noticed after" << clock.elapsed() << "ms";
       QVERIFY(alive(heart, "cancelling"));
     }
-    // And a second import takes the place of the first.
+    // A second import takes the place of the first.
     QVERIFY(f.drop(m_crowd.path()));
     QVERIFY(f.drop(m_crowd.filePath(QStringLiteral("Group 1"))));
     QVERIFY(f.settled());
     QCOMPARE(f.session.scene().structuresBelow(model::rootId).size(), std::size_t(45));
   }
 
-  /// Whatever a reader in a process of its own does, the window lives, says so and keeps its
+  /// Whatever a reader in a process of its own does, the window lives, reports it and keeps its
   /// document.
   void readersMisbehave_data() {
     QTest::addColumn<QString>("reason");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// F1 in each panel, the pages, their links, and that nothing leads outside without being asked.
+// Tests F1 in each panel, the pages, their links, and that no link leads outside without a
+// question.
 #include <QAction>
 #include <QDialog>
 #include <QDir>
@@ -24,7 +25,7 @@ class HelpTest : public QObject {
   static widgets::HelpBrowser* pageOf(WindowFixture& f) {
     return f.window.findChild<widgets::HelpBrowser*>(QStringLiteral("helpPage"));
   }
-  /// Where links and pictures of a page lead.
+  /// Returns the targets of links and pictures of a page.
   static QStringList targets(const QString& text) {
     static const QRegularExpression link(QStringLiteral("\\]\\(([^)]+)\\)"));
     QStringList found;
@@ -63,7 +64,7 @@ class HelpTest : public QObject {
     QCOMPARE(pageOf(f)->page(), page);
     QVERIFY(pageOf(f)->window()->isVisible());
     QVERIFY(pageOf(f)->toPlainText().size() > 200);
-    // Once more does not open a second window.
+    // A second F1 does not open a second window.
     QTest::keyClick(focused, Qt::Key_F1);
     QCOMPARE(f.window.findChildren<widgets::HelpWindow*>().size(), 1);
   }
@@ -139,7 +140,7 @@ class HelpTest : public QObject {
     QVERIFY(box && box->text().contains(QStringLiteral("https://example.org/a")));
     QCOMPARE(page->page(), QStringLiteral("start"));
     box->reject();
-    // Nor are pictures fetched from elsewhere, or files read.
+    // Pictures are not fetched from elsewhere, and files are not read.
     for (const char* address :
          {"https://example.org/a.png", "file:///etc/passwd", "../../etc/passwd"})
       for (const int type : {int(QTextDocument::ImageResource), int(QTextDocument::HtmlResource)}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An import by hand: what the dialog shows, what is changed in it, and what comes of it.
+// Tests an import by hand: what the dialog shows, what is changed in it, and what results.
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -32,7 +32,7 @@ using widgets::PlanTreeModel;
 
 namespace {
 
-/// The dialog over a window, and hands to work it.
+/// Provides the dialog over a window, and helpers that operate it.
 struct Desk {
   explicit Desk(const QString& path, bool shift = true) {
     if (!f.drop(path, shift ? Qt::ShiftModifier : Qt::NoModifier))
@@ -71,7 +71,7 @@ struct Desk {
       keys = Qt::ControlModifier;
     }
   }
-  /// By the keyboard, as somebody without a mouse would.
+  /// Chooses by the keyboard, as a user without a mouse would.
   void pick(const char* name, const char* id) {
     auto& box = f.control<QComboBox>(name);
     box.setFocus();
@@ -130,7 +130,7 @@ class ImportDialogTest : public QObject {
     QVERIFY(table.item(0, 1)->text().contains(QStringLiteral("line 1")));
   }
 
-  /// A ball of bone in air, kept as it is and made a structure of by its threshold.
+  /// A ball of bone in air is kept as a scan and made into a structure by its threshold.
   void scanByThreshold() {
     QTemporaryDir folder;
     glm::dmat4 grid(2.0);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of every test of the window.
+// Keeps the driver loaded in every test of the window.
 #include <QLibrary>
 
 namespace {
 
-/// Mesa's software renderer stays from before the first window to the end: it is loaded and
+/// Keeps Mesa's software renderer loaded from before the first window to the end: it is loaded and
 /// unloaded as displays come and go, and a report of what it leaks could not name it
 /// (tests/leaks.supp).
 const bool driverStays = [] {

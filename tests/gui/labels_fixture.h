@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A window with a liver and a bladder in it, and hands that label them.
+// Provides a window with a liver and a bladder in it, and helpers that label them.
 #pragma once
 
 #include <QAction>
@@ -60,7 +60,7 @@ struct Labels : WindowFixture {
       }
     qFatal("the label is not in the picture");
   }
-  /// The lines of each label in the picture.
+  /// Returns the lines of each label in the picture.
   QStringList shownLines() {
     QStringList all;
     const widgets::LabelSheet& now = sheet();
@@ -81,7 +81,7 @@ struct Labels : WindowFixture {
   bool typing() {
     return QTest::qWaitFor([this] { return editor().isOpen() && editor().hasFocus(); });
   }
-  /// A label of that kind, by hand.
+  /// Makes a label of that kind by hand.
   void make(model::NodeId on, const QString& text, Qt::Key key = Qt::Key_T,
             Qt::KeyboardModifiers keys = {}) {
     this->key(key, keys);

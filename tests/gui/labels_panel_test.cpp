@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel of labels: list, words, kinds, views, how they are shown; labels for many at once.
+// Tests the panel of labels: list, words, kinds, views, how they are shown; labels for many at
+// once.
 #include <QApplication>
 #include <QCheckBox>
 #include <QColorDialog>
@@ -36,7 +37,7 @@ struct Panel : Labels {
   }
   QPlainTextEdit& words() { return control<QPlainTextEdit>("annotationText"); }
   QComboBox& box(const char* name) { return control<QComboBox>(name); }
-  /// By keys, as a hand would.
+  /// Chooses by keys, as a user would.
   void pick(const char* name, int row) {
     QComboBox& there = box(name);
     there.setFocus();
@@ -45,7 +46,7 @@ struct Panel : Labels {
     while (there.currentIndex() < row)
       QTest::keyClick(&there, Qt::Key_Down);
   }
-  /// Where no label is in the way of the click.
+  /// Makes a label where no other one is in the way of the click.
   void makeBeside(model::NodeId on, const QString& text) {
     key(Qt::Key_T);
     click(middleOf(on) + QPoint(0, areaOf(on).height() / 4));
@@ -84,13 +85,13 @@ class LabelsPanelTest : public QObject {
     QCOMPARE(f.said(1, 1), QStringLiteral("<b>x</b>"));
     QCOMPARE(f.said(1, 2), QStringLiteral("Pin"));
     QCOMPARE(f.said(1, 3), QStringLiteral("bladder"));
-    // The active one is the same here and in the picture.
+    // The active label is the same in the list and in the picture.
     QCOMPARE(f.list().currentIndex().row(), 1);
     f.choose(0);
     QVERIFY(f.session.activeAnnotation() == f.annotations().front().id);
     f.click(f.textAt(f.annotations().back().id));
     QCOMPARE(f.list().currentIndex().row(), 1);
-    // In other languages names follow.
+    // Names follow the language.
     f.window.preferences().set("language/structures", "de");
     QCOMPARE(f.said(0, 1), QStringLiteral("Leber"));
     QCOMPARE(f.said(0, 3), QStringLiteral("Leber"));
@@ -130,7 +131,7 @@ class LabelsPanelTest : public QObject {
     QCOMPARE(f.only().text, std::string("liver"));
     QCOMPARE(f.steps(), before);
     QCOMPARE(f.words().toPlainText(), QStringLiteral("liver"));
-    // In another language beside it; what it lacks is told.
+    // The text in another language stands beside the original; a hint shows what it lacks.
     f.window.preferences().set("labels/language", "de");
     QCOMPARE(f.words().toPlainText(), QStringLiteral("Leber"));
     f.words().selectAll();
@@ -142,7 +143,7 @@ class LabelsPanelTest : public QObject {
     QCOMPARE(f.only().text, std::string("liver"));
   }
 
-  /// The list, its tips and the field's hint for another language say the words alone.
+  /// The list, its tips and the field's hint for another language show the words alone.
   void calloutsAreMarkedUpHere() {
     Panel f;
     f.make(f.liver, {}, Qt::Key_T, Qt::ShiftModifier);
@@ -164,7 +165,7 @@ class LabelsPanelTest : public QObject {
     QCOMPARE(f.cell(0, 1).data(Qt::ToolTipRole).toString(), QStringLiteral("<p>right lobe</p>"));
     QCOMPARE(f.cell(0, 1).data(Qt::EditRole).toString(), QStringLiteral("***right lobe***"));
     QCOMPARE(f.shownLines(), QStringList{"right lobe"});
-    // One step with the typing before it.
+    // It forms one step with the typing before it.
     QCOMPARE(f.steps(), before);
     f.session.undo();
     QCOMPARE(f.only().text, std::string("liver"));
@@ -173,7 +174,7 @@ class LabelsPanelTest : public QObject {
     f.window.preferences().set("labels/language", "la");
     f.words().clear();
     QCOMPARE(f.words().placeholderText(), QStringLiteral("right lobe"));
-    // As a label it says what is written.
+    // As a label it shows the text as written.
     f.pick("annotationKind", 0);
     QCOMPARE(f.said(0, 1), QStringLiteral("***right lobe***"));
     QVERIFY(f.words().toolTip().isEmpty());
@@ -259,7 +260,7 @@ class LabelsPanelTest : public QObject {
     const model::AnnotationId id = f.annotations().front().id;
     QCOMPARE(model::viewsShowing(f.session.scene(), id), std::vector<std::size_t>{1});
     QCOMPARE(f.step(), QStringLiteral("Views of a Label"));
-    // What is seen now stays; a view shows what it has.
+    // The current picture stays; a view shows the labels it has.
     QCOMPARE(f.shownLines(), QStringList({"liver", "bladder"}));
     const QList<QAction*> views = f.control<QMenu>("savedViews").actions();
     views.at(0)->trigger();
@@ -269,14 +270,14 @@ class LabelsPanelTest : public QObject {
     f.choose(0);
     f.pick("annotationViews", 0);
     QCOMPARE(model::viewsShowing(f.session.scene(), id).size(), std::size_t(2));
-    // The keys went by the other view.
+    // The keys passed the other view on their way.
     f.session.undo();
     f.session.undo();
     QCOMPARE(model::viewsShowing(f.session.scene(), id), std::vector<std::size_t>{1});
   }
 
-  /// Whatever is made after views were saved: the one that is chosen shows it, and so do those that
-  /// show all there is.
+  /// A label made after views were saved is shown by the chosen view and by those that show all
+  /// there is.
   void labelsMadeLaterAreInTheViews() {
     Panel f;
     f.make(f.bladder, {});
@@ -304,7 +305,7 @@ class LabelsPanelTest : public QObject {
     QVERIFY(goTo(1));
     QCOMPARE(f.shownLines().size(), qsizetype(2));
     QVERIFY(goTo(0));
-    // A view that leaves out a label gets no others, but where it is the one that is chosen.
+    // A view that leaves out a label gets no others, unless it is the chosen one.
     f.choose(0);
     f.pick("annotationViews", 1);
     f.makeBeside(f.liver, QStringLiteral("second"));
@@ -358,7 +359,7 @@ class LabelsPanelTest : public QObject {
     QVERIFY(!ticks().at(0)->isChecked());
     QCOMPARE(f.list().selectionModel()->selectedRows().size(), qsizetype(2));
     QCOMPARE(f.box("annotationViews").currentText(), QStringLiteral("Only in View 2"));
-    // Both by the list, too.
+    // The list changes both, too.
     f.pick("annotationViews", 1);
     QCOMPARE(showing(0), Places{0});
     QCOMPARE(showing(2), Places{0});
@@ -368,7 +369,7 @@ class LabelsPanelTest : public QObject {
     QCOMPARE(f.box("annotationViews").currentText(), QStringLiteral("In different views"));
     QVERIFY(!ticks().at(1)->isChecked());
     QVERIFY(ticks().at(1)->text().contains("some"));
-    ticks().at(4)->trigger();  // behind a line
+    ticks().at(4)->trigger();  // below a separator
     QVERIFY(showing(0).empty() && showing(1).empty() && showing(2).empty());
     ticks().at(3)->trigger();
     QCOMPARE(showing(1), (Places{0, 1}));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Labels as the picture shows them: drawn, in every mode and language, steady, with their picture.
+// Tests labels as the picture shows them: drawn, in every mode and language, steady, with their
+// picture.
 #include <QActionGroup>
 
 #include "model/edit/look.h"
@@ -11,7 +12,7 @@ namespace sline::test {
 
 namespace {
 
-/// How many pixels there are darker, or lighter, than halfway.
+/// Returns how many pixels are darker, or lighter, than halfway.
 int inked(const QImage& image, const QRect& box, bool dark) {
   int count = 0;
   for (int y = box.top(); y <= box.bottom(); ++y)
@@ -41,7 +42,7 @@ class LabelsPictureTest : public QObject {
     const QRect box = boxIn(f, f.only().id);
     f.session.activateAnnotation(std::nullopt);
     QVERIFY(inked(f.whole(), box, true) > inked(bare, box, true) + 20);
-    // The leader and the dot at its place, too.
+    // The leader is drawn, and the dot at its place, too.
     const QRect changed = difference(bare, f.whole());
     QVERIFY(changed.contains(f.placeAt(f.only().id)));
     // On dark ground ink is light.
@@ -50,7 +51,7 @@ class LabelsPictureTest : public QObject {
     QVERIFY(inked(f.whole(), boxIn(f, f.only().id), false) > 20);
   }
 
-  /// The same words of the same size in millimetres as in a picture of the command line.
+  /// The picture has the same words of the same size in millimetres as one of the command line.
   void layoutIsThatOfExports() {
     Labels f;
     f.make(f.liver, {});
@@ -70,8 +71,8 @@ class LabelsPictureTest : public QObject {
     }
   }
 
-  /// Where one has gone to another view, or come much nearer, labels stand as if there had been
-  /// none before.
+  /// After a change to another view or a much nearer one, labels stand as if there had been none
+  /// before.
   void anotherViewIsLaidOutAnew() {
     Labels f;
     f.make(f.liver, QStringLiteral("A text that makes its column very much wider"));
@@ -103,7 +104,7 @@ class LabelsPictureTest : public QObject {
     QVERIFY2(strayed() < 0.1f, "nearer");
   }
 
-  /// What hides a place hides it here as in exports.
+  /// A place that is hidden in exports is hidden here, too.
   void hiddenPlacesAreTold() {
     Labels f;
     f.make(f.liver, {});
@@ -117,7 +118,7 @@ class LabelsPictureTest : public QObject {
     f.undo();
     QVERIFY(f.settled());
     QVERIFY(f.labels().layer().sheet());
-    // Nor has one that is gone; undo brings both back.
+    // A removed structure has none either; undo brings both back.
     f.session.select({f.liver});
     f.control<QAction>("remove").trigger();
     QVERIFY(f.annotations().empty());
@@ -139,7 +140,7 @@ class LabelsPictureTest : public QObject {
     QCOMPARE(f.window.preferences().choice("labels/mode"), QStringLiteral("numbers"));
     showAs(f, "blank");
     QCOMPARE(lines(), QStringList({"", ""}));
-    // Blank lines give nothing away.
+    // Blank lines reveal nothing of their words.
     f.session.activateAnnotation(std::nullopt);
     QVERIFY(f.settled());
     const QImage before = f.whole();
@@ -165,10 +166,10 @@ class LabelsPictureTest : public QObject {
     QCOMPARE(speak("de"), QStringList({"Leber", "my bladder"}));
     QCOMPARE(speak("la"), QStringList({"hepar", "my bladder"}));
     QCOMPARE(speak("scene"), QStringList({"liver", "my bladder"}));
-    // As the structures are called.
+    // The labels use the language of the structures' names.
     f.window.preferences().set("language/structures", "nl");
     QCOMPARE(speak("structures"), QStringList({"lever", "my bladder"}));
-    // What is typed is typed in that language.
+    // Typed words count as words of that language.
     QTest::mouseDClick(&f.viewport(), Qt::LeftButton, {}, f.textAt(f.annotations().back().id));
     QVERIFY(f.typing());
     QTest::keyClicks(&f.editor(), QStringLiteral("mijn blaas"));
@@ -264,8 +265,8 @@ class LabelsPictureTest : public QObject {
     }
   }
 
-  /// From the last row of a hall: a fortieth of the picture's height, and nothing lies over what
-  /// says which side is below.
+  /// Presented labels can be read from the last row of a hall: they have a fortieth of the
+  /// picture's height, and nothing lies over the letter of the lower side.
   void presentedLabelsAreLarge() {
     Labels f;
     f.make(f.liver, {});
@@ -299,7 +300,7 @@ class LabelsPictureTest : public QObject {
     QCOMPARE(f.control<QWidget>("letterBottom").height(), letterBefore);
   }
 
-  /// Sorting the meshes is no reason to wait for a picture, nor is a new document's.
+  /// Neither sorting the meshes nor a new document is a reason to wait for a picture.
   void anotherDocumentHasItsOwn() {
     Labels f;
     f.make(f.liver, {});

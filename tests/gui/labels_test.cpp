@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Labels in the picture: made, moved, edited and taken away by mouse and keys.
+// Tests labels in the picture: made, moved, edited and removed by mouse and keys.
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QClipboard>
@@ -41,7 +41,7 @@ class LabelsTest : public QObject {
     f.key(Qt::Key(key), Qt::KeyboardModifiers(keys));
     f.click(f.middleOf(f.bladder));
     QVERIFY(f.typing());
-    // What it is called is offered, and gone with the first letter.
+    // The structure's name is offered, and gone with the first letter.
     QCOMPARE(f.editor().toPlainText(), QStringLiteral("bladder"));
     QCOMPARE(f.editor().textCursor().selectedText(), QStringLiteral("bladder"));
     QVERIFY(f.annotations().empty());
@@ -55,10 +55,10 @@ class LabelsTest : public QObject {
     QCOMPARE(f.step(), step);
     QCOMPARE(f.steps(), before + 1);
     QVERIFY(f.session.activeAnnotation() == f.only().id);
-    // The place that was clicked is the place.
+    // The label's place is where the click was.
     const QPoint away = f.placeAt(f.only().id) - f.middleOf(f.bladder);
     QVERIFY(away.manhattanLength() <= 3);
-    // The next one, with words of one's own; the tool is still in hand.
+    // The next label gets words of its own; the tool is still in hand.
     f.click(f.middleOf(f.liver));
     QVERIFY(f.typing());
     QTest::keyClicks(&f.editor(), QStringLiteral("my own"));
@@ -91,13 +91,13 @@ class LabelsTest : public QObject {
     f.click({8, 300});
     QTest::qWait(150);
     QVERIFY(!f.editor().isOpen());
-    // An empty label is none.
+    // An empty label is not made.
     f.click(f.middleOf(f.liver));
     QVERIFY(f.typing());
     QTest::keyClick(&f.editor(), Qt::Key_Delete);
     QTest::keyClick(&f.editor(), Qt::Key_Return);
     QVERIFY(f.annotations().empty());
-    // Turning with the tool in hand makes none either.
+    // Turning with the tool in hand makes no label either.
     const model::Camera camera = f.viewport().camera();
     dragMouse(f.viewport(), f.middleOf(f.liver), f.middleOf(f.liver) + QPoint(60, 0));
     QVERIFY(f.viewport().camera() != camera);
@@ -126,7 +126,8 @@ class LabelsTest : public QObject {
     QVERIFY(!f.labels().making());
   }
 
-  /// How to go on is said as long as the tool is in hand, whatever else is said meanwhile.
+  /// The hint how to go on is shown as long as the tool is in hand, whatever else is shown
+  /// meanwhile.
   void hintsStay() {
     Labels f;
     QStatusBar& bar = *f.window.statusBar();
@@ -147,7 +148,7 @@ class LabelsTest : public QObject {
     f.key(Qt::Key_Escape);
     f.key(Qt::Key_Escape);
     QCOMPARE(bar.currentMessage(), QString());
-    // It takes nothing with it that somebody else says.
+    // Clearing the hint removes no other message.
     f.key(Qt::Key_M);
     bar.showMessage(QStringLiteral("something else"));
     f.key(Qt::Key_Escape);
@@ -174,7 +175,7 @@ class LabelsTest : public QObject {
     f.click(f.middleOf(f.liver));
     QTRY_VERIFY(f.labels().layer().marks().begun);
     QVERIFY(f.annotations().empty());
-    f.key(Qt::Key_Escape);  // that place
+    f.key(Qt::Key_Escape);  // gives up that place
     QVERIFY(!f.labels().layer().marks().begun);
     QVERIFY(f.labels().making());
     f.click(f.middleOf(f.liver));
@@ -186,7 +187,7 @@ class LabelsTest : public QObject {
     QVERIFY(list.model()->index(0, 1).data().toString().endsWith(QStringLiteral(" mm")));
     QVERIFY(f.structureOf(f.only(), 0) == f.liver);
     QVERIFY(f.structureOf(f.only(), 1) == f.bladder);
-    // Between the places that were clicked, whatever the view.
+    // The length is that between the places clicked, whatever the view.
     const auto place = [&f](std::size_t i) {
       return *f.session.scene().placeOf(f.only().anchors[i]);
     };
@@ -210,7 +211,7 @@ class LabelsTest : public QObject {
     QCOMPARE(f.steps(), before + 1);
     QVERIFY(f.only().offset);
     QVERIFY((f.textAt(id) - to).manhattanLength() <= 2);
-    // It goes along with its place.
+    // The text moves along with its place.
     const QPoint beside = f.textAt(id) - f.placeAt(id);
     dragMouse(f.viewport(), {300, 60}, {330, 80}, Qt::MiddleButton);
     QVERIFY(((f.textAt(id) - f.placeAt(id)) - beside).manhattanLength() <= 2);
@@ -251,7 +252,7 @@ class LabelsTest : public QObject {
     QCOMPARE(f.only().text, std::string("liver"));
     f.undo();
     QVERIFY(f.structureOf(f.only()) == f.liver);
-    // Beside all surfaces it stays on the last.
+    // Beside all surfaces the place stays on the last one.
     dragMouse(f.viewport(), f.placeAt(id), {8, 300});
     QVERIFY(f.settled());
     QTRY_VERIFY(!f.session.previewing());
@@ -288,7 +289,7 @@ class LabelsTest : public QObject {
     QCOMPARE(f.only().text, std::string("liver"));
     f.redo();
     QCOMPARE(f.only().text, std::string("hepar"));
-    // By key; the same words are no step.
+    // A key edits, too; unchanged words are no step.
     const int before = f.steps();
     f.key(Qt::Key_F2);
     QVERIFY(f.typing());
@@ -310,7 +311,7 @@ class LabelsTest : public QObject {
     QCOMPARE(f.shownLines(), QStringList{QStringLiteral("one/two")});
   }
 
-  /// Ctrl+I imports files elsewhere in the window.
+  /// Ctrl+B and Ctrl+I mark words up, though Ctrl+I imports files elsewhere in the window.
   void calloutsAreMarkedUp() {
     Labels f;
     f.key(Qt::Key_T, Qt::ShiftModifier);
@@ -353,7 +354,7 @@ class LabelsTest : public QObject {
     QVERIFY(f.annotations().empty());
   }
 
-  /// A label's asterisks are its own.
+  /// A label's asterisks are not markup.
   void labelsAreNotMarkedUp() {
     Labels f;
     f.key(Qt::Key_T);
@@ -399,13 +400,13 @@ class LabelsTest : public QObject {
     QCOMPARE(f.only().text, pasted.toStdString());
   }
 
-  /// Nothing of HTML is understood, wherever words are shown.
+  /// HTML is not interpreted, wherever words are shown.
   void wordsArePlain() {
     Labels f;
     const QString words = QStringLiteral("<b>x</b><img src=/etc/passwd>");
     f.make(f.liver, words, Qt::Key_T, Qt::ShiftModifier);
     QCOMPARE(f.only().text, words.toStdString());
-    // As they are, but for where lines end.
+    // The words are as typed, except where lines end.
     QCOMPARE(f.shownLines().join(QString()).remove('/').remove(' '),
              QString(words).remove('/').remove(' '));
     f.key(Qt::Key_F2);
@@ -413,7 +414,7 @@ class LabelsTest : public QObject {
     QCOMPARE(f.editor().toPlainText(), words);
   }
 
-  /// Del is for what was chosen last.
+  /// Del removes what was chosen last.
   void delTakesTheChosenAway() {
     Labels f;
     f.click(f.middleOf(f.bladder));
@@ -450,7 +451,7 @@ class LabelsTest : public QObject {
     QCOMPARE(f.viewport().cursor().shape(), Qt::OpenHandCursor);
   }
 
-  /// Another scene in the document's place shows its labels, but nothing can be done to them.
+  /// Another scene in the document's place shows its labels, but they cannot be edited.
   void shutWhileSomethingElseIsShown() {
     Labels f;
     f.make(f.liver, {});

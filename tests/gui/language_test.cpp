@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another language while the program runs: texts, numbers and names of structures change; what a
-// person has made of the window stays.
+// Tests another language while the program runs: texts, numbers and names of structures change;
+// what the user has made of the window stays.
 #include <QAction>
 #include <QComboBox>
 #include <QDialog>
@@ -27,7 +27,7 @@ class LanguageTest : public QObject {
 
   QTemporaryDir m_body;
 
-  /// The window and who switches its language.
+  /// Provides the window and the object that switches its language.
   struct Spoken : WindowFixture {
     widgets::LanguageSwitch language;
     Spoken() { language.follow(window.preferences()); }
@@ -133,7 +133,7 @@ class LanguageTest : public QObject {
     f.session.select({id});
     QTest::keyClick(&f.tree(), Qt::Key_Space);
     QVERIFY(!f.session.scene().resolve(id).visible);
-    QCOMPARE(f.session.history().count(), 1);  // who is gone hears nothing any more
+    QCOMPARE(f.session.history().count(), 1);  // objects that are gone receive no signal any more
     f.control<QAction>("undo").trigger();
     QVERIFY(f.session.scene().resolve(id).visible);
     f.control<QAction>("sectionSagittal").trigger();

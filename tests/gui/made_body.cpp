@@ -18,7 +18,7 @@ QList<QStringList> table(const QString& name) {
   if (!file.open(QIODevice::ReadOnly | QIODevice::Text))
     return rows;
   QTextStream text(&file);
-  text.readLine();  // what the columns are
+  text.readLine();  // the columns' headings
   while (!text.atEnd())
     rows << text.readLine().split('\t');
   return rows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The proof before print, by hand: what looks alike is listed, shown and mended in one step.
+// Tests the proof before print by hand: what looks alike is listed, shown and mended in one step.
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -18,7 +18,7 @@ namespace sline::test {
 namespace {
 
 struct ProofDesk : WindowFixture {
-  /// Two balls that overlap in the picture.
+  /// Shows two balls that overlap in the picture.
   ProofDesk(const Colour& left, const Colour& right) {
     session.openMade(QStringLiteral("Balls"), [left, right](const auto&, const auto&) {
       model::Scene scene;
@@ -69,7 +69,7 @@ class ProofDialogTest : public QObject {
 
  private slots:
   void alikeInGrey() {
-    // As light as each other, and of other hues.
+    // The colours are equally light, and of different hues.
     ProofDesk desk({210, 80, 80}, {70, 140, 70});
     desk.control<QAction>("printProof").trigger();
     QVERIFY(desk.looked());
@@ -100,7 +100,7 @@ class ProofDialogTest : public QObject {
     QTRY_VERIFY(!desk.dialog());
     QCOMPARE(desk.session.history().count(), steps + 1);
     QVERIFY(desk.session.scene() != scene);
-    // What was proposed helps.
+    // The proposal helps.
     QVERIFY(desk.settled());
     desk.control<QAction>("printProof").trigger();
     QVERIFY(desk.looked());
@@ -125,7 +125,7 @@ class ProofDialogTest : public QObject {
     QVERIFY(pairs.topLevelItem(0)->text(1).contains(QStringLiteral("on the screen")));
   }
 
-  /// Closed while the picture is looked at, it is simply gone.
+  /// If it is closed while the picture is examined, it is simply gone.
   void closedEarly() {
     ProofDesk desk({210, 80, 80}, {70, 140, 70});
     desk.control<QAction>("printProof").trigger();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The start page's pictures: drawn by the program or read from scene files, and remembered.
+// Tests the start page's pictures: drawn by the program or read from scene files, and remembered.
 #include <QBuffer>
 #include <QSignalSpy>
 #include <QTemporaryDir>

@@ -36,7 +36,7 @@ QString report(const QWidget& widget, const QString& text, int there, int needed
       .arg(needed);
 }
 
-/// The text and the room that it needs and has; nothing for a widget that shows none.
+/// Holds the text and the room that it needs and has; empty for a widget that shows no text.
 struct Fit {
   QString text;
   int there = 0;
@@ -49,7 +49,7 @@ Fit labelFit(const QLabel& label) {
   const int there = label.contentsRect().width();
   if (label.wordWrap()) {
     const int needed = label.heightForWidth(label.width());
-    // Each word needs its line, and all lines together their height.
+    // Each word must fit its line, and all lines together the height.
     return {label.text(), label.height(), needed};
   }
   return {label.text(), there, label.minimumSizeHint().width() - 2 * label.margin()};
@@ -112,7 +112,7 @@ void addTabs(const QTabBar& bar, QStringList& out) {
   QStringList texts;
   for (int i = 0; i < bar.count(); ++i)
     texts << bar.tabText(i);
-  // Where there is less, tabs are cut short or hidden behind arrows.
+  // In less room, tabs are cut short or hidden behind arrows.
   if (bar.width() < bar.sizeHint().width())
     out << report(bar, texts.join(QStringLiteral(", ")), bar.width(), bar.sizeHint().width());
 }
@@ -138,7 +138,7 @@ QStringList clippedTexts(const QWidget& root) {
   for (const QWidget* widget : all) {
     if (!widget->isVisible())
       continue;
-    // Qt's own: what moves a toolbar's buttons out of sight is a fault of ours.
+    // This button is Qt's own: if it moves a toolbar's buttons out of sight, the fault is ours.
     if (widget->objectName() == QLatin1String("qt_toolbar_ext_button"))
       out << QStringLiteral("%1: not all buttons have room").arg(widget->parent()->objectName());
     if (widget->objectName().startsWith(QLatin1String("qt_")))

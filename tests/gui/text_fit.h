@@ -7,8 +7,8 @@ class QWidget;
 
 namespace sline::test {
 
-/// Controls below the widget, as far as they are visible, whose text has not all its room: one line
-/// for each. What is meant to be cut short, such as names in lists, counts as whole.
+/// Returns one line for each visible control below the widget that has too little room for its
+/// text. Text that is meant to be cut short, such as names in lists, counts as whole.
 QStringList clippedTexts(const QWidget& root);
 
 }  // namespace sline::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Going to saved views, with and without a transition, and presenting them.
+// Tests going to saved views, with and without a transition, and presenting them.
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QMenu>
@@ -38,11 +38,11 @@ void TourTest::goingThere() {
   QCOMPARE(f.scene().resolve(f.left).gamma.value(), 2.0f);
   QCOMPARE(f.steps(), steps + 1);
   QVERIFY(f.settled());
-  // The looks come back; the camera stays, as turning is no edit.
+  // Undo brings the looks back; the camera stays, as turning is no edit.
   f.undo();
   QVERIFY(f.scene() == before);
   QVERIFY(f.viewport().camera() == f.scene().views()[0].camera);
-  // Where only the camera differs there is no step.
+  // If only the camera differs there is no step.
   f.session.redo();
   f.clickCard(2);
   QVERIFY(f.viewport().camera() == f.scene().views()[2].camera);
@@ -81,12 +81,12 @@ void TourTest::transition() {
           [&] { eyes << f.viewport().camera().eye; });
   f.clickCard(1);
   QVERIFY(!f.viewport().upToDate());
-  // The document is there at once, the picture on its way.
+  // The document changes at once, while the picture is on its way.
   QCOMPARE(f.scene().resolve(f.left).gamma.value(), 5.0f);
   QVERIFY(f.settled());
   QVERIFY(f.viewport().camera() == f.scene().views()[1].camera);
   QVERIFY2(eyes.size() >= 2, qPrintable(QString::number(eyes.size())));
-  // On an arc: never nearer than both ends.
+  // The camera flies on an arc, never nearer than both ends.
   const model::Camera end = f.viewport().camera();
   const float distance = glm::length(end.eye - end.target);
   for (const glm::vec3& eye : eyes)
@@ -112,7 +112,7 @@ void TourTest::interruptedByHand() {
   QVERIFY(f.viewport().camera() == stopped);
   QVERIFY(!(stopped == f.scene().views()[0].camera));
   QCOMPARE(f.scene().resolve(f.left).gamma.value(), 2.0f);
-  // The picture is of the document, not of something on the way.
+  // The picture shows the document, not a state on the way.
   const QImage picture = f.picture();
   f.viewport().setFlights(false);
   f.viewport().setCamera(f.scene().views()[0].camera);
@@ -167,7 +167,7 @@ void TourTest::presentation() {
   QVERIFY(!(f.viewport().camera() == f.scene().views()[2].camera));
   QTest::keyClick(&f.viewport(), Qt::Key_Escape);
   QCOMPARE(f.presented(), QString());
-  // Where it began, picture and card: updating the view changes nothing.
+  // Picture and card are where the presentation began: updating the view changes nothing.
   QVERIFY(f.viewport().camera() == f.scene().views()[1].camera);
   QCOMPARE(f.row().currentIndex().row(), 1);
   const model::Scene before = f.scene();
@@ -230,7 +230,7 @@ void TourTest::presentationLeavesTheSceneAlone() {
   QVERIFY(f.scene() == before && f.steps() == steps);
   QCOMPARE(f.session.selection(), widgets::NodeIds{f.left});
   QVERIFY(!QApplication::activePopupWidget());
-  // What is shown is the view all the same: all at Γ 2.
+  // The picture shows the view nevertheless, with all at Γ 2.
   QCOMPARE(f.viewport().shownScene().resolve(f.left).gamma.value(), 2.0f);
   QTest::keyClick(&f.viewport(), Qt::Key_Escape);
   QVERIFY(f.settled());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole body in the list: found by a few letters, and no more is told and painted than changes.
+// Tests a whole body in the list: it is found by a few letters, and only changes are signalled and
+// painted.
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollBar>
@@ -48,7 +49,7 @@ class TreeBodyTest : public QObject {
       rows += arguments[1].toModelIndex().row() - arguments[0].toModelIndex().row() + 1;
     return rows;
   }
-  /// The structures whose names have the words.
+  /// Returns the structures with names that have the words.
   NodeIds named(const QStringList& words) const {
     NodeIds ids;
     for (const model::NodeId id : m_body.structuresBelow(model::rootId)) {

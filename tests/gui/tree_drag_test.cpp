@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows dragged by the mouse, through the window system's own drag and drop.
+// Tests rows dragged by the mouse, through the window system's own drag and drop.
 #include <QDropEvent>
 #include <QLineEdit>
 #include <QMimeData>
@@ -30,14 +30,16 @@ class TreeDragTest : public QObject {
     }
     return parts.join(',');
   }
-  /// In the row, from its upper edge (0) to its lower one (1); no name: below all rows.
+  /// Returns a place in the row, from its upper edge (0) to its lower one (1); an empty name gives
+  /// one below all rows.
   static QPoint place(WindowFixture& f, const QString& name, double part) {
     if (name.isEmpty())
       return f.tree().viewport()->rect().bottomLeft() + QPoint(150, -20);
     const QRect cell = f.tree().cellOf(id(f, name), StructureTreeModel::name);
     return {cell.left() + 40, cell.top() + int(part * (cell.height() - 1))};
   }
-  /// Presses, moves and lets go while the system's drag runs; false where none began or it hangs.
+  /// Presses, moves and releases while the system's drag runs; returns false if none began or it
+  /// hangs.
   static bool dragRow(WindowFixture& f, const QPoint& from, const QPoint& to,
                       QImage* before = nullptr) {
     return dragAndDrop(*f.tree().viewport(), from, to, [&] {

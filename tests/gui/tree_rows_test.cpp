@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list of structures by hand: eyes, locks, names, groups, keys and the context menu.
+// Tests the list of structures by hand: eyes, locks, names, groups, keys and the context menu.
 #include <QClipboard>
 #include <QLabel>
 #include <QLineEdit>
@@ -75,11 +75,11 @@ class TreeRowsTest : public QObject {
     const QPoint to = cell(f, "bladder", StructureTreeModel::eye);
     sendMouse(canvas, QEvent::MouseButtonPress, from);
     QCOMPARE(shown(f), "right kidney,bladder,aorta,left renal vein,skin");
-    sendMouse(canvas, QEvent::MouseMove, to);  // a fast mouse passes over what is between
+    sendMouse(canvas, QEvent::MouseMove, to);  // a fast mouse skips the rows between
     QCOMPARE(shown(f), "aorta,left renal vein,skin");
     sendMouse(canvas, QEvent::MouseButtonRelease, to);
     QCOMPARE(f.session.history().count(), 1);
-    // The other way: from one that is hidden they all come back.
+    // In the other direction, from a hidden one, they all come back.
     dragMouse(canvas, to, from);
     QCOMPARE(shown(f), "left kidney,right kidney,bladder,aorta,left renal vein,skin");
     f.session.undo();
@@ -159,7 +159,7 @@ class TreeRowsTest : public QObject {
     QTest::newRow("empty") << "" << int(Qt::Key_Return) << "aorta";
     QTest::newRow("blank") << "  " << int(Qt::Key_Return) << "aorta";
     QTest::newRow("given up") << "main artery" << int(Qt::Key_Escape) << "aorta";
-    // Keys that mean something elsewhere are letters here.
+    // Keys that have a meaning elsewhere are letters here.
     QTest::newRow("letters") << "f/A zX" << int(Qt::Key_Return) << "f/A zX";
   }
   void renamesInPlace() {
@@ -190,7 +190,7 @@ class TreeRowsTest : public QObject {
     }
   }
 
-  /// The window goes while a name is being typed.
+  /// The window closes while a name is being typed.
   void aNameIsTakenOverAtTheEnd() {
     WindowFixture f;
     QVERIFY(openScene(f, madeBody()));
@@ -319,7 +319,7 @@ class TreeRowsTest : public QObject {
     press(f, QKeySequence("Up"));
     press(f, QKeySequence("Right"));
     QVERIFY(f.tree().isExpanded(organs));
-    // What is closed stays closed through edits and undo.
+    // A closed group stays closed through edits and undo.
     press(f, QKeySequence("Left"));
     f.session.select(ids(f, "Vessels"));
     press(f, QKeySequence("Del"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Five hundred edits of all kinds by chance, taken back to the first and done again to the last:
-// the document is at each step what it was there, whether only the session is asked or the window
-// looks on and takes part.
+// Tests five hundred random edits of all kinds, taken back to the first and done again to the last:
+// at each step the document is what it was there, whether the session is tested alone or the window
+// follows and takes part.
 #include <QAction>
 #include <QLineEdit>
 #include <QtTest>
@@ -29,7 +29,7 @@ using widgets::Document;
 using widgets::NodeIds;
 using widgets::Session;
 
-/// Twenty balls in four groups, one of them within another.
+/// Returns twenty balls in four groups, one of them within another.
 model::Scene body() {
   model::Scene scene;
   const model::MeshPtr ball = sphere(9.0f, 1);
@@ -46,7 +46,7 @@ model::Scene body() {
   return scene;
 }
 
-/// Edits by chance; the same for the same seed.
+/// Makes random choices; the same seed gives the same ones.
 class Chance {
  public:
   explicit Chance(std::uint32_t seed) : m_random(seed) {}
@@ -111,7 +111,7 @@ model::Edited treeEdit(const model::Scene& scene, Chance& chance) {
     case 4:
       return model::withOnlyVisible(scene, ids);
     default:
-      // Few, so that there is something left to edit.
+      // Few are removed, so that there is something left to edit.
       return scene.nodes().size() > 12 && chance.rarely() ? model::removed(scene, ids)
                                                           : model::moved(scene, ids, model::rootId);
   }
@@ -164,7 +164,7 @@ model::Edited focusEdit(const model::Scene& scene, Chance& chance) {
 }
 
 model::Edited viewEdit(const model::Scene& scene, Chance& chance) {
-  // A view of a few looks: what it does not speak of stays.
+  // The view has a few looks; structures without one stay as they are.
   std::vector<model::Look> looks = model::looksOf(scene);
   looks.resize(std::min<std::size_t>(looks.size(), 5));
   for (model::Look& look : looks)
@@ -204,7 +204,7 @@ class Walk : public QObject {
     connect(&session.history(), &QUndoStack::indexChanged, this, &Walk::note);
   }
 
-  /// To the first and to the last again; what was wrong, or nothing.
+  /// Goes to the first step and to the last again; returns the first fault, or nothing.
   QString thereAndBack() {
     while (m_session.history().canUndo()) {
       m_session.undo();
@@ -225,7 +225,7 @@ class Walk : public QObject {
   void note(int index) {
     const auto place = std::size_t(index);
     if (place < m_states.size() && m_states[place] == m_session.document())
-      return;                // back or forth
+      return;                // a step back or forth
     m_states.resize(place);  // a new step, or a longer one
     m_states.push_back(m_session.document());
   }
@@ -238,7 +238,7 @@ class Walk : public QObject {
   std::vector<Document> m_states;
 };
 
-/// One edit through the session: at once, in a series, or as a drag that is kept or given up.
+/// Makes one edit through the session: at once, in a series, or as a drag that is kept or given up.
 void editSession(Session& session, Chance& chance, int number) {
   const QString name = QStringLiteral("edit %1").arg(number);
   switch (chance.below(8)) {
@@ -260,7 +260,7 @@ void editSession(Session& session, Chance& chance, int number) {
         session.commitPreview(name);
       break;
     case 4:
-      // An edit, or going back, in the midst of a drag.
+      // An edit, or going back, comes in the midst of a drag.
       session.preview(anyEdit(session.sceneBeforePreview(), chance).scene);
       if (chance.below(2) == 0 || !session.apply(name, anyEdit(session.scene(), chance)))
         session.cancelPreview();
@@ -284,7 +284,7 @@ bool open(Session& session) {
 class UndoWalkTest : public QObject {
   Q_OBJECT
 
-  /// One edit with mouse or keys on the window; it may do nothing.
+  /// Makes one edit with mouse or keys on the window; it may do nothing.
   static void editByHand(WindowFixture& f, Chance& chance) {
     const auto press = [&f](int key, Qt::KeyboardModifiers keys = {}) {
       QTest::keyClick(&f.window, Qt::Key(key), keys);
@@ -355,7 +355,7 @@ class UndoWalkTest : public QObject {
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
   }
 
-  /// The window looks on, and every fifth edit is by hand.
+  /// The window follows, and every fifth edit is by hand.
   void withTheWindow() {
     constexpr int edits = 500;
     WindowFixture f;
@@ -373,7 +373,7 @@ class UndoWalkTest : public QObject {
     QVERIFY(f.session.history().count() > edits / 4);
     const QString wrong = walk.thereAndBack();
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
-    // The tree shows what there is, not what there was.
+    // The tree shows the current scene, not an earlier one.
     for (const model::Node& node : f.session.scene().nodes())
       QCOMPARE(f.tree().indexOf(node.id).data().toString(), QString::fromStdString(node.name));
   }

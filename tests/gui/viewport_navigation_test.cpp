@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finding one's way in the picture: keys, presets, orientation cube, scale bar, flights; and a
-// picture that comes back when OpenGL goes.
+// Tests finding one's way in the picture: keys, presets, orientation cube, scale bar, flights; and
+// a picture that comes back when OpenGL goes.
 #include <QLabel>
 #include <QLayout>
 #include <QtTest>
@@ -15,7 +15,7 @@ namespace sline::test {
 
 namespace {
 
-/// Fails to draw as often as it is told to, as a driver does that lost its context.
+/// A painter that fails as many times as it is told to, as a driver does that lost its context.
 class FailingPainter : public widgets::PicturePainter {
  public:
   FailingPainter(std::unique_ptr<widgets::PicturePainter> painter,
@@ -55,7 +55,7 @@ class ViewportNavigationTest : public QObject {
   QTemporaryDir m_body;
 
   static glm::vec3 back(WindowFixture& f) { return model::cameraFrame(f.viewport().camera()).back; }
-  /// The kidney's place on screen, and how large it is.
+  /// Returns the kidney's place on screen and its size.
   static QRect kidney(WindowFixture& f) {
     return f.areaOf(f.session.scene().named("left kidney").front());
   }
@@ -103,7 +103,7 @@ class ViewportNavigationTest : public QObject {
     const QRect area = kidney(f);
     const QRect picture = f.viewport().rect();
     QVERIFY(picture.contains(area));
-    // Its box fills nine tenths, whose near side is larger than the ball.
+    // The kidney's box fills nine tenths, and its near side is larger than the ball.
     QVERIFY(area.width() > 0.6 * std::min(picture.width(), picture.height()));
     QVERIFY((area.center() - picture.center()).manhattanLength() < 20);
     QVERIFY(glm::length(f.viewport().pivot() - glm::vec3(60, 0, 0)) < 1.0f);
@@ -173,7 +173,7 @@ class ViewportNavigationTest : public QObject {
     QCOMPARE(f.control<QLabel>("letterRight").text(), QStringLiteral("R"));
     QVERIFY(f.settled());
 
-    // Dragged, it turns the scene; Escape turns it back.
+    // A drag on the cube turns the scene; Escape turns it back.
     const model::Camera before = f.viewport().camera();
     const QPoint middle = cube.rect().center();
     sendMouse(cube, QEvent::MouseButtonPress, middle);
@@ -210,7 +210,7 @@ class ViewportNavigationTest : public QObject {
     QVERIFY(f.viewport().rect().contains(time.geometry()));
   }
 
-  /// A flight ends where the view is, and a hand that takes hold ends it before.
+  /// A flight ends at its view, and grasping the picture ends it before.
   void flightsCanBeInterrupted() {
     WindowFixture f;
     QVERIFY(f.drop(m_body.path()));
@@ -231,7 +231,7 @@ class ViewportNavigationTest : public QObject {
     QVERIFY(f.settled());
   }
 
-  /// The same picture in another window, whose context is another.
+  /// The same picture is drawn in another window, which has another context.
   void pictureSurvivesAnotherWindow() {
     WindowFixture f;
     QVERIFY(f.drop(m_body.path()));
@@ -273,7 +273,7 @@ class ViewportNavigationTest : public QObject {
     QCOMPARE(difference(before, f.picture()), QRect());
     QVERIFY(!f.control<QWidget>("messageText").isVisible());
 
-    // One that fails again and again says so, and the last picture stays.
+    // A renderer that fails again and again gives a message, and the last picture stays.
     *failures = 1000;
     QSignalSpy failed(&f.viewport(), &widgets::Viewport::failed);
     QTest::keyClick(&f.window, Qt::Key_L);

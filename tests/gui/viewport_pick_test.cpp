@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pointing at structures in the picture: clicks, steps deeper, names, the menu.
+// Tests pointing at structures in the picture: clicks, steps deeper, names, the menu.
 #include <QLabel>
 #include <QMenu>
 #include <QtTest>
@@ -13,7 +13,8 @@ namespace sline::test {
 
 namespace {
 
-/// Three balls one behind the other, seen from the front: a skin of lines, an organ, a tumour.
+/// Returns three balls one behind the other, seen from the front: a skin of lines, an organ, a
+/// tumour.
 Result<widgets::Loaded> balls(const model::ImportProgress&, const std::stop_token&) {
   model::Scene scene;
   const auto ball = [&scene](const char* name, float radius, float y, float gamma,
@@ -66,7 +67,7 @@ class ViewportPickTest : public QObject {
     Bench b;
     b.click(b.middle);
     QVERIFY(b.selected({b.organ}));
-    // On the drawn line of the skin, and within it.
+    // One click is on the drawn line of the skin, one within it.
     const QRect area = b.f.areaOf(b.skin);
     b.click({area.left() + 4, area.center().y()});
     QVERIFY(b.selected({b.skin}));
@@ -80,7 +81,7 @@ class ViewportPickTest : public QObject {
     QVERIFY(b.selected({b.skin}));
   }
 
-  /// What is locked lets the click through to what is behind, until it is unlocked.
+  /// A locked structure lets the click through to the one behind, until it is unlocked.
   void clicksPassWhatIsLocked() {
     Bench b;
     b.click(b.middle);
@@ -118,7 +119,7 @@ class ViewportPickTest : public QObject {
     QVERIFY(b.selected({b.tumour}));
   }
 
-  /// As plain text, after a rest; gone while dragging.
+  /// The name appears as plain text after a rest, and is gone while dragging.
   void nameUnderTheMouse() {
     Bench b;
     QLabel& name = b.f.control<QLabel>("nameUnderMouse");
@@ -133,7 +134,7 @@ class ViewportPickTest : public QObject {
     sendMouse(b.f.viewport(), QEvent::MouseMove, b.middle + QPoint(30, 0));
     sendMouse(b.f.viewport(), QEvent::MouseButtonRelease, b.middle + QPoint(30, 0));
     QVERIFY(!name.isVisible());
-    // Not wanted.
+    // Names are switched off.
     b.f.control<QAction>("showNames").trigger();
     QVERIFY(!b.f.window.preferences().isOn("picture/names"));
     b.hover(b.middle);
@@ -149,7 +150,7 @@ class ViewportPickTest : public QObject {
     QVERIFY(b.selected({b.organ}));
     QVERIFY(menu->actions().contains(&b.f.control<QAction>("focus")));
     QVERIFY(menu->actions().contains(&b.f.control<QAction>("zoomTo")));
-    QVERIFY(!menu->actions().front()->isEnabled());  // its name
+    QVERIFY(!menu->actions().front()->isEnabled());  // the structure's name
     QMenu* here = menu->findChild<QMenu*>("sectionHereAlone");
     QVERIFY(here);
     here->actions().at(1)->trigger();  // coronal
@@ -157,7 +158,7 @@ class ViewportPickTest : public QObject {
     const auto& sections = b.f.session.scene().sections();
     QCOMPARE(sections.size(), std::size_t(1));
     QVERIFY(sections[0].scope == b.organ);
-    // Through the place that was clicked, on the organ's near side.
+    // The section passes through the place that was clicked, on the organ's near side.
     QVERIFY(std::abs(-sections[0].plane.offset - 80.0f) < 2.0f);
     QVERIFY(b.f.session.activeSection() == sections[0].id);
     QTRY_VERIFY(!b.f.window.findChild<QMenu*>("pictureMenu"));
@@ -166,7 +167,7 @@ class ViewportPickTest : public QObject {
     QTRY_VERIFY((menu = b.f.window.findChild<QMenu*>("pictureMenu")) && menu->isVisible());
     QVERIFY(menu->actions().contains(&b.f.control<QAction>("fit")));
     menu->close();
-    // A drag of the right button zooms and asks for nothing.
+    // A drag of the right button zooms and opens no menu.
     QTRY_VERIFY(!b.f.window.findChild<QMenu*>("pictureMenu"));
     dragMouse(b.f.viewport(), b.middle, b.middle + QPoint(0, 60), Qt::RightButton);
     QVERIFY(b.f.settled());

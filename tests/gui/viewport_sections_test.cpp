@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section planes by hand: the list and the handles in the picture.
+// Tests section planes by hand: the list and the handles in the picture.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -75,7 +75,7 @@ class ViewportSectionsTest : public QObject {
     QCOMPARE(f.session.history().count(), steps + 1);
     QVERIFY(only(f).plane.offset != before.offset);
     QVERIFY(only(f).plane.normal == before.normal);
-    QVERIFY(f.session.selection().empty());  // it was no click
+    QVERIFY(f.session.selection().empty());  // the press was no click
     QVERIFY(f.settled());
     QVERIFY(!difference(picture, f.picture()).isEmpty());
     f.session.undo();
@@ -83,7 +83,7 @@ class ViewportSectionsTest : public QObject {
     QVERIFY(f.settled());
     QCOMPARE(difference(picture, f.picture()), QRect());
 
-    // Escape in the middle of a drag.
+    // Escape comes in the middle of a drag.
     sendMouse(f.viewport(), QEvent::MouseButtonPress, grip);
     sendMouse(f.viewport(), QEvent::MouseMove, to);
     QVERIFY(!(only(f).plane == before));
@@ -133,7 +133,7 @@ class ViewportSectionsTest : public QObject {
     QCOMPARE(list.currentIndex().row(), 1);  // the newest is the active one
     QVERIFY(f.settled());
 
-    // Position: a key held down is one step.
+    // The position is changed by a key held down, in one step.
     auto& position = f.control<QDoubleSpinBox>("sectionPosition");
     position.setFocus();
     const double from = position.value();
@@ -144,7 +144,7 @@ class ViewportSectionsTest : public QObject {
     QCOMPARE(f.session.history().count(), 3);
     QVERIFY(list.model()->index(1, 1).data().toString().contains("mm"));
 
-    // The tick: what is off stays in the list but cuts nothing.
+    // A section with its tick off stays in the list but cuts nothing.
     const QModelIndex name = list.model()->index(1, 0);
     QVERIFY(list.model()->setData(name, Qt::Unchecked, Qt::CheckStateRole));
     QVERIFY(!f.session.scene().sections()[1].enabled);
@@ -162,7 +162,7 @@ class ViewportSectionsTest : public QObject {
     QVERIFY(f.settled());
   }
 
-  /// Another row, another section; Del in the list removes it and no structure.
+  /// A click on another row chooses its section; Del in the list removes it and no structure.
   void theListDeletes() {
     WindowFixture f;
     f.window.resize(1300, 950);
@@ -207,14 +207,14 @@ class ViewportSectionsTest : public QObject {
     QVERIFY(f.session.scene().sectionsOf(aorta).empty());
     QVERIFY(f.settled());
     f.session.undo();
-    // From the menu at once.
+    // The menu adds such a section at once.
     add(f, 5);
     QCOMPARE(f.session.scene().sections().size(), std::size_t(2));
     QVERIFY(f.session.scene().sections()[1].scope == organs);
     QVERIFY(f.settled());
   }
 
-  /// More than a structure can have is refused with a word on it, and changes nothing.
+  /// More sections than a structure can have are refused with a message, and change nothing.
   void tooManyAreRefused() {
     WindowFixture f;
     QVERIFY(f.drop(m_body.path()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A window with two balls in it, and hands for its panel of views.
+// Provides a window with two balls in it, and helpers that operate its panel of views.
 #pragma once
 
 #include <QAction>
@@ -59,14 +59,14 @@ struct Views : WindowFixture {
     QTest::keyClick(&viewport(), Qt::Key(key[0]));
     QTest::keyClick(&viewport(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
   }
-  /// Two views that differ in camera and Γ; the second is the one on screen.
+  /// Adds two views that differ in camera and Γ; the second is the one on screen.
   bool addFrontAndBack() {
     add("A");
     setGamma(left, 5.0f);
     add("P");
     return settled();
   }
-  /// Front, back and left.
+  /// Adds front, back and left.
   void addThree() {
     for (const char* key : {"A", "P", "L"})
       add(key);
@@ -85,7 +85,7 @@ struct Views : WindowFixture {
     QTest::keyClick(editor, Qt::Key_Return);
     typed();
   }
-  /// What was typed is taken over when the event loop comes to it.
+  /// Waits for the event loop to take over what was typed.
   void typed() {
     if (!QTest::qWaitFor(
             [this] { return !row().findChild<QLineEdit*>(QStringLiteral("viewName")); }))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saved views in the window: made, renamed, ordered, updated, deleted, and their small pictures.
+// Tests saved views in the window: made, renamed, ordered, updated, deleted, and their small
+// pictures.
 #include <QMenu>
 #include <QScrollBar>
 
@@ -207,13 +208,13 @@ void ViewsTest::picturesAreKeptAndDrawnAgain() {
   const QImage first = f.cardPicture(0);
   QCOMPARE(first.size(), QSize(112, 68));
   QVERIFY(first != f.cardPicture(2));
-  // Names and order are no part of a picture, nor what the views say themselves.
+  // Names and order are not part of a picture, nor is a look that the views set themselves.
   f.row().setCurrentIndex(f.row().model()->index(0, 0));
   QTest::keyClick(&f.row(), Qt::Key_Right, Qt::AltModifier);
   QVERIFY(f.cardPicture(1) == first);
   f.setGamma(f.left, 0.0f);
   QVERIFY(f.settled());
-  // One that shows something else is drawn again, alone.
+  // Only a view that shows something else is drawn again.
   f.session.apply(QStringLiteral("Γ"),
                   model::withLook(f.scene(), std::array{f.left}, {.visible = false}));
   f.press("viewUpdate");
@@ -234,7 +235,7 @@ void ViewsTest::whatIsGoneIsMarked() {
   QVERIFY2(index.data(Qt::ToolTipRole).toString().contains("2 of the structures"),
            qPrintable(index.data(Qt::ToolTipRole).toString()));
   QCOMPARE(f.row().model()->index(1, 0).data(widgets::ViewList::absentRole).toInt(), 0);
-  // It can be gone to, and an update forgets what is gone.
+  // One can go to the view, and an update forgets what is gone.
   f.clickCard(0);
   QVERIFY(f.settled());
   f.press("viewUpdate");
@@ -297,7 +298,7 @@ void ViewsTest::hostileNames() {
   }
   QVERIFY(f.presented().endsWith("%1 %n"));
   QTest::keyClick(&f.viewport(), Qt::Key_Escape);
-  // Typing changes what is typed alone.
+  // Typing changes only the name that is typed.
   f.clickCard(1);
   QTest::keyClick(&f.row(), Qt::Key_F2);
   auto* editor = f.row().findChild<QLineEdit*>(QStringLiteral("viewName"));

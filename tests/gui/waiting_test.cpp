@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window never waits for a picture, and shows the newest there is.
+// Tests that the window never waits for a picture, and shows the newest there is.
 #include <QDirIterator>
 #include <QElapsedTimer>
 #include <QLabel>
@@ -15,7 +15,7 @@ namespace sline::test {
 
 namespace {
 
-/// Beats as often as the event loop comes round.
+/// A Heart beats each time the event loop comes round.
 class Heart : public QObject {
  public:
   Heart() { startTimer(1); }
@@ -38,8 +38,8 @@ class WaitingTest : public QObject {
  private slots:
   void initTestCase() { writeBody(m_body.path()); }
 
-  /// While the renderer stands still, everything else in the window goes on; of all that was asked
-  /// for meanwhile only the last is drawn.
+  /// While the renderer stands still, everything else in the window goes on; of all pictures wanted
+  /// meanwhile only the last is drawn.
   void windowLivesWhileTheRendererStands() {
     const auto gate = std::make_shared<Gate>();
     WindowFixture f(gated(gate));
@@ -60,7 +60,8 @@ class WaitingTest : public QObject {
       f.letGoOfGamma();
       const int beat = heart.beats();
       QTRY_VERIFY(heart.beats() > beat);
-      // The tree follows at once, the window repaints, the picture is the last that was finished.
+      // The tree follows at once, the window repaints, and the picture is the last that was
+      // finished.
       const float shown =
           f.tree().indexOf(id).data(widgets::StructureTreeModel::lowGammaRole).toFloat();
       QCOMPARE(shown, i % 2 == 0 ? 1.0f : 4.0f);
@@ -76,7 +77,7 @@ class WaitingTest : public QObject {
     QVERIFY(!difference(before, f.picture()).isEmpty());
   }
 
-  /// The same with the camera; the newest wins.
+  /// Outdated cameras are skipped in the same way; the newest wins.
   void outdatedPicturesAreSkipped() {
     const auto gate = std::make_shared<Gate>();
     WindowFixture f(gated(gate));
@@ -97,7 +98,7 @@ class WaitingTest : public QObject {
     QVERIFY(gate->last >= held + 30);
   }
 
-  /// The camera follows a drag once for each picture and ends where the mouse does, also where no
+  /// The camera follows a drag once for each picture and ends where the mouse does, even if no
   /// picture comes for long.
   void aDragGoesOnWithThePictures() {
     const auto gate = std::make_shared<Gate>();
@@ -109,7 +110,7 @@ class WaitingTest : public QObject {
       sendMouse(f.viewport(), QEvent::MouseMove, middle + QPoint(x, 0));
       return f.viewport().camera();
     };
-    // Where the camera is when nothing holds it back.
+    // This is where the camera goes when nothing holds it back.
     sendMouse(f.viewport(), QEvent::MouseButtonPress, middle);
     const model::Camera begun = f.viewport().camera();
     goTo(90);
@@ -143,7 +144,8 @@ class WaitingTest : public QObject {
     QVERIFY(f.settled());
   }
 
-  /// Letters at the edges are those of the picture on screen until the next document's is there.
+  /// Letters at the edges are those of the picture on screen until the next document's picture is
+  /// there.
   void marksBelongToTheirPicture() {
     const auto gate = std::make_shared<Gate>();
     WindowFixture f(gated(gate));
@@ -164,7 +166,7 @@ class WaitingTest : public QObject {
     QCOMPARE(letters().size(), qsizetype(4));
     QTest::keyClick(&f.viewport(), Qt::Key_S);
     QVERIFY(f.settled());
-    // Another one is seen from the front, and so is the first when it comes back.
+    // Another document is seen from the front, and so is the first when it comes back.
     for (const bool back : {false, true}) {
       const QStringList before = letters();
       gate->pass.tryAcquire(gate->pass.available());
@@ -185,7 +187,7 @@ class WaitingTest : public QObject {
     }
   }
 
-  /// A window that closes while the renderer is at work comes down in order.
+  /// A window that closes while the renderer is at work is torn down in order.
   void closesWhileDrawing() {
     const auto gate = std::make_shared<Gate>();
     auto f = std::make_unique<WindowFixture>(gated(gate));
@@ -200,8 +202,8 @@ class WaitingTest : public QObject {
     QCOMPARE(gate->begun.load(), gate->done.load());
   }
 
-  /// Nor does one that closes while a demo is modelled wait for its end: it never gets as far as
-  /// the cache.
+  /// A window that closes while a demo is modelled does not wait for its end either: it never gets
+  /// as far as the cache.
   void closesWhileModelling_data() {
     QTest::addColumn<QString>("demo");
     QTest::addColumn<int>("after");

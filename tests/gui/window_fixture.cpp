@@ -25,9 +25,9 @@ QString sealed(const QString& folder) {
   qputenv("XDG_STATE_HOME", QFile::encodeName(folder + QStringLiteral("/state")));
   const QString file = folder + QStringLiteral("/settings.ini");
   QSettings settings(file, QSettings::IniFormat);
-  // Nothing is modelled in the background, where it would be in the way.
+  // No demo is modelled in the background, where it would interfere.
   settings.setValue(QStringLiteral("start/demoPictures"), false);
-  // Views change at once: what is looked at next is there when the key was pressed.
+  // Views change at once, so that a test finds the next one when the key was pressed.
   settings.setValue(QStringLiteral("navigation/flights"), false);
   return file;
 }
@@ -40,7 +40,7 @@ WindowFixture::WindowFixture(widgets::PainterFactory painter)
   window.show();
   if (!QTest::qWaitForWindowExposed(&window))
     qFatal("the window does not show");
-  // A bare display has no window manager that would.
+  // A bare display has no window manager to do this.
   QApplication::setActiveWindow(&window);
 }
 

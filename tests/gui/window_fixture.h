@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window with settings of its own in a temporary folder, and hands to work it.
+// Provides the window with settings of its own in a temporary folder, and helpers that operate it.
 #pragma once
 
 #include <QEvent>
@@ -16,12 +16,12 @@
 
 namespace sline::test {
 
-/// Where settings lie, in that folder; what a crash leaves goes there, too.
+/// Returns the path of the settings file in that folder; what a crash leaves goes there, too.
 QString sealed(const QString& folder);
 
 class WindowFixture {
  public:
-  /// Shows an empty window; the painter, where given, draws in place of the renderer.
+  /// Shows an empty window; the painter, if given, draws in place of the renderer.
   explicit WindowFixture(widgets::PainterFactory painter = {});
 
   widgets::Session session;
@@ -31,7 +31,7 @@ class WindowFixture {
 
   widgets::Viewport& viewport() { return window.viewport(); }
   widgets::StructureTreeView& tree();
-  /// Fails the test loudly where there is no such control.
+  /// Returns the control of that name; fails the test loudly if there is none.
   template <class T>
   T& control(const char* name) {
     T* found = window.findChild<T*>(QLatin1String(name));
@@ -40,34 +40,35 @@ class WindowFixture {
     return *found;
   }
 
-  /// Drags the path onto the window and lets it go; false where the window does not take it.
+  /// Drags the path onto the window and drops it; returns false if the window does not take it.
   bool drop(const QString& path, Qt::KeyboardModifiers keys = {});
-  /// Until nothing is being opened and the picture is of all as it is; false after a minute.
+  /// Waits until nothing is being opened and the picture shows all as it is; returns false after a
+  /// minute.
   bool settled();
-  /// What is on screen in the picture's place.
+  /// Returns what is on screen in the picture's place.
   QImage picture();
-  /// The pixels of the picture that the structure can touch, strokes included.
+  /// Returns the pixels of the picture that the structure can touch, strokes included.
   QRect areaOf(model::NodeId id);
   /// Drags the row's inline slider from where it stands to Γ; the button stays down.
   void pullGamma(model::NodeId id, float to);
   void letGoOfGamma();
 };
 
-/// Press, a few moves, release.
+/// Presses, moves a few times and releases.
 void dragMouse(QWidget& widget, const QPoint& from, const QPoint& to,
                Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {});
-/// A drag of the system's from one place of the widget to another: it runs an event loop of its
-/// own, and what the hand does next comes from within. `beforeRelease` happens there, just before
-/// the hand lets go. False where no drag began or it hung.
+/// Makes a system drag from one place of the widget to another: it runs an event loop of its own,
+/// and what the hand does next comes from within. `beforeRelease` runs there, just before the
+/// button is released. Returns false if no drag began or it hung.
 bool dragAndDrop(QWidget& widget, const QPoint& from, const QPoint& to,
                  const std::function<void()>& beforeRelease = {});
 void sendMouse(QWidget& widget, QEvent::Type type, const QPointF& at,
                Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {});
 
-/// The smallest rectangle around all pixels that differ; empty where none does.
+/// Returns the smallest rectangle around all pixels that differ; empty if none does.
 QRect difference(const QImage& a, const QImage& b);
 
-/// Six spheres and tori, "left kidney" and the like in two folders, as mesh files.
+/// Writes six spheres and tori, "left kidney" and the like in two folders, as mesh files.
 void writeBody(const QString& folder);
 
 }  // namespace sline::test

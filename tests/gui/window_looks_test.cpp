@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the window looks like in the states a person meets first, light and dark. The pictures are
-// for eyes: SLINE_SCREENSHOTS names a folder that takes them. Here it is only checked that they are
-// there, dressed as asked for and drawn.
+// Draws the window in the states that users meet first, light and dark. The pictures are for people
+// to look at: SLINE_SCREENSHOTS names a folder that takes them. The test only checks that they are
+// there, in the theme asked for and drawn.
 #include <QAbstractButton>
 #include <QCheckBox>
 #include <QDir>
@@ -30,7 +30,7 @@ void keep(const QImage& picture, const QString& name) {
   QVERIFY2(picture.save(file), qPrintable(file));
 }
 
-/// How many colours a picture has, counted up to a thousand.
+/// Returns how many colours a picture has, counted up to a thousand.
 int colours(const QImage& picture) {
   QSet<QRgb> seen;
   for (int y = 0; y < picture.height(); y += 3)
@@ -72,7 +72,7 @@ class WindowLooksTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return f.session.document().opening != 0; }, 300'000));
     QVERIFY(f.settled());
     QTest::keyClick(&f.viewport(), Qt::Key_A);
-    // Of the panels that share a place it is the one that is wanted first.
+    // The panel that is wanted first is the visible one of those that share a place.
     QVERIFY(!f.control<QDockWidget>("focusPanel").visibleRegion().isEmpty());
     shoot(f, "scene-" + theme);
     f.control<QWidget>("messageBar").hide();
@@ -84,7 +84,7 @@ class WindowLooksTest : public QObject {
     QTest::keyClick(&f.viewport(), Qt::Key_F);
     QVERIFY(QTest::qWaitFor([&] { return f.session.history().count() > steps; }, 60'000));
     shoot(f, "focus-" + theme);
-    // The one control that matters is seen as a whole, down to its number.
+    // The one control that matters is visible as a whole, down to its number.
     for (const char* name : {"gammaSlider", "stages", "gammaNumber"}) {
       auto& control = f.control<QWidget>(name);
       QCOMPARE(control.visibleRegion().boundingRect(), control.rect());
@@ -102,7 +102,7 @@ class WindowLooksTest : public QObject {
     shoot(f, "filter-" + theme);
   }
 
-  /// Boxes that are not ticked can be seen, too.
+  /// Boxes that are not ticked are visible, too.
   void emptyBoxesShow_data() {
     QTest::addColumn<QString>("theme");
     for (const char* theme : {"light", "dark"})

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a scene is more than its structures: saved views, the key light, the files it came from.
+// Tests those parts of a scene that are not structures: saved views, the key light, the files it
+// came from.
 #include <QDirIterator>
 #include <QMenu>
 #include <QtTest>
@@ -39,7 +40,7 @@ class WindowSceneTest : public QObject {
     const QString file = body.path() + "/" + fileOf(body.path(), before.provenance.file);
     writeMesh(file, *sphere(7.0f, 2));
     reload.trigger();
-    // An edit meanwhile stays.
+    // An edit made meanwhile stays.
     const model::NodeId other = f.session.scene().named("left kidney").front();
     QVERIFY(f.session.apply("Hide",
                             model::withLook(f.session.scene(), {&other, 1}, {.visible = false})));
@@ -96,14 +97,14 @@ class WindowSceneTest : public QObject {
     QVERIFY(!f.session.scene().keyLight()->shades && !key.isChecked());
     f.session.undo();
     QVERIFY(f.viewport().keyLight() && key.isChecked());
-    // What a scene says goes before what was chosen last.
+    // The scene's own light overrides what was chosen last.
     model::KeyLight light{.towards = {0, 0, 1}, .shades = false};
     QVERIFY(f.session.apply("light", model::withKeyLight(f.session.scene(), light)));
     QVERIFY(!f.viewport().keyLight() && !key.isChecked());
   }
 
  private:
-  /// Where below the folder the file of that name is.
+  /// Returns where below the folder the file of that name is.
   static QString fileOf(const QString& folder, const std::string& name) {
     QDirIterator files(folder, {QString::fromStdString(name)}, QDir::Files,
                        QDirIterator::Subdirectories);

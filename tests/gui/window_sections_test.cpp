@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section planes and the key light by hand: keys, menu and toolbar.
+// Tests section planes and the key light by hand: keys, menu and toolbar.
 #include <QAction>
 #include <QToolBar>
 #include <QtTest>
@@ -34,7 +34,7 @@ class WindowSectionsTest : public QObject {
     QTest::addColumn<QString>("action");
     QTest::addColumn<int>("axis");
     QTest::addColumn<float>("normal");
-    // The side towards the eye goes.
+    // The side towards the eye is taken away.
     QTest::newRow("sagittal, from the left")
         << int(Qt::Key_L) << int(Qt::Key_1) << "sectionSagittal" << 0 << 1.0f;
     QTest::newRow("sagittal, from the right")

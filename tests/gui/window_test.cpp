@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The main job by hand: a folder is dropped, one slider moved, the scene turned, steps undone.
+// Tests the main job by hand: a folder is dropped, one slider moved, the scene turned, steps
+// undone.
 #include <QAccessible>
 #include <QDialog>
 #include <QDockWidget>
@@ -31,7 +32,7 @@ class WindowTest : public QObject {
 
   QTemporaryDir m_body;
 
-  /// The only structure of that name.
+  /// Returns the only structure of that name.
   static model::NodeId structure(WindowFixture& f, const QString& name) {
     const std::vector<model::NodeId> found = f.session.scene().named(name.toStdString());
     if (found.size() != 1)
@@ -219,7 +220,7 @@ class WindowTest : public QObject {
     QCOMPARE(f.tree().selectionModel()->selectedRows().size(), 1);
   }
 
-  /// What was looked for in one scene hides nothing of the next.
+  /// A filter for one scene hides nothing of the next.
   void filterGoesWithItsDocument() {
     WindowFixture f;
     QVERIFY(openBody(f));
@@ -237,8 +238,8 @@ class WindowTest : public QObject {
     QCOMPARE(filter.text(), QString());
   }
 
-  /// The first time, behind the start page and in the program's dress, panels have the widths they
-  /// are made for, and names their room; afterwards what somebody has made of it.
+  /// The first time, behind the start page and in the program's style, panels have the widths they
+  /// are made for, and names their room; afterwards they have the widths that the user gave them.
   void panelsHaveRoom() {
     WindowFixture f;
     QSettings settings(f.folder.filePath(QStringLiteral("first.ini")), QSettings::IniFormat);
@@ -265,7 +266,7 @@ class WindowTest : public QObject {
         return first.tree().view().columnWidth(widgets::StructureTreeModel::name);
       };
       QVERIFY2(nameWidth() > 120, qPrintable(QString::number(nameWidth())));
-      // Nor are names cut to nothing by hand.
+      // Names are not cut to nothing by hand either.
       auto* structures = first.findChild<QDockWidget*>(QStringLiteral("structuresPanel"));
       first.resizeDocks({structures}, {60}, Qt::Horizontal);
       QCoreApplication::processEvents();
@@ -353,7 +354,7 @@ class WindowTest : public QObject {
     QVERIFY2(message.text().contains(file), qPrintable(message.text()));
     QVERIFY(f.session.document() == before);
     QCOMPARE(f.session.history().count(), 0);
-    // It covers none of the picture's marks.
+    // The message covers none of the picture's marks.
     for (const char* mark : {"orientationCube", "letterTop"})
       QTRY_VERIFY2(f.control<QWidget>(mark).y() >= message.height(), mark);
     QTest::mouseClick(&f.control<QWidget>("messageClose"), Qt::LeftButton);
@@ -390,7 +391,7 @@ class WindowTest : public QObject {
       if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisible() ||
           widget->objectName().startsWith(QStringLiteral("qt_")))
         continue;
-      // Of panels that share a place: Qt's own, which names itself by its tabs.
+      // This is Qt's own bar of panels that share a place, which names itself by its tabs.
       if (qobject_cast<const QTabBar*>(widget) && widget->parentWidget() == &f.window)
         continue;
       const QAccessibleInterface* seen =

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# installed_test.sh BUILD: installs a finished build into an empty folder and asks the programs that
-# read desktop entries, metadata, types of files, man pages and completions what they make of it.
-# Ends with 77 (skipped) where one of them is absent, unless SLINE_NOTHING_ABSENT is set.
+# installed_test.sh BUILD: installs a finished build into an empty folder and checks it with the
+# programs that read desktop entries, metadata, types of files, man pages and completions. Ends with
+# 77 (skipped) if one of them is absent, unless SLINE_NOTHING_ABSENT is set.
 set -euo pipefail
 
 build=$1
@@ -36,14 +36,14 @@ layout() {
   done
   [ -s "$prefix/lib/sline/libsline-pixels.so" ] || fail "the part for TIFF and others is not installed"
   "$sline" --version | grep -q '^sline [0-9]' || fail "the installed program does not start"
-  # DICOM is read by another program, which it must find: this file is one, and holds nothing.
+  # DICOM is read by another program, which sline must find: this file is DICOM, and holds nothing.
   head -c 128 /dev/zero >"$prefix/none.dcm"
   printf DICM >>"$prefix/none.dcm"
   ! "$sline" info "$prefix/none.dcm" 2>"$prefix/said" || fail "an empty DICOM file was read"
   ! grep -q sline-reader "$prefix/said" || fail "$(cat "$prefix/said")"
 }
 
-# What the program loads for other pictures than PNG is found from where it is installed.
+# Modules for pictures other than PNG are found from where the program is installed.
 pictures() {
   printf 'v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n' >"$prefix/t.obj"
   "$sline" render "$prefix/t.obj" -o "$prefix/t.tiff" --size 64x64 >/dev/null
@@ -83,7 +83,8 @@ mime_type() {
   [ "$(type_of "$prefix/nameless")" = application/x-sline ] || fail "a scene is not known by its bytes"
 }
 
-# The long options that --help lists, without dashes; those of a group of options stand further in.
+# Prints the long options that --help lists, without dashes; those of a group of options are
+# indented further.
 long_options() { # command...
   "$sline" "$@" --help | sed -n 's/^ \{2,4\}\(-[^ ]*\).*/\1/p' | tr ',' '\n' |
     sed -n 's/^--\([a-z0-9-]*\).*/\1/p'

@@ -43,7 +43,7 @@ bin/sline demo kidney -o k.tiff
 [ "$(head -c 2 k.tiff)" = II ] || fail "no TIFF was written"
 ! ldd bin/sline bin/sline-workstation lib/sline/libsline-pixels.so | grep 'not found' || fail "a library is absent"
 
-# What the window has loaded once it stands: Qt and VTK from here alone.
+# The running window may have loaded Qt and VTK from here alone.
 xvfb-run -a bash -c '
   bin/sline-workstation --demo kidney &
   window=$!

@@ -17,7 +17,7 @@ namespace {
 constexpr int deepest = 4;
 constexpr std::size_t mostInflated = std::size_t(64) * 1024 * 1024;
 
-/// Of ASCII alone; other bytes stay.
+/// Returns the bytes with ASCII letters in lower case; other bytes stay.
 QByteArray lower(QByteArray bytes) {
   for (char& each : bytes)
     if (each >= 'A' && each <= 'Z')
@@ -25,7 +25,7 @@ QByteArray lower(QByteArray bytes) {
   return bytes;
 }
 
-/// What zlib makes of the bytes from there on; `bits` as inflateInit2's. Empty where it is not
+/// Returns what zlib unpacks from there on; `bits` as inflateInit2's. Empty if the bytes are not
 /// packed that way.
 QByteArray inflated(const QByteArray& bytes, qsizetype at, int bits) {
   z_stream stream{};
@@ -58,18 +58,18 @@ std::uint32_t little(const QByteArray& bytes, qsizetype at, int size) {
   return value;
 }
 
-/// Everything packed in the bytes.
+/// Returns everything packed in the bytes.
 QList<QByteArray> unpacked(const QByteArray& bytes) {
   QList<QByteArray> found;
   const auto keep = [&found](const QByteArray& made) {
-    constexpr qsizetype chance = 4;  // bytes that look packed but are not give a few at most
+    constexpr qsizetype chance = 4;  // bytes that only look packed give a few at most
     if (made.size() > chance)
       found << made;
   };
   for (qsizetype at = 0; at + 4 < bytes.size(); ++at) {
     const auto first = std::uint8_t(bytes[at]);
     const auto second = std::uint8_t(bytes[at + 1]);
-    // RFC 1950: the method, and a check of the first two bytes.
+    // RFC 1950 gives the method, and a check of the first two bytes.
     if ((first & 0x0f) == 8 && first <= 0x78 && (first * 256 + second) % 31 == 0)
       keep(inflated(bytes, at, MAX_WBITS));
     else if (first == 0x1f && second == 0x8b)
@@ -84,7 +84,7 @@ QList<QByteArray> unpacked(const QByteArray& bytes) {
 
 using Decode = QByteArray (*)(const QString& captured);
 
-/// The bytes with all that the pattern finds decoded.
+/// Returns the bytes with all that the pattern finds decoded.
 QByteArray replaced(const QByteArray& bytes, const QRegularExpression& pattern, Decode decode) {
   const QString text = QString::fromLatin1(bytes);
   QByteArray result;
@@ -98,7 +98,7 @@ QByteArray replaced(const QByteArray& bytes, const QRegularExpression& pattern, 
   return from == 0 ? QByteArray() : result + bytes.mid(from);
 }
 
-/// The same content as escapes of different formats hide it.
+/// Returns the content without the escapes by which different formats may hide it.
 QList<QByteArray> unescaped(const QByteArray& bytes) {
   static const QRegularExpression json(QStringLiteral("\\\\u([0-9a-fA-F]{4})"));
   static const QRegularExpression xmlHex(QStringLiteral("&#x([0-9a-fA-F]+);"));
@@ -129,8 +129,8 @@ QList<QByteArray> unescaped(const QByteArray& bytes) {
   return found;
 }
 
-/// A marker as bytes may have it once `lower` has been over them, which leaves letters beyond ASCII
-/// as large as they are.
+/// Returns the forms that a marker may have in bytes once `lower` has been over them, which leaves
+/// letters beyond ASCII as large as they are.
 QList<QByteArray> shapesOf(const QString& marker) {
   QList<QByteArray> shapes;
   for (const QString& form : {marker, marker.toLower(), marker.toUpper()}) {
@@ -147,7 +147,7 @@ QList<QByteArray> shapesOf(const QString& marker) {
   return shapes;
 }
 
-/// All shapes of all markers, found in one walk over the bytes: pixels are many.
+/// Holds all shapes of all markers and finds them in one walk over the bytes: pixels are many.
 class Shapes {
  public:
   explicit Shapes(const QStringList& markers) {
@@ -178,7 +178,7 @@ class Shapes {
     return std::size_t(std::uint8_t(bytes[at])) << 8 | std::uint8_t(bytes[at + 1]);
   }
 
-  /// By their first two bytes.
+  /// Holds the shapes by their first two bytes.
   std::vector<std::vector<Shape>> m_beginning{65536};
 };
 
@@ -194,7 +194,7 @@ void scan(const QByteArray& bytes, const Shapes& shapes, int depth, QSet<QString
     return;
   for (const QByteArray& inner : unescaped(bytes)) {
     shapes.findIn(inner, found);
-    // What is hidden once may be packed, too; what is hidden twice nobody writes by mistake.
+    // Text that is hidden once may be packed, too; hiding it twice does not happen by mistake.
     for (const QByteArray& deeper : unpacked(inner))
       scan(deeper, shapes, depth + 1, found);
   }

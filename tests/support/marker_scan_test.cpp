@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for planted markers finds one however a file hides it: else it would prove nothing.
+// Tests that the search for planted markers finds one however a file hides it: otherwise it would
+// prove nothing.
 #include <zlib.h>
 
 #include <QTest>
@@ -13,7 +14,7 @@ namespace {
 
 const QString marker = QStringLiteral("QZXMüller-4711");
 
-/// As `bits` of deflateInit2 say.
+/// Returns the bytes packed as `bits` of deflateInit2 say.
 QByteArray packed(const QByteArray& bytes, int bits) {
   z_stream stream{};
   if (deflateInit2(&stream, 9, Z_DEFLATED, bits, 8, Z_DEFAULT_STRATEGY) != Z_OK)
@@ -37,7 +38,7 @@ QByteArray number(quint32 value, int size, bool big) {
   return bytes;
 }
 
-/// A member of a ZIP file, with its local header.
+/// Returns a member of a ZIP file, with its local header.
 QByteArray zipMember(const QByteArray& name, const QByteArray& content, bool deflated) {
   const QByteArray data = deflated ? packed(content, -MAX_WBITS) : content;
   return QByteArray("PK\x03\x04") + number(20, 2, false) + number(0, 2, false) +
@@ -49,7 +50,7 @@ QByteArray zipMember(const QByteArray& name, const QByteArray& content, bool def
          number(quint32(name.size()), 2, false) + number(0, 2, false) + name + data;
 }
 
-/// A chunk of PNG; the check sum is nobody's concern here.
+/// Returns a chunk of PNG; the check sum does not matter here.
 QByteArray chunk(const QByteArray& kind, const QByteArray& data) {
   return number(quint32(data.size()), 4, true) + kind + data + "crc!";
 }

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory of this process as Linux counts it.
+// Measures this process's memory as Linux counts it.
 #pragma once
 
 namespace sline::test {
 
-/// AddressSanitizer keeps freed memory back and slows everything down, so that peaks and times say
-/// nothing there.
+/// Tells whether AddressSanitizer is at work. It keeps freed memory back and slows everything down,
+/// so that peaks and times say nothing there.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool sanitized = true;
 #else
 inline constexpr bool sanitized = false;
 #endif
 
-/// MiB, now and at their highest; 0 where the system does not tell (/proc/self/status).
+/// Return MiB, now and at their highest; 0 if the system does not tell (/proc/self/status).
 double residentMiB();
 double peakResidentMiB();
-/// Starts the peak anew from what is resident now, where the system allows it.
+/// Restarts the peak from what is resident now, if the system allows it.
 void resetPeak();
 
 }  // namespace sline::test

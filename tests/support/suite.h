@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several suites of tests in one program, so that a room's tests are linked once: each source file
-// enrols one QObject of test slots under its own name, and `PROGRAM NAME [QtTest's arguments]` runs
-// it in a process of its own, as a program with QTEST_MAIN would.
+// Puts several suites of tests in one program, so that a room's tests are linked once: each source
+// file enrols one QObject of test slots under its own name, and `PROGRAM NAME [QtTest's arguments]`
+// runs it in a process of its own, as a program with QTEST_MAIN would.
 #pragma once
 
 #include <QtTest>
@@ -31,9 +31,9 @@ int runSuiteIn(int argc, char** argv) {
 
 }  // namespace sline::test
 
-/// Ends a test for which something outside of the project is absent: real anatomy, or a program
-/// whose opinion it asks. It counts as skipped, or as failed where the variable
-/// SLINE_NOTHING_ABSENT says that all of it must be there, as in CI.
+/// Ends a test that lacks something from outside the project: real anatomy, or a program that it
+/// asks for an opinion. It counts as skipped, or as failed if the variable SLINE_NOTHING_ABSENT
+/// says that all of it must be there, as in CI.
 #define SLINE_ABSENT(reason)                               \
   do {                                                     \
     if (qEnvironmentVariableIsSet("SLINE_NOTHING_ABSENT")) \
@@ -43,10 +43,10 @@ int runSuiteIn(int argc, char** argv) {
 
 #define SLINE_ENROL(...) \
   static const bool slineEnrolled [[maybe_unused]] = sline::test::enrol(__FILE__, __VA_ARGS__);
-/// For tests that need no application object.
+/// Enrols tests that need no application object.
 #define SLINE_TEST(Suite) SLINE_ENROL(sline::test::runSuite<Suite>)
-/// For tests that need events, processes or settings.
+/// Enrols tests that need events, processes or settings.
 #define SLINE_TEST_WITH_EVENTS(Suite) SLINE_ENROL(sline::test::runSuiteIn<Suite, QCoreApplication>)
-/// For tests that draw with Qt (QGuiApplication) and for those that show widgets (QApplication).
+/// Enrols tests that draw with Qt (QGuiApplication) and those that show widgets (QApplication).
 #define SLINE_TEST_WITH_GUI(Suite) SLINE_ENROL(sline::test::runSuiteIn<Suite, QGuiApplication>)
 #define SLINE_TEST_WITH_WIDGETS(Suite) SLINE_ENROL(sline::test::runSuiteIn<Suite, QApplication>)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The torus of tests/support/shapes.h in closed form: u runs around the ring, v around the tube.
+// Describes the torus of tests/support/shapes.h in closed form: u runs around the ring, v around
+// the tube.
 #pragma once
 
 #include <cmath>
@@ -27,21 +28,21 @@ struct Torus {
   glm::dvec3 alongRing(Point p) const { return {-std::sin(p.u), std::cos(p.u), 0.0}; }
   glm::dvec3 alongTube(Point p) const { return glm::cross(alongRing(p), normal(p)) * -1.0; }
 
-  /// Parameters of a point on (or near) the torus.
+  /// Returns the parameters of a point on (or near) the torus.
   Point at(const glm::dvec3& p) const {
     return {std::atan2(p.y, p.x), std::atan2(p.z, std::hypot(p.x, p.y) - major)};
   }
 
-  /// v̂ of a camera far away in this unit direction.
+  /// Returns v̂ of a camera far away in this unit direction.
   double nv(Point p, const glm::dvec3& towardsEye) const { return glm::dot(normal(p), towardsEye); }
-  /// κr with ŵ normalised (METHOD §3).
+  /// Returns κr with ŵ normalised (METHOD §3).
   double radialCurvature(Point p, const glm::dvec3& towardsEye) const {
     const double ring = glm::dot(towardsEye, alongRing(p));
     const double tube = glm::dot(towardsEye, alongTube(p));
     const double kRing = std::cos(p.v) / (major + minor * std::cos(p.v));
     return (tube * tube / minor + ring * ring * kRing) / (tube * tube + ring * ring);
   }
-  /// The change of κr along ŵ, by central differences of the closed form.
+  /// Returns the change of κr along ŵ, by central differences of the closed form.
   double radialCurvatureDerivative(Point p, const glm::dvec3& towardsEye) const {
     const double ring = glm::dot(towardsEye, alongRing(p));
     const double tube = glm::dot(towardsEye, alongTube(p));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The .ts files against each other and against the texts in the program.
+// Checks the .ts files against each other and against the texts in the program.
 #include <QDirIterator>
 #include <QProcess>
 #include <QRegularExpression>
@@ -14,11 +14,11 @@ namespace {
 
 struct Message {
   QString source;
-  QString type;  ///< "" when finished
+  QString type;  ///< empty when finished
   bool plural = false;
   QStringList forms;
 };
-/// By context, comment and source.
+/// Holds messages by context, comment and source.
 using Messages = std::map<QString, Message>;
 
 Message readMessage(QXmlStreamReader& xml, QString& comment) {
@@ -70,7 +70,7 @@ QString file(const QString& name) {
   return QStringLiteral(SLINE_SOURCE "/translations/") + name + QStringLiteral(".ts");
 }
 
-/// %1, %2 … and %n, each as often as it stands there, sorted.
+/// Returns %1, %2 … and %n, each as often as it stands there, sorted.
 QStringList argumentsOf(const QString& text) {
   static const QRegularExpression pattern(QStringLiteral("%L?\\d|%n"));
   QStringList found;
@@ -80,12 +80,12 @@ QStringList argumentsOf(const QString& text) {
   return found;
 }
 
-/// "&File" has one, "R && D" none.
+/// Tells whether the text has an accelerator: "&File" has one, "R && D" none.
 bool hasAccelerator(QString text) {
   return text.remove(QStringLiteral("&&")).contains(QLatin1Char('&'));
 }
 
-/// What stands around the words: spaces, the ellipsis of dialogs, the colon of labels.
+/// Holds what stands around the words: spaces, the ellipsis of dialogs, the colon of labels.
 struct Edges {
   QString front;
   QString back;
@@ -101,7 +101,7 @@ Edges edges(const QString& text) {
           text.endsWith(QLatin1Char(':'))};
 }
 
-/// What is wrong with a translation; empty where nothing is.
+/// Returns what is wrong with a translation; empty if nothing is.
 QString faultOf(const Message& message) {
   if (!message.type.isEmpty())
     return message.type;
@@ -113,7 +113,7 @@ QString faultOf(const Message& message) {
     QStringList wanted = argumentsOf(message.source);
     QStringList there = argumentsOf(form);
     if (message.plural) {
-      // "One structure" may say its number in a word.
+      // "One structure" may give its number as a word.
       there.removeAll(QStringLiteral("%n"));
       wanted.removeAll(QStringLiteral("%n"));
     }
@@ -186,7 +186,7 @@ void TranslationsTest::upToDate() {
   if (pluralsOnly)
     std::erase_if(texts, [](const auto& each) { return !each.second.plural; });
   QVERIFY(!texts.empty());
-  // A text in another context is looked for in vain while the program runs.
+  // The program does not find a text in another context.
   static const QRegularExpression known(
       QStringLiteral("^(sline::widgets(::\\w+)?|sline::render::Export(Format|Option)|main)\\|"));
   for (const auto& [key, message] : texts)
@@ -215,12 +215,12 @@ void TranslationsTest::quotationMarks() {
   for (const auto& [key, message] : readMessages(file(name)))
     for (const QString& form : message.forms)
       for (const QChar mark : foreign)
-        // Markup has its own.
+        // Markup has such marks of its own.
         QVERIFY2(!form.contains(mark) || form.contains(QLatin1Char('<')), qPrintable(key));
 }
 
 void TranslationsTest::keysStay() {
-  // Keys are where they are in every language; only what is written on them differs.
+  // Keys are where they are in every language; only their labels differ.
   static const QRegularExpression key(QStringLiteral("^((Ctrl|Shift|Alt)\\+)+.+$|^[A-Z/]$|^Home$"));
   for (const char* name : {"sline_de", "sline_nl", "sline_nb"})
     for (const auto& [id, message] : readMessages(file(name)))
@@ -229,8 +229,8 @@ void TranslationsTest::keysStay() {
 }
 
 void TranslationsTest::contextsOfTables() {
-  // lupdate files tr() outside of classes under the namespace; a function that asks elsewhere finds
-  // nothing.
+  // lupdate files tr() outside of classes under the namespace; a function that looks elsewhere
+  // finds nothing.
   static const QRegularExpression asks(
       QStringLiteral("QString tr\\(.*\\n\\s*return QCoreApplication::translate\\((\"[^\"]*\")"));
   int seen = 0;
@@ -246,7 +246,7 @@ void TranslationsTest::contextsOfTables() {
     QVERIFY2(match.captured(1) == QStringLiteral("\"sline::widgets\""),
              qPrintable(source.fileName()));
   }
-  QCOMPARE(seen, 1);  // widgets/text, for all
+  QCOMPARE(seen, 1);  // in widgets/text, for all
 }
 
 void TranslationsTest::faults_data() {

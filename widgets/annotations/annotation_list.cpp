@@ -10,7 +10,7 @@
 namespace sline::widgets {
 
 namespace {
-/// Whatever it looks like, it is no HTML.
+/// Escapes the text, which may look like HTML but is none.
 QString tip(const QString& text) {
   return QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
 }

@@ -7,15 +7,15 @@
 
 namespace sline::widgets {
 
-/// The scene's annotations as rows: a tick for what is shown beside its number, what it says, its
-/// kind and what it points at.
+/// Lists the scene's annotations as rows: a tick for what is shown beside its number, its words,
+/// its kind and what it points at.
 class AnnotationList : public QAbstractTableModel {
   Q_OBJECT
  public:
   enum Column { number, text, kind, place, columnCount_ };
   explicit AnnotationList(Session& session, QObject* parent = nullptr);
 
-  /// Texts are shown, and typed, in that language; empty: the scene's own.
+  /// Returns the language in which texts are shown and typed; empty for the scene's own.
   const std::string& language() const { return m_language; }
   void setLanguage(const std::string& tag);
 
@@ -27,13 +27,13 @@ class AnnotationList : public QAbstractTableModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
   const model::Annotation* at(int row) const;
-  /// −1 where there is none.
+  /// Returns the annotation's row, or −1 where there is none.
   int rowOf(std::optional<model::AnnotationId> id) const;
 
  private:
   void documentChange(const Document& before, const Document& now);
   void allChanged();
-  /// As it stands in pictures: among those that are visible, from 1.
+  /// Returns the number that the annotation has in pictures, counted from 1 among the visible ones.
   int numberOf(int row) const;
 
   Session& m_session;

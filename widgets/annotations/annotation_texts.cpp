@@ -25,7 +25,7 @@ QString anchorText(Session& session, const model::Anchor& anchor) {
   return node ? session.names().shown(node->name) : tr("nothing that is there");
 }
 
-/// As the picture says it.
+/// Returns the length as the picture writes it.
 QString lengthText(float millimetres, const std::string& language) {
   render::ShownLabel label;
   label.item.kind = model::AnnotationKind::distance;

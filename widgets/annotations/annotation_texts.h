@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What annotations say and what they are called, for people; plain text all of it.
+// Puts annotations, and what they are called, into plain text for the user.
 #pragma once
 
 #include <QString>
@@ -9,28 +9,32 @@
 namespace sline::widgets {
 
 QString kindText(model::AnnotationKind kind);
-/// In one line; an annotation without words goes by its kind, a distance by its length.
+/// Returns the annotation in one line; one without words goes by its kind, a distance by its
+/// length.
 QString shownText(const model::Scene& scene, const model::Annotation& annotation,
                   const std::string& language);
-/// What it points at, as people read it: a structure's name, of a distance both, or "a place".
+/// Returns what the annotation points at as the user reads it: a structure's name, both names for a
+/// distance, or "a place".
 QString placeText(Session& session, const model::Annotation& annotation);
 
-/// What the structure is called in that language; empty: as people see it in the list.
+/// Returns the structure's name in that language; with an empty language, its name in the list.
 QString offeredText(Session& session, model::NodeId structure, const std::string& language);
-/// What it says in that language; where it has no words there, in the scene's own. As it is
-/// written: a callout's markers included.
+/// Returns the annotation's words in that language, or in the scene's own where it has none there,
+/// as they are written: with a callout's markers.
 QString wordsIn(const model::Annotation& annotation, const std::string& language);
-/// The same in one line, without markers.
+/// Returns the words that `wordsIn` returns, in one line and without markers.
 QString plainWordsIn(const model::Annotation& annotation, const std::string& language);
-/// With other words in the language. One without any words of the scene's own gets these, too; no
-/// words in another language: the scene's own hold there again.
+/// Returns the annotation with these words in the language. An annotation without words in the
+/// scene's own language gets them there too; empty words in another language bring back the scene's
+/// own.
 model::Annotation withText(model::Annotation annotation, const std::string& language,
                            const QString& text);
-/// The words of a new one on that structure; what it is called there was left as offered: it is
-/// called so in every language that the table of names knows.
+/// Returns a new annotation of that structure with its first words. Where the text was left as
+/// offered, the annotation gets the structure's name in every language that the table of names
+/// knows.
 model::Annotation withFirstText(Session& session, model::Annotation annotation,
                                 const std::string& language, const QString& text);
-/// What it is on; the first, of a distance.
+/// Returns the structure that the annotation is on; the first one for a distance.
 std::optional<model::NodeId> structureOf(const model::Annotation& annotation);
 
 }  // namespace sline::widgets

@@ -138,7 +138,7 @@ void AnnotationsPanel::makeList() {
   m_list->setAllColumnsShowFocus(true);
   m_list->setUniformRowHeights(true);
   m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  // As high as there is room, but asking for none of the other panels'.
+  // The list is as high as there is room, but takes no height from the other panels.
   m_list->setMinimumHeight(64);
   m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
@@ -264,7 +264,7 @@ void AnnotationsPanel::remove() {
   const int row = m_annotations->rowOf(ids.front());
   m_session.apply(ids.size() == 1 ? tr("Delete Label") : tr("Delete Labels"),
                   model::withoutAnnotations(m_session.scene(), ids));
-  // The one that takes its place, so that a key held down deletes one after the other.
+  // The next label takes its place, so that a key held down deletes one after the other.
   const model::Annotation* next = m_annotations->at(std::min(row, m_annotations->rowCount() - 1));
   m_session.activateAnnotation(next ? std::optional(next->id) : std::nullopt);
 }
@@ -298,7 +298,7 @@ void AnnotationsPanel::write() {
     return;
   QString text = m_text->toPlainText();
   if (there->kind != AnnotationKind::callout)
-    text.replace(QLatin1Char('\n'), QLatin1Char(' '));  // pasted
+    text.replace(QLatin1Char('\n'), QLatin1Char(' '));  // the text may have been pasted
   change(tr("Change What a Label Says"), withText(*there, m_annotations->language(), text),
          QStringLiteral("annotation-text-%1").arg(there->id.value));
 }
@@ -380,7 +380,7 @@ void AnnotationsPanel::showActive() {
     m_text->setPlaceholderText(tr("Choose a label"));
     return;
   }
-  // What a language lacks is said in the scene's own.
+  // Where the language has no words, those of the scene's own language apply.
   const std::string& tag = m_annotations->language();
   const auto own = annotation->texts.find(tag);
   const QString text = QString::fromStdString(tag.empty()                      ? annotation->text

@@ -19,13 +19,13 @@ class AnnotationList;
 class LabelField;
 class LabelViews;
 
-/// All annotations in a list, below it what can be said of the active one, above it how labels are
-/// shown in the window, which is a preference.
+/// Lists all annotations, with the details of the active one below and, above, how labels are shown
+/// in the window, which is a preference.
 class AnnotationsPanel : public QWidget {
   Q_OBJECT
  public:
   AnnotationsPanel(Session& session, Preferences& preferences, QWidget* parent = nullptr);
-  /// Buttons for what makes labels, before the one that deletes them.
+  /// Adds buttons for the actions that make labels, before the button that deletes them.
   void addButtons(const std::vector<QAction*>& actions);
 
  protected:
@@ -40,7 +40,7 @@ class AnnotationsPanel : public QWidget {
   void makeChoices();
   int heightOf(int lines) const;  ///< of the field for words
   const model::Annotation* active() const;
-  /// The rows that are selected, and the active one where there is none.
+  /// Returns the selected annotations, or the active one where no row is selected.
   std::vector<model::AnnotationId> chosen() const;
   void change(const QString& step, const model::Annotation& annotation, const QString& series = {});
   void remove();
@@ -65,7 +65,7 @@ class AnnotationsPanel : public QWidget {
   LabelViews* m_views = nullptr;
   QCheckBox* m_locked = nullptr;
   QToolButton* m_release = nullptr;
-  bool m_following = false;  ///< the session, not the person
+  bool m_following = false;  ///< the session changes the controls, not the user
 };
 
 }  // namespace sline::widgets

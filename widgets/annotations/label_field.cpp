@@ -10,7 +10,8 @@ namespace sline::widgets {
 
 namespace {
 
-/// Word processors end lines in several ways and have signs that no text shows.
+/// Cleans text from word processors, which end lines in several ways and have characters that are
+/// never displayed.
 QString cleaned(QString text) {
   text.replace(QLatin1String("\r\n"), QLatin1String("\n"));
   QString clean;
@@ -47,7 +48,7 @@ std::optional<model::LetterMark> LabelField::markOf(QKeyEvent& key) const {
 }
 
 bool LabelField::event(QEvent* event) {
-  // Elsewhere in the window these keys do something else.
+  // These keys have another meaning elsewhere in the window.
   if (event->type() == QEvent::ShortcutOverride && markOf(*static_cast<QKeyEvent*>(event))) {
     event->accept();
     return true;
@@ -73,7 +74,7 @@ void LabelField::mark(model::LetterMark mark) {
   const QString now = QString::fromStdString(made.text);
   if (now == text)
     return;
-  // No more than what differs is written anew.
+  // Only the part that differs is replaced.
   const auto head = std::mismatch(text.begin(), text.end(), now.begin(), now.end()).first;
   const auto same = int(head - text.begin());
   int tail = 0;

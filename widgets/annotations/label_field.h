@@ -7,16 +7,16 @@
 
 namespace sline::widgets {
 
-/// A field in which a label's words are typed: plain text, whatever is pasted. Where the words are
-/// marked up, as a callout's are, Ctrl+B and Ctrl+I put markers around what is selected, or take
-/// them away, in one step of its undo.
+/// Holds a field in which a label's words are typed: always plain text, whatever is pasted. Where
+/// the words are marked up, as a callout's are, Ctrl+B and Ctrl+I put markers around the selection
+/// or take them away, in one step of the field's undo.
 class LabelField : public QPlainTextEdit {
   Q_OBJECT
  public:
   explicit LabelField(QWidget* parent = nullptr) : QPlainTextEdit(parent) {}
 
   void setMarkup(bool on) { m_markup = on; }
-  /// What can be written there, in a line.
+  /// Returns one line about the markup that can be typed.
   static QString markupHint();
 
  protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a person wants labels in the window: what the preferences say of it.
+// Turns the preferences into the look of labels in the window.
 #pragma once
 
 #include <QString>
@@ -17,15 +17,16 @@ inline constexpr const char* labelPointsKey = "labels/points";
 
 /// A language that labels can be written in.
 struct LabelLanguage {
-  std::string tag;  ///< BCP 47; empty: the scene's own
+  std::string tag;  ///< BCP 47; empty for the scene's own
   QString name;
 };
-/// The scene's own first.
+/// Returns the languages that labels can be written in, the scene's own first.
 std::vector<LabelLanguage> labelLanguages();
-/// The tag of a language of names; of none the scene's own.
+/// Returns the tag of a language of names; the scene's own where there is none.
 std::string tagOf(std::optional<model::NameLanguage> language);
 
-/// As the preferences say; where labels follow the structures, `names` says which language that is.
+/// Returns the look that the preferences give; where labels follow the structures, `names` gives
+/// the language.
 render::LabelStyle labelStyle(const Preferences& preferences, const ShownNames& names);
 
 }  // namespace sline::widgets

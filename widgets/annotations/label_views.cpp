@@ -13,7 +13,7 @@ namespace sline::widgets {
 
 namespace {
 
-// What a row of the list stands for, besides the views' places.
+// These values of the list's rows stand for something other than a view's place.
 constexpr int allViews = -1;
 constexpr int asItIs = -2;
 

@@ -10,13 +10,13 @@ class QToolButton;
 
 namespace sline::widgets {
 
-/// In which of the saved views labels are shown: in all, one or none from a list, or by a tick for
-/// each view in a menu. Several labels are changed in one undo step.
+/// Sets in which of the saved views labels are shown: in all, in one or none from a list, or by a
+/// tick for each view in a menu. Several labels are changed in one undo step.
 class LabelViews : public QWidget {
   Q_OBJECT
  public:
   explicit LabelViews(Session& session, QWidget* parent = nullptr);
-  /// What is said is of these labels, and so is what is chosen.
+  /// Sets the labels that the control shows and changes.
   void setLabels(std::vector<model::AnnotationId> labels);
 
  private:

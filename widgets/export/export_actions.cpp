@@ -124,7 +124,7 @@ void ExportActions::prepareDraft() {
   m_prepared = opening;
   m_draft = rememberedDraft(m_settings);
   if (!m_settings.contains(QLatin1String(widthKey))) {
-    // A paper that everybody has, lying where the picture in the window does.
+    // The first export gets a common paper, turned like the picture in the window.
     const std::vector<PagePreset> papers = pagePresets();
     const auto a4 = std::find_if(papers.begin(), papers.end(), [](const PagePreset& each) {
       return each.id == QLatin1String("a4");
@@ -198,7 +198,7 @@ void ExportActions::showProgress() {
   m_progress->setObjectName(QStringLiteral("exportProgress"));
   m_progress->setAccessibleName(text);
   m_progress->setTextVisible(false);
-  m_progress->setRange(0, 0);  // until the writer says how far it is
+  m_progress->setRange(0, 0);  // until the writer reports its progress
   m_progress->setFixedWidth(160);
   m_cancel = new QToolButton;
   m_cancel->setObjectName(QStringLiteral("exportCancel"));
@@ -214,7 +214,7 @@ void ExportActions::showProgress() {
 }
 
 void ExportActions::end() {
-  // It is the job that calls.
+  // The job itself is the caller, so it must not be deleted at once.
   m_job.release()->deleteLater();
   delete m_what;
   delete m_progress;

@@ -24,9 +24,9 @@ class PictureCopier;
 class Viewport;
 class WindowActions;
 
-/// What the actions of exporting do: a picture on the clipboard; the dialog, the writing in the
-/// background with its progress in the status bar, and what is said when it is over. Outlives the
-/// window's controls.
+/// Runs the actions of exporting: copies a picture to the clipboard, opens the dialog, writes in
+/// the background with progress in the status bar, and reports the result. It outlives the window's
+/// controls.
 class ExportActions : public QObject {
   Q_OBJECT
  public:
@@ -37,22 +37,22 @@ class ExportActions : public QObject {
     MessageBar& message;
     Viewport& viewport;
   };
-  /// All parts must outlive it.
+  /// Connects the parts, all of which must outlive it.
   ExportActions(const Parts& parts, QMainWindow& window);
   ~ExportActions() override;
 
-  /// The window's actions and bars are others now.
+  /// Connects to the window's new actions and bars after they have been replaced.
   void controlsRemade();
   bool busy() const { return m_job != nullptr; }
-  /// False where something is being written: a person is asked, and the window closed afterwards
-  /// if the answer is to stop it.
+  /// Tells whether the window may close. While something is being written it returns false, asks
+  /// the user, and closes the window later if the answer is to stop writing.
   bool mayClose();
 
  private:
   void connectActions();
   void showState();
   void showDialog();
-  /// As chosen last; for another document with a name of its own.
+  /// Prepares the draft as last chosen; for another document it gets a name of its own.
   void prepareDraft();
   ExportSource source() const;
   void copyPicture();
@@ -70,16 +70,16 @@ class ExportActions : public QObject {
   Viewport& m_viewport;
   QMainWindow& m_window;
   ExportDraft m_draft;
-  std::optional<int> m_prepared;  ///< the opening whose draft it is
+  std::optional<int> m_prepared;  ///< the opening that the draft belongs to
   QPointer<ExportDialog> m_dialog;
   PictureCopier* m_copier;
   std::unique_ptr<ExportJob> m_job;
-  bool m_closing = false;  ///< when the job has ended
-  // In the status bar, while something is written.
+  bool m_closing = false;  ///< the window closes once the job has ended
+  // These are in the status bar while something is written.
   QPointer<QLabel> m_what;
   QPointer<QProgressBar> m_progress;
   QPointer<QToolButton> m_cancel;
-  std::unique_ptr<QObject> m_offers;  ///< what the message's buttons do
+  std::unique_ptr<QObject> m_offers;  ///< handles the message's buttons
 };
 
 }  // namespace sline::widgets

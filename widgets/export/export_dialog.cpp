@@ -38,7 +38,7 @@ QLabel* plainLabel(const char* name) {
   return label;
 }
 
-/// As the window's messages: amber for what to know.
+/// Colours the text as the window's messages are: amber for what the user should know.
 QString dress(const QPalette& palette) {
   const bool dark =
       palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
@@ -94,7 +94,8 @@ ExportDialog::ExportDialog(ExportDraft& draft, ExportSource source, Viewport& vi
 }
 
 ExportDialog::~ExportDialog() {
-  // What was typed and not yet taken is taken when its field loses the focus: not after this.
+  // Hiding takes the focus from a field, which accepts its text then; afterwards that would be too
+  // late.
   hide();
 }
 
@@ -285,7 +286,7 @@ void ExportDialog::chooseKind() {
 
 QString ExportDialog::target() const {
   const QFileInfo typed(m_draft.target);
-  // A device or a pipe is meant as it is.
+  // A device or a pipe keeps its name.
   const bool special = typed.exists() && !typed.isFile() && !typed.isDir();
   const QString named = typed.fileName().isEmpty() || typed.isDir() || special
                             ? m_draft.target
@@ -312,8 +313,9 @@ void ExportDialog::showDoubt() {
   const QString problem = targetProblem(targetsOf(m_files));
   QString doubt = problem.isEmpty() ? exportDoubt(m_files) : problem;
   if (doubt.isEmpty()) {
-    // Of several files the one that is looked at; films are long, and surfaces have no page. Until
-    // the next page is drawn the last one's remarks stay, as its picture does: nothing jumps.
+    // With several files the remarks are about the one that is shown; films are long, and surfaces
+    // have no page. Until the next page is drawn the last one's remarks stay, as its picture does,
+    // so that nothing jumps.
     const bool paged = pageIsAsPreviewed(m_draft.kind);
     doubt =
         exportRemarks(m_draft, shown().order, paged ? m_preview->notes() : render::ExportNotes());
@@ -331,7 +333,7 @@ void ExportDialog::browse() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setFileMode(QFileDialog::AnyFile);
-  // What is replaced is asked about once, of all files and with their endings.
+  // Overwriting is confirmed once, for all files and with their endings.
   dialog->setOption(QFileDialog::DontConfirmOverwrite);
   const render::ExportFormat& format = *formatOf(m_draft.kind);
   if (*format.extension != '\0')
@@ -347,7 +349,7 @@ void ExportDialog::browse() {
 }
 
 void ExportDialog::tryToExport() {
-  refresh();  // the folder may have gone meanwhile
+  refresh();  // the folder may have been deleted meanwhile
   if (!m_export->isEnabled())
     return;
   const QStringList there = existingFiles(targetsOf(m_files));

@@ -21,12 +21,12 @@ class PagePanel;
 class OptionForm;
 class Viewport;
 
-/// What is exported, as what and where to, with a picture of the page and a summary of what the
-/// files will contain. Writes nothing itself.
+/// Lets the user choose what is exported, in which format and where to, with a picture of the page
+/// and a summary of what the files will contain. Writes nothing itself.
 class ExportDialog : public QDialog {
   Q_OBJECT
  public:
-  /// What is chosen is in the draft at once; it and the viewport must outlive the dialog.
+  /// Writes each choice into the draft at once; the draft and the viewport must outlive the dialog.
   ExportDialog(ExportDraft& draft, ExportSource source, Viewport& viewport,
                QWidget* parent = nullptr);
   ~ExportDialog() override;
@@ -34,7 +34,7 @@ class ExportDialog : public QDialog {
   const ExportPreview& preview() const { return *m_preview; }
 
  signals:
-  /// The dialog has closed itself; what was there under the files' names may be replaced.
+  /// Tells that the dialog has closed itself; existing files of the same names may be replaced.
   void exportWanted(const QString& kind, const std::vector<sline::widgets::ExportFile>& files);
 
  private:
@@ -49,13 +49,14 @@ class ExportDialog : public QDialog {
   QLabel* heading(const QString& text);
   void chooseKind();
   void browse();
-  /// The one of the files that the preview shows.
+  /// Returns the file that the preview shows.
   const ExportFile& shown() const;
-  /// Shows what follows from the draft.
+  /// Shows everything that follows from the draft.
   void refresh();
-  /// What a person should know before: what is in the way, else what the files will lack.
+  /// Shows what the user should know beforehand: what prevents the export, or else what the files
+  /// will lack.
   void showDoubt();
-  /// As it would be written: with its ending.
+  /// Returns the target as it would be written, with its ending.
   QString target() const;
   void tryToExport();
   void give();

@@ -13,7 +13,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// What is offered for a kind that is unknown: all.
+/// Returns the format of the kind; for an unknown kind one that offers everything.
 const render::ExportFormat& traitsOf(const QString& kind) {
   static constexpr render::ExportFormat all{.names = true};
   const render::ExportFormat* const found = formatOf(kind);
@@ -24,7 +24,7 @@ QString keyOf(const char* name) {
   return QStringLiteral("export/") + QLatin1String(name);
 }
 
-/// The number under that key, where it lies within the limits.
+/// Returns the number under that key if it lies within the limits, otherwise the standard.
 float numberIn(const QSettings& settings, const char* name, float standard,
                const Limits<float>& limits) {
   bool read = false;
@@ -90,7 +90,7 @@ void remember(const ExportDraft& draft, QSettings& settings) {
   settings.setValue(keyOf("width"), double(page.sizeMm.x));
   settings.setValue(keyOf("height"), double(page.sizeMm.y));
   settings.setValue(keyOf("dpi"), double(page.dpi));
-  // Names and a patient's text lie in no settings, nor what an older program left of them.
+  // Settings must not keep names or a patient's text, nor those that an older program left.
   for (const render::ExportOption* option : render::exportOptions()) {
     const QString key = keyOf("options/") + QLatin1String(option->id);
     if (option->kept && option->title)
@@ -106,7 +106,7 @@ QString withEndingOf(const QString& target, const QString& kind) {
   const render::ExportFormat* format = formatOf(kind);
   if (target.isEmpty() || !format)
     return target;
-  // A folder has none.
+  // A folder has no ending.
   const QString ending = QLatin1Char('.') + QLatin1String(format->extension);
   const QString alternative = QLatin1Char('.') + QLatin1String(format->otherExtension);
   if (target.endsWith(ending, Qt::CaseInsensitive) ||

@@ -17,8 +17,8 @@ namespace sline::widgets {
 
 namespace {
 
-/// Of a film's picture: the page's shape, so small that letters are read on a screen, whatever
-/// paper was chosen for others: 10 points are 1/30 of its height.
+/// Returns a page of the same shape for a film's picture, so small that letters can be read on a
+/// screen, whatever paper was chosen for other kinds: 10 points are 1/30 of its height.
 glm::vec2 filmPage(const glm::vec2& sizeMm) {
   constexpr float shorterSide = 106.0f;
   return sizeMm * (shorterSide / std::min(sizeMm.x, sizeMm.y));
@@ -31,7 +31,7 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   order.camera = view ? view->camera : source.camera;
   order.viewName = view ? view->name : viewNameOf(source.camera);
   order.environment.keyLight = source.keyLight;
-  // What was chosen for other kinds is not asked of this one.
+  // Options that were chosen for other kinds do not apply to this one.
   if (const render::ExportFormat* kind = formatOf(draft.kind))
     render::dropForeignOptions(order, *kind);
   if (order.pureInk) {
@@ -63,7 +63,7 @@ QString safeFileName(const QString& text) {
   name = name.simplified();
   while (name.toUtf8().size() > longestBytes)
     name.chop(name.size() > 1 && name.back().isLowSurrogate() ? 2 : 1);
-  // Windows drops these at the end, and hides what begins with a dot.
+  // Windows drops these characters at the end, and hides files that begin with a dot.
   while (name.endsWith(QLatin1Char('.')) || name.endsWith(QLatin1Char(' ')))
     name.chop(1);
   while (name.startsWith(QLatin1Char('.')))
@@ -111,7 +111,7 @@ std::vector<ExportFile> exportFiles(const ExportDraft& draft, const ExportSource
   for (const model::View& view : source.scene.views()) {
     const QString name = safeFileName(QString::fromStdString(view.name));
     QString free = name;
-    // Names that differ in case alone are one on many disks.
+    // On many disks, names that differ only in case are the same.
     for (int i = 2; taken.contains(free.toCaseFolded()); ++i)
       free = QStringLiteral("%1 %2").arg(name).arg(i);
     taken.insert(free.toCaseFolded());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a person wants to the files that come of it.
+// Turns what the user wants exported into the files to write.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace sline::widgets {
 
-/// What the window shows when an export is asked for.
+/// Holds what the window shows when an export is asked for.
 struct ExportSource {
   model::Scene scene;
   model::Camera camera;
@@ -20,34 +20,35 @@ struct ExportSource {
 
 struct ExportFile {
   render::ExportOrder order;
-  bool filled = false;  ///< as in the draft; `readyOrder` sees to it
+  bool filled = false;  ///< as in the draft; `readyOrder` moves the camera
   std::filesystem::path target;
 };
 
-/// What can stand in a file's name everywhere, in any script: marks that separate folders, control
-/// and direction marks are blanks or dashes, and nobody's limit is passed. "picture" where nothing
-/// is left.
+/// Returns the text as a file name that every system accepts, in any script: folder separators,
+/// control and direction marks become blanks or dashes, and no length limit is exceeded. Returns
+/// "picture" where nothing is left.
 QString safeFileName(const QString& text);
 
-/// "anterior" and so on, as `anatomicalViewNames`, where the camera looks along an axis of the
-/// body; else nothing. Marks say it in the language of the labels.
+/// Returns "anterior" and so on, as `anatomicalViewNames` has them, where the camera looks along an
+/// axis of the body; otherwise an empty string. Marks say it in the language of the labels.
 std::string viewNameOf(const model::Camera& camera);
 
-/// The camera such that all that a picture of width / height `before` shows is in one of `aspect`.
+/// Returns the camera moved such that a picture of width / height `aspect` shows all that one of
+/// `before` shows.
 model::Camera reframed(model::Camera camera, float before, float aspect);
 
-/// A PDF whose paper is the sheet's, not the page's.
+/// Tells whether the draft is a PDF with the sheet's paper size instead of the page's.
 bool isSheet(const ExportDraft& draft);
 
-/// One file, or one for each saved view with its name behind the target's: "pelvis - Front.svg".
-/// No two have the same name, whatever the views are called.
+/// Returns one file, or one for each saved view with its name appended to the target's: "pelvis -
+/// Front.svg". No two files have the same name, whatever the views are called.
 std::vector<ExportFile> exportFiles(const ExportDraft& draft, const ExportSource& source);
 
-/// The order with its camera moved where the page is to be filled. Looks at each vertex: nothing
-/// for the window's thread.
+/// Returns the order with its camera moved where the page is to be filled. It looks at each vertex,
+/// so it must not run on the window's thread.
 render::ExportOrder readyOrder(const ExportFile& file);
 
-/// The languages that labels have texts in.
+/// Returns the languages in which labels have texts.
 QStringList labelLanguages(const model::Scene& scene);
 
 }  // namespace sline::widgets

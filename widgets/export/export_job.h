@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writing files on a thread of its own, with progress and cancel.
+// Writes files on a thread of its own, with progress and cancel.
 #pragma once
 
 #include <vector>
@@ -12,12 +12,12 @@ namespace sline::widgets {
 class ExportJob : public BackgroundJob {
   Q_OBJECT
  public:
-  /// The format lives as long as the program.
+  /// Starts writing; the format lives as long as the program.
   ExportJob(const render::ExportFormat& format, std::vector<ExportFile> files,
             QObject* parent = nullptr);
   ~ExportJob() override { end(); }
   const std::vector<ExportFile>& files() const { return m_files; }
-  /// What the files lack, when all are there.
+  /// Returns what the files lack once all are written.
   const render::ExportNotes& notes() const { return m_notes; }
 
  private:
@@ -25,7 +25,7 @@ class ExportJob : public BackgroundJob {
 
   const render::ExportFormat& m_format;
   const std::vector<ExportFile> m_files;
-  render::ExportNotes m_notes;  ///< of the thread, until it is done
+  render::ExportNotes m_notes;  ///< belongs to the thread until the job is done
 };
 
 }  // namespace sline::widgets

@@ -9,7 +9,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// Milliseconds after the last change: whoever types a number types all of it.
+/// Milliseconds after the last change, so that a number is drawn only once all of it is typed.
 constexpr int restAfter = 200;
 constexpr int previewSamples = 2;
 constexpr int margin = 14;
@@ -112,13 +112,13 @@ void ExportPreview::paintEvent(QPaintEvent*) {
   painter.fillRect(page.translated(2, 2), QColor(0, 0, 0, 40));
   painter.fillRect(page, Qt::white);
   if (m_file->order.environment.background == render::Background::transparent) {
-    // What has no colour of its own shows squares, as everywhere.
+    // Transparent parts are shown as squares, as is usual.
     painter.setBrushOrigin(page.topLeft());
     painter.fillRect(page, QBrush(QColor(222, 222, 222), Qt::Dense4Pattern));
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   if (!m_picture.isNull()) {
-    // Until the new one is there the old one stands in its place, undistorted.
+    // Until the new picture is there the old one takes its place, undistorted.
     QSize size = m_picture.size().scaled(page.size(), Qt::KeepAspectRatio);
     if (upToDate())
       size = page.size();

@@ -13,26 +13,26 @@
 
 namespace sline::widgets {
 
-/// The page as it will be, as large as there is room: drawn by the window's renderer when it has
-/// nothing else to do, with labels painted as the files have them.
+/// Shows the page as it will be, as large as there is room: drawn by the window's renderer when it
+/// has nothing else to do, with labels painted as the files have them.
 class ExportPreview : public QWidget {
   Q_OBJECT
  public:
   explicit ExportPreview(Viewport& viewport, QWidget* parent = nullptr);
-  /// Nobody draws for it any more.
+  /// Cancels what the renderer still has to draw for it.
   ~ExportPreview() override;
 
-  /// Soon; what comes before it is drawn replaces it.
+  /// Shows the file soon; a later call before it is drawn replaces it.
   void show(const ExportFile& file);
-  /// True where it shows what was asked for last.
+  /// Tells whether the preview shows what was asked for last.
   bool upToDate() const { return m_shown == m_wanted; }
   const QImage& picture() const { return m_picture; }
-  /// Of the page that it shows.
+  /// Returns the notes on the page that is shown.
   const render::ExportNotes& notes() const { return m_notes; }
   QSize sizeHint() const override { return {400, 400}; }
 
  signals:
-  /// It shows what was asked for.
+  /// Tells that the preview shows what was asked for.
   void drawn();
 
  protected:
@@ -48,8 +48,8 @@ class ExportPreview : public QWidget {
   QPointer<Viewport> m_viewport;  ///< a window that closes may take it away first
   QTimer m_rest;
   std::optional<ExportFile> m_file;
-  render::ExportOrder m_drawn;  ///< what the renderer was asked for
-  int m_wanted = 0;             ///< counts what was asked for
+  render::ExportOrder m_drawn;  ///< the order that the renderer was given
+  int m_wanted = 0;             ///< counts the requests
   int m_shown = 0;
   QImage m_picture;
   render::ExportNotes m_notes;

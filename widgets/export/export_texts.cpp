@@ -148,7 +148,7 @@ QString exportDoubt(const std::vector<ExportFile>& files) {
 
 QString exportRemarks(const ExportDraft& draft, const render::ExportOrder& order,
                       const render::ExportNotes& page) {
-  constexpr qsizetype most = 3;  // lines; the rest is said when all is written
+  constexpr qsizetype most = 3;  // lines; the rest is reported when all is written
   render::ExportNotes notes = page;
   for (const render::ExportNote& note : formatOf(draft.kind)->foreseen(order))
     render::addNote(notes, note);

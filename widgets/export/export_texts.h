@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the dialog says about an export.
+// Puts what the dialog says about an export into words.
 #pragma once
 
 #include <QStringList>
@@ -8,22 +8,23 @@
 
 namespace sline::widgets {
 
-/// Of the kind, in the interface's language.
+/// Returns the title of the kind in the interface's language.
 QString titleOf(const render::ExportFormat& format);
 QString helpOf(const render::ExportFormat& format);
 
-/// "210 × 297 mm", "2480 × 3508 pixels".
+/// Returns a size such as "210 × 297 mm" or "2480 × 3508 pixels".
 QString millimetresText(const render::ExportPage& page);
 QString pixelsText(const render::ExportPage& page);
 
-/// What the files will contain, in sentences; plain text. The files are not empty.
+/// Returns plain sentences about what the files will contain. The files are not empty.
 QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files);
 
-/// What a person should know before: nothing is shown. Empty where all is well.
+/// Returns what the user should know beforehand, namely that nothing is shown; empty where all is
+/// well.
 QString exportDoubt(const std::vector<ExportFile>& files);
 
-/// What a file of the order will lack, as far as that is known before: of the kind, and of the page
-/// as it was previewed. A few lines; empty where all is well.
+/// Returns a few lines on what a file of the order will lack, as far as that is known beforehand
+/// from the kind and from the previewed page; empty where all is well.
 QString exportRemarks(const ExportDraft& draft, const render::ExportOrder& order,
                       const render::ExportNotes& page);
 

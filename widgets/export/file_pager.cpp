@@ -31,7 +31,7 @@ FilePager::FilePager(QWidget* parent)
   m_text->setObjectName(QStringLiteral("exportPageName"));
   m_text->setTextFormat(Qt::PlainText);
   m_text->setAlignment(Qt::AlignCenter);
-  // A long name is no reason for a wide window.
+  // A long name must not widen the window.
   m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

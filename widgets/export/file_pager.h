@@ -10,18 +10,19 @@ class QToolButton;
 
 namespace sline::widgets {
 
-/// Which of several files is looked at: one back, its name and number, one on. Not there for one.
+/// Chooses which of several files is looked at: one back, its name and number, one on. It is hidden
+/// for a single file.
 class FilePager : public QWidget {
   Q_OBJECT
  public:
   explicit FilePager(QWidget* parent = nullptr);
 
-  /// In their order; what is looked at stays at its number while there are as many.
+  /// Sets the files in their order; the current number stays while there are as many files.
   void setFiles(std::vector<std::filesystem::path> files);
   std::size_t index() const { return m_index; }
 
  signals:
-  /// Another is to be looked at.
+  /// Tells that another file is to be looked at.
   void turned();
 
  private:

@@ -9,11 +9,11 @@ namespace sline::widgets {
 
 struct FinishedPage {
   QImage image;
-  render::ExportNotes notes;  ///< what is not on it
+  render::ExportNotes notes;  ///< what is missing on it
 };
 
-/// A picture of the order's scene with what exports write over it. Asks what hides labels: nothing
-/// for the window's thread.
+/// Returns a picture of the order's scene with what exports write over it. It computes what hides
+/// labels, so it must not run on the window's thread.
 FinishedPage finishedPage(const QImage& picture, const render::ExportOrder& order);
 
 }  // namespace sline::widgets

@@ -9,7 +9,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// A mark's name is the renderer's.
+/// Returns the user's name for a mark, given the renderer's.
 QString markName(const QString& name) {
   if (name.startsWith(QLatin1String("side ")))
     return name.mid(5);
@@ -21,7 +21,7 @@ QString markName(const QString& name) {
 }
 
 QString listed(const render::ExportNote& note) {
-  constexpr qsizetype longest = 60;  // of a name
+  constexpr qsizetype longest = 60;  // characters of a name
   constexpr std::size_t most = 5;
   const bool marks = note.kind == render::ExportNote::Kind::marksWithoutRoom;
   QStringList names;
@@ -37,7 +37,7 @@ QString listed(const render::ExportNote& note) {
              : list;
 }
 
-/// Without what to do; `%1` where names go.
+/// Returns the fact alone, without what to do; `%1` stands for the names.
 QString fact(const render::ExportNote& note) {
   using Kind = render::ExportNote::Kind;
   const auto count = int(note.names.size());
@@ -105,7 +105,7 @@ QString remedy(render::ExportNote::Kind kind) {
   return {};
 }
 
-/// Seconds as the person writes them.
+/// Returns the detail; a number, in seconds, is written as the locale writes it.
 QString detailOf(const render::ExportNote& note) {
   const QString detail = QString::fromStdString(note.detail);
   bool isNumber = false;

@@ -7,7 +7,8 @@
 
 namespace sline::widgets {
 
-/// What it is and what to do about it, in the interface's language; plain text.
+/// Returns plain text in the interface's language that says what the note means and what to do
+/// about it.
 QString noteText(const render::ExportNote& note);
 QStringList noteTexts(const render::ExportNotes& notes);
 

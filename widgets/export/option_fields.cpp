@@ -79,7 +79,8 @@ QVariant valueIn(const render::ExportOrder& order, const render::ExportOption& o
 
 void setValue(render::ExportOrder& order, const render::ExportOption& option,
               const QVariant& value) {
-  // A settings file has numbers and switches as words, too: all are read as the command line's.
+  // A settings file may hold numbers and switches as words, so all values are read as on the
+  // command line.
   if (!value.isValid())
     return;
   const Result<render::OptionValue> read =

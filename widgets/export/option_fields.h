@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of exports as fields of the dialog and as values in settings.
+// Presents the options of exports as fields of the dialog and as values in settings.
 #pragma once
 
 #include <QStringList>

@@ -31,7 +31,7 @@ OptionForm::OptionForm(render::ExportOrder& order, std::vector<const render::Exp
     const Field field = fieldOf(*option, languages);
     QWidget* control = makeControlOf(*option, field);
     if (std::holds_alternative<SwitchField>(field.kind)) {
-      // Two beside each other: they are short.
+      // Check boxes stand two in a row, because they are short.
       grid->addWidget(control, line, ticks % 2);
       line += ticks++ % 2;
       m_widgets.push_back({control});

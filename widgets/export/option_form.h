@@ -8,16 +8,16 @@
 
 namespace sline::widgets {
 
-/// How wide, at least, the column is that says what controls are: the same in all forms, so that
-/// controls stand beneath each other.
+/// The minimum width of the column that names controls: equal in all forms, so that controls stand
+/// beneath each other.
 inline constexpr int captionWidth = 92;
 
-/// Controls for options of one part of the table, as `fieldOf` describes them. What is chosen is
-/// written into the order at once.
+/// Shows controls for the options of one part of the table, as `fieldOf` describes them, and writes
+/// each choice into the order at once.
 class OptionForm : public QWidget {
   Q_OBJECT
  public:
-  /// The order must outlive it.
+  /// Makes the controls; the order must outlive the form.
   OptionForm(render::ExportOrder& order, std::vector<const render::ExportOption*> options,
              const QStringList& languages, QWidget* parent = nullptr);
 
@@ -32,7 +32,7 @@ class OptionForm : public QWidget {
 
   render::ExportOrder& m_order;
   std::vector<const render::ExportOption*> m_options;
-  std::vector<std::vector<QWidget*>> m_widgets;  ///< of each option
+  std::vector<std::vector<QWidget*>> m_widgets;  ///< the widgets of each option
 };
 
 }  // namespace sline::widgets

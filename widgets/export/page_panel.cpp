@@ -112,7 +112,7 @@ void PagePanel::connectControls() {
   });
   connect(m_dpi, &QDoubleSpinBox::valueChanged, this, [this](double dpi) {
     render::ExportPage& page = m_draft.order.page;
-    // Pixels that were typed stay as many.
+    // A number of pixels that was typed stays the same.
     if (m_draft.unit == PageUnit::pixels)
       page.sizeMm *= page.dpi / float(dpi);
     page.dpi = float(dpi);

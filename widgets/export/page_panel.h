@@ -13,15 +13,15 @@ class QPushButton;
 
 namespace sline::widgets {
 
-/// The page's size: a paper by its name, or typed in millimetres or pixels. Whichever is typed, the
-/// other is shown beneath.
+/// Sets the page's size: a paper by its name, or numbers typed in millimetres or pixels. The size
+/// in the other unit is shown beneath.
 class PagePanel : public QWidget {
   Q_OBJECT
  public:
-  /// The draft must outlive it.
+  /// Edits the draft, which must outlive the panel.
   explicit PagePanel(ExportDraft& draft, QWidget* parent = nullptr);
 
-  /// Shows the draft, whose kind may be another.
+  /// Shows the draft, which may be of another kind now.
   void refresh();
 
  signals:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sizes of paper and screens, and what a page may have.
+// Lists sizes of paper and screens that a page may have.
 #pragma once
 
 #include <QString>
@@ -13,14 +13,14 @@ struct PagePreset {
   QString id;
   QString text;
   glm::vec2 sizeMm;
-  bool turns = true;  ///< paper lies as the page does that it replaces
+  bool turns = true;  ///< the paper is turned like the page that it replaces
 };
 std::vector<PagePreset> pagePresets();
 
-/// The preset of that size, upright or turned, within a tenth of a millimetre.
+/// Returns the preset of that size, upright or turned, within a tenth of a millimetre.
 std::optional<PagePreset> presetOf(const glm::vec2& sizeMm);
 
-/// Upright or lying, as `as` is.
+/// Returns the size turned upright or lying, as `as` is.
 glm::vec2 turnedAs(const glm::vec2& size, const glm::vec2& as);
 
 }  // namespace sline::widgets

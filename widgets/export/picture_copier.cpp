@@ -9,9 +9,9 @@
 namespace sline::widgets {
 
 namespace {
-constexpr int finer = 2;        // than on screen
-constexpr int copySamples = 2;  // of which each pixel is averaged
-constexpr float dpi = 96.0f;    // what a screen is taken to have, so that letters are as large
+constexpr int finer = 2;        // times as fine as on screen
+constexpr int copySamples = 2;  // averaged for each pixel, in each direction
+constexpr float dpi = 96.0f;    // assumed for a screen, so that letters keep their size
 }  // namespace
 
 PictureCopier::PictureCopier(Viewport& viewport, QObject* parent)

@@ -9,14 +9,14 @@
 
 namespace sline::widgets {
 
-/// The window's picture on the clipboard, twice as fine as on screen, with labels and marks as
-/// exports have them.
+/// Copies the window's picture to the clipboard, twice as fine as on screen, with labels and marks
+/// as exports have them.
 class PictureCopier : public QObject {
   Q_OBJECT
  public:
   explicit PictureCopier(Viewport& viewport, QObject* parent = nullptr);
 
-  /// Soon; `look` says how labels and marks are.
+  /// Copies the picture soon; `look` gives the look of labels and marks.
   void copy(const ExportSource& source, const render::ExportOrder& look);
 
  signals:
@@ -27,7 +27,7 @@ class PictureCopier : public QObject {
 
   Viewport& m_viewport;
   render::ExportOrder m_order;
-  int m_wanted = 0;  ///< downwards: the dialog's preview, which is drawn by the same, counts up
+  int m_wanted = 0;  ///< counts down; the dialog's preview, drawn by the same renderer, counts up
   BackgroundQueue m_queue;
 };
 

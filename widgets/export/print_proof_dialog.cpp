@@ -63,7 +63,7 @@ QIcon swatch(const Colour& colour) {
   return pixmap;
 }
 
-/// The picture as those eyes see it, or the press prints it.
+/// Returns the picture as those eyes see it, or as the press prints it.
 QImage seenAs(const QImage& picture, render::Vision vision) {
   const QImage straight = picture.convertToFormat(QImage::Format_RGBA8888);
   const std::size_t row = std::size_t(4) * std::size_t(straight.width());

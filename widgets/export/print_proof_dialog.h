@@ -19,21 +19,21 @@ class QTreeWidget;
 
 namespace sline::widgets {
 
-/// Which neighbours in the picture a press without colours or some eyes cannot tell apart, what
-/// would help, and how both look to them. Changes nothing itself.
+/// Shows which neighbours in the picture a press without colours or some eyes cannot tell apart,
+/// what would help, and how both look to them. Changes nothing itself.
 class PrintProofDialog : public QDialog {
   Q_OBJECT
  public:
-  /// The order's picture is looked at; names and viewport must outlive the dialog.
+  /// Examines the order's picture; names and viewport must outlive the dialog.
   PrintProofDialog(render::ExportOrder order, const ShownNames& names, Viewport& viewport,
                    QWidget* parent = nullptr);
   ~PrintProofDialog() override;
 
-  /// Null while the picture is looked at.
+  /// Returns the proof; empty while the picture is being examined.
   const std::optional<render::PrintProof>& proof() const { return m_proof; }
 
  signals:
-  /// The dialog has closed itself.
+  /// Tells that the dialog has closed itself and the user wants these changes.
   void changesWanted(const std::vector<sline::render::ProofProposal>& proposals);
 
  private:
@@ -58,9 +58,9 @@ class PrintProofDialog : public QDialog {
   QComboBox* m_vision;
   QCheckBox* m_changed;
   QPushButton* m_apply;
-  int m_asked = 0;  ///< counts what was looked at
+  int m_asked = 0;  ///< counts the examinations
   std::optional<render::PrintProof> m_proof;
-  std::array<QImage, 2> m_pictures;  ///< as it is, with the changes
+  std::array<QImage, 2> m_pictures;  ///< as it is, and with the changes
   BackgroundQueue m_queue;
 };
 

@@ -19,7 +19,7 @@ QString problemOf(const QFileInfo& target) {
   const QFileInfo above(target.absolutePath());
   if (target.fileName().isEmpty())
     return tr("Say what the file is to be called.");
-  constexpr int longestName = 255;  // bytes; what file systems take
+  constexpr int longestName = 255;  // the bytes that file systems take
   if (target.fileName().toUtf8().size() > longestName)
     return tr("The name is too long for a file: take a shorter one.");
   if (!above.exists())

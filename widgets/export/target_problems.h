@@ -7,12 +7,12 @@
 
 namespace sline::widgets {
 
-/// Why the files cannot be written there and what to do, before anybody tries; empty where nothing
-/// is known to be in the way. A disk may still turn out to be full.
+/// Returns why the files cannot be written there and what to do, before anything is tried; empty
+/// where no obstacle is known. A disk may still turn out to be full.
 QString targetProblem(const std::vector<std::filesystem::path>& targets);
 
-/// Those that are there already, by their names without folders. What is no plain file is not
-/// replaced by being written to.
+/// Returns the targets that already exist, by their names without folders. Only plain files count,
+/// because writing replaces nothing else.
 QStringList existingFiles(const std::vector<std::filesystem::path>& targets);
 
 }  // namespace sline::widgets

@@ -34,7 +34,8 @@ void AmountSlider::showAmount(model::ContextAmount amount) {
 }
 
 bool AmountSlider::event(QEvent* event) {
-  // Home and Escape are the slider's while it has the focus, and not a shortcut of the window.
+  // Home and Escape belong to the slider while it has the focus, and are no shortcuts of the
+  // window.
   if (event->type() == QEvent::ShortcutOverride) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Home || key == Qt::Key_End || (key == Qt::Key_Escape && isSliderDown())) {

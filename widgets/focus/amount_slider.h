@@ -7,8 +7,8 @@
 
 namespace sline::widgets {
 
-/// From nothing to everything. The handle goes where the mouse is pressed; Escape during a drag
-/// gives it up; keys step.
+/// A slider from nothing to everything. The handle goes where the mouse is pressed; Escape cancels
+/// a drag; keys step.
 class AmountSlider : public QSlider {
   Q_OBJECT
  public:

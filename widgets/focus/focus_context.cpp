@@ -11,7 +11,7 @@
 namespace sline::widgets {
 
 namespace {
-/// As far back as it is still known what was in focus.
+/// The number of steps back for which the focus is remembered.
 constexpr std::size_t mostRecords = 60;
 constexpr int shortly = 50;  // milliseconds
 
@@ -50,10 +50,10 @@ void FocusContext::analyse(const NodeIds& targets, bool fromCamera, const QStrin
   std::optional<model::Camera> camera;
   if (fromCamera)
     camera = m_camera();
-  // The session has the answer to no other question: a scene is a value.
+  // The scene is a value, so a later change in the session cannot affect this question.
   m_pool.start([this, question, targets, camera, step, forms = m_forms,
                 scene = m_session.sceneBeforePreview(), stop = m_stop.get_token()] {
-    // A thread of the pool serves many questions and stands back once.
+    // A thread of the pool serves many questions, but lowers its priority only once.
     static thread_local const bool stoodBack = (model::standBack(), true);
     static_cast<void>(stoodBack);
     auto analysis = model::analysed(scene, {targets, camera}, *forms, stop);
@@ -187,7 +187,7 @@ void FocusContext::stepTo(model::ContextAmount amount) {
 void FocusContext::documentChange(const Document& before, const Document& now) {
   if (m_applying || m_session.previewing())
     return;
-  if (m_dragging) {  // somebody else ended the drag
+  if (m_dragging) {  // the drag was ended elsewhere
     m_dragging = false;
     m_state.amount = m_beforeDrag;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is in focus and how much is drawn around it. It outlives the panel that shows it.
+// Keeps what is in focus and how much is drawn around it; outlives the panel that shows it.
 #pragma once
 
 #include <QObject>
@@ -15,30 +15,31 @@
 namespace sline::widgets {
 
 struct FocusState {
-  std::shared_ptr<const model::FocusAnalysis> analysis;  ///< null: nothing is in focus
+  std::shared_ptr<const model::FocusAnalysis> analysis;  ///< null where nothing is in focus
   NodeIds targets;                                       ///< as they were selected
   model::ContextAmount amount = model::ContextAmount::clamped(0.5f);
   model::ContextWishes wishes;
 };
 
-/// Each change is one step of the session's history; going back there brings back what was in focus
-/// here.
+/// Holds the focus and its context. Each change is one step of the session's history; going back to
+/// a step brings back what was in focus then.
 class FocusContext : public QObject {
   Q_OBJECT
  public:
   using CameraOf = std::function<model::Camera()>;
   FocusContext(Session& session, CameraOf camera, QObject* parent = nullptr);
-  /// Waits until an analysis under way has noticed.
+  /// Waits until a running analysis has stopped.
   ~FocusContext() override;
 
   const FocusState& state() const { return m_state; }
-  /// An analysis is under way.
+  /// Tells whether an analysis is running.
   bool busy() const { return m_awaited != 0; }
 
-  /// Looks at what surrounds the structures, in the background, and then draws them in detail and
-  /// everything else by what it is to them: one step.
+  /// Analyses the surroundings of the structures in the background, then draws the structures in
+  /// detail and everything else by its relation to them, as one step.
   void focusOn(NodeIds targets);
-  /// The same for what is in focus: what hides it from where the camera is now, or from all round.
+  /// Analyses the current focus again: what hides it from where the camera is now, or from all
+  /// round.
   void lookFrom(bool camera);
   void setRoles(const NodeIds& structures, model::ContextRole role);
   void setHiddenToo(bool too);
@@ -46,11 +47,11 @@ class FocusContext : public QObject {
   void dragTo(model::ContextAmount amount);
   void finishDrag();
   void cancelDrag();
-  /// Without a drag; steps that follow each other closely are one.
+  /// Sets the amount without a drag; steps that follow each other closely are one.
   void stepTo(model::ContextAmount amount);
 
  signals:
-  /// What is in focus, its surroundings or the amount.
+  /// Tells that the focus, its surroundings or the amount has changed.
   void changed();
   void busyChanged(bool busy);
   void failed(const sline::Error& error);
@@ -73,13 +74,13 @@ class FocusContext : public QObject {
   Session& m_session;
   CameraOf m_camera;
   FocusState m_state;
-  std::vector<Record> m_records;  ///< the scenes that came of it, for undo and redo
+  std::vector<Record> m_records;  ///< the resulting scenes, for undo and redo
   model::ContextAmount m_beforeDrag;
   bool m_dragging = false;
   bool m_applying = false;
   std::shared_ptr<model::FormIndex> m_forms = std::make_shared<model::FormIndex>();
   std::uint64_t m_asked = 0;
-  std::uint64_t m_awaited = 0;  ///< 0: none
+  std::uint64_t m_awaited = 0;  ///< 0 for none
   std::stop_source m_stop;
   QThreadPool m_pool;
 };

@@ -31,7 +31,7 @@ QLabel* caption(const QString& text) {
   return label;
 }
 
-/// As a person wants it, else as the analysis found it.
+/// Returns the role that the user chose, otherwise the one that the analysis found.
 model::ContextRole roleOf(const FocusState& state, const model::Relation& relation) {
   const auto wish = state.wishes.roles.find(relation.structure);
   return wish == state.wishes.roles.end() ? relation.role : wish->second;

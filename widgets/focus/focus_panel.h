@@ -17,7 +17,7 @@ namespace sline::widgets {
 
 class AmountSlider;
 
-/// What is in focus, the amount of context, and what every structure is taken for and why.
+/// Shows what is in focus, the amount of context, and which role every structure has and why.
 class FocusPanel : public QWidget {
   Q_OBJECT
  public:
@@ -25,7 +25,7 @@ class FocusPanel : public QWidget {
   QSize sizeHint() const override { return {250, 340}; }
 
  signals:
-  /// The selection is wanted in focus.
+  /// Asks for the selection to be put in focus.
   void focusWanted();
 
  private:

@@ -11,14 +11,14 @@ namespace sline::widgets {
 
 struct RoleRow {
   model::ContextRole role;
-  QString text;    ///< one of the kind
+  QString text;    ///< for one structure of the role
   QString plural;  ///< a heading over several
 };
 
-/// In the order in which they are listed.
+/// Returns the roles in the order in which they are listed.
 std::vector<RoleRow> roleRows();
 
-/// Why the structure has its role, as a sentence.
+/// Returns a sentence on why the structure has its role.
 QString reasonText(Session& session, const model::Relation& relation);
 
 }  // namespace sline::widgets

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choices that stand for values of any type; "nothing" may be one of them.
+// Offers choices that stand for values of any type; "nothing" may be one of them.
 #pragma once
 
 #include <QVariant>
@@ -10,7 +10,7 @@
 
 namespace sline::widgets {
 
-/// A choice and what it means.
+/// Pairs a choice with the value that it means.
 template <class T>
 struct ChoiceOf : Choice {
   T value;
@@ -26,7 +26,7 @@ ChoiceField choiceField(const QString& none, const std::vector<ChoiceOf<T>>& cho
   return field;
 }
 
-/// Returns what the choice of that id means; nothing where there is none.
+/// Returns the value that the choice of that id means; empty where there is no such choice.
 template <class T>
 std::optional<T> meaningOf(const QVariant& id, const std::vector<ChoiceOf<T>>& choices) {
   for (const ChoiceOf<T>& choice : choices)
@@ -35,7 +35,7 @@ std::optional<T> meaningOf(const QVariant& id, const std::vector<ChoiceOf<T>>& c
   return std::nullopt;
 }
 
-/// Returns the id of the choice that means the value; an empty one for no value, none where no
+/// Returns the id of the choice that means the value; an empty id for no value, none where no
 /// choice means it.
 template <class T>
 QVariant idOf(const std::optional<T>& value, const std::vector<ChoiceOf<T>>& choices) {

@@ -8,7 +8,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// Settings files hold "true" and "false" as words.
+/// Accepts "true" and "false" as words too, as settings files hold them.
 bool allowsValue(const SwitchField&, const QVariant& value) {
   return value.typeId() == QMetaType::Bool || value.toString() == QLatin1String("true") ||
          value.toString() == QLatin1String("false");

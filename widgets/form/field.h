@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person can set, described as a value: preferences, the options of exports and those of
-// imports are fields, and their controls are made of them (control.h).
+// Describes settings as values: preferences and the options of exports and imports are fields, and
+// their controls are made of them (control.h).
 #pragma once
 
 #include <QString>
@@ -10,28 +10,28 @@
 
 namespace sline::widgets {
 
-/// One of several values.
+/// A choice is one of several values.
 struct Choice {
-  QString id;  ///< in settings and of tests
+  QString id;  ///< in settings and in tests
   QString text;
 };
 
-/// A box to tick. Its value is a `bool`.
+/// Describes a box to tick, with a `bool` as its value.
 struct SwitchField {};
-/// Its value is a choice's id.
+/// Describes a list of choices, with a choice's id as its value.
 struct ChoiceField {
   std::vector<Choice> choices;
 };
-/// Its value is a `double`; both limits are allowed.
+/// Describes a number, with a `double` as its value; both limits are allowed.
 struct NumberField {
   double low = 0.0;
   double high = 100.0;
   int decimals = 0;
   double step = 1.0;
-  QString unit;        ///< behind the number: "s"
-  QString lowestText;  ///< instead of the lowest number: "Never"; may be empty
+  QString unit;        ///< after the number, such as "s"
+  QString lowestText;  ///< shown instead of the lowest number, such as "Never"; may be empty
 };
-/// A line of text, or several. Its value is a `QString`.
+/// Describes one or several lines of text, with a `QString` as its value.
 struct TextField {
   int longest = 200;
   int lines = 1;

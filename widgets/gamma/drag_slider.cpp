@@ -20,7 +20,7 @@ void DragSlider::show(int position) {
 }
 
 bool DragSlider::event(QEvent* event) {
-  // While this has the keyboard, keys that move it are no shortcuts of the window's.
+  // While the slider has the keyboard, keys that move it are no shortcuts of the window.
   if (event->type() == QEvent::ShortcutOverride) {
     const auto& press = static_cast<const QKeyEvent&>(*event);
     const bool plain = (press.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
@@ -89,7 +89,8 @@ void DragSlider::paintHandle(QPainter& painter, const QPointF& at, bool own) con
     painter.setBrush(glow);
     painter.drawEllipse(at, radius + 5.0, radius + 5.0);
   }
-  // Filled: said here; a ring: comes from above, or differs from item to item.
+  // A filled handle shows the item's own value; a ring shows one from above, or values that differ
+  // from item to item.
   painter.setPen(QPen(accent, 2.0));
   painter.setBrush(own ? accent : palette().color(QPalette::Base));
   painter.drawEllipse(at, radius, radius);

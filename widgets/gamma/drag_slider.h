@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slider whose drags begin, go on and end as one transaction: Escape takes them back.
+// A slider that begins, updates and ends each drag as one transaction: Escape takes it back.
 #pragma once
 
 #include <QAbstractSlider>
@@ -16,14 +16,14 @@ class DragSlider : public QAbstractSlider {
   void dragged(int position);
   void dragFinished();
   void dragCancelled();
-  /// By a key, the wheel or an assistive tool.
+  /// Tells that a key, the wheel or an assistive tool has moved the slider.
   void stepped(int position);
 
  protected:
   virtual int positionAt(const QPointF& point) const = 0;
-  /// So many steps from where the slider stands.
+  /// Returns the position that lies so many steps from where the slider stands.
   virtual int positionAfter(int steps) const { return value() + steps * singleStep(); }
-  /// Sets the value without anything being emitted.
+  /// Sets the value without emitting a signal.
   void show(int position);
   bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -31,11 +31,12 @@ class DragSlider : public QAbstractSlider {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
-  /// Groove, handle and a glow where the slider has the keyboard. `own`: filled handle.
+  /// Paints the handle, and a glow around it where the slider has the keyboard. `own`: filled
+  /// handle.
   void paintHandle(QPainter& painter, const QPointF& at, bool own) const;
 
  private:
-  int m_wheel = 0;  ///< of a notch, in eighths of a degree
+  int m_wheel = 0;  ///< wheel movement short of a notch, in eighths of a degree
 };
 
 }  // namespace sline::widgets

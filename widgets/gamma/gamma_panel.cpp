@@ -35,8 +35,8 @@ QLabel* caption(const QString& text) {
   return label;
 }
 
-/// The Γ of the structures that are shown, or of all where none is; a group without any has its
-/// own.
+/// Returns the Γ of the structures that are shown, or of all where none is shown; a group without
+/// structures has its own.
 model::GammaRange rangeOf(const model::Scene& scene, const NodeIds& ids) {
   std::optional<model::GammaRange> shown;
   std::optional<model::GammaRange> any;
@@ -60,7 +60,7 @@ QString titleOf(Session& session, const NodeIds& ids) {
   return GammaPanel::tr("%n items", nullptr, int(ids.size()));
 }
 
-/// As wide as what it is in, as high as it needs to be.
+/// A scroll area as wide as its surroundings and as high as its content.
 class TallArea : public QScrollArea {
  public:
   explicit TallArea(QWidget* content) {
@@ -110,7 +110,7 @@ void GammaPanel::layOut() {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   outer->addWidget(area);
-  // What was folded away is to be seen when it opens.
+  // Controls that were folded away scroll into view when they open.
   connect(m_more, &MorePanel::opened, area, [this, area] {
     const auto show = [this, area] {
       QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
@@ -183,7 +183,7 @@ QWidget* GammaPanel::makeFill() {
     m_fill->addButton(button, int(choice.fill));
   }
   layout->addLayout(buttons);
-  // A sunken button is hardly seen on a dark ground.
+  // A sunken button is hardly visible on a dark background.
   row->setStyleSheet(
       QStringLiteral("QPushButton:checked { background: palette(highlight);"
                      " color: palette(highlighted-text); border: 1px solid palette(highlight);"

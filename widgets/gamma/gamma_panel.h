@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the selected structures are drawn.
+// Edits how the selected structures are drawn.
 #pragma once
 
 #include <QWidget>
@@ -23,10 +23,11 @@ class StageStrip;
 class GammaPanel : public QWidget {
   Q_OBJECT
  public:
-  /// The settings hold a person's presets and what is folded away; they must outlive the panel.
+  /// Makes the panel. The settings hold the user's presets and what is folded away; they must
+  /// outlive the panel.
   GammaPanel(Session& session, QSettings& settings, QWidget* parent = nullptr);
 
-  /// For whoever draws the small pictures of the stages.
+  /// Returns the strip for which the small pictures of the stages are drawn.
   StageStrip& stages() { return *m_stages; }
   QSize sizeHint() const override { return {270, 660}; }
 

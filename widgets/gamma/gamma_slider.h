@@ -12,15 +12,15 @@ class GammaSlider : public DragSlider {
  public:
   explicit GammaSlider(QWidget* parent = nullptr);
 
-  /// What the slider stands for: one Γ, or the range over which those of several items lie. `own`
-  /// is false where it comes from a group above.
+  /// Shows one Γ, or the range over which those of several items lie. `own` is false where the
+  /// value comes from a group above.
   void showGamma(const model::GammaRange& range, bool own);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
-  /// Where a Γ stands, in the widget's coordinates.
+  /// Returns where a Γ stands, in the widget's coordinates.
   QPointF pointOf(Gamma gamma) const;
-  /// Γ of a position.
+  /// Returns the Γ of a position.
   static Gamma gammaOf(int position);
 
  protected:

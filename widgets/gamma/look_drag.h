@@ -6,15 +6,15 @@
 
 namespace sline::widgets {
 
-/// A change of looks by hand: shown at once, one undo step when it is let go, none where it is
-/// given up.
+/// Changes looks by dragging: shown at once, one undo step when the drag ends, none when it is
+/// cancelled.
 class LookDrag {
  public:
   explicit LookDrag(Session& session) : m_session(session) {}
 
   void begin(NodeIds ids);
   void moveTo(const model::Style& look);
-  /// `what` is changed, such as "Line width".
+  /// Ends the drag; `what` names what is changed, such as "Line width".
   void finish(const QString& what);
   void cancel();
   bool active() const { return !m_ids.empty(); }
@@ -24,11 +24,13 @@ class LookDrag {
   NodeIds m_ids;
 };
 
-/// "Γ", as what is changed is called in every language.
+/// Returns "Γ", the name of the value in every language.
 QString gammaText();
-/// "Line width of left kidney", "Line width of 3 items": how a change of that kind is called.
+/// Returns the name of a step that changes looks: "Line width of left kidney", "Line width of 3
+/// items".
 QString lookStepName(const QString& what, const model::Scene& scene, const NodeIds& ids);
-/// Changes of one kind to the same items that follow each other within a second are one.
+/// Returns the name of a series: changes of one kind to the same items that follow each other
+/// within a second are one step.
 QString lookSeries(const QString& kind, const NodeIds& ids);
 
 }  // namespace sline::widgets

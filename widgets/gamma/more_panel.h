@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Controls that most never need, folded away until somebody opens them.
+// Holds controls that are rarely needed, folded away until the user opens them.
 #pragma once
 
 #include <QWidget>
@@ -17,11 +17,11 @@ class StyleEditor;
 class MorePanel : public QWidget {
   Q_OBJECT
  public:
-  /// The settings remember whether it is open.
+  /// Makes the panel; the settings remember whether it is open.
   MorePanel(Session& session, QSettings& settings, QWidget* parent = nullptr);
   void showSelection();
   bool isOpen() const { return m_open; }
-  /// It can be opened all the same.
+  /// Enables the content; a disabled panel can still be opened.
   void setUsable(bool usable) { m_content->setEnabled(usable); }
 
  signals:

@@ -116,7 +116,7 @@ void ManagePresetsDialog::fill() {
 }
 
 void ManagePresetsDialog::renamed() {
-  // A name that cannot be goes back to what it was.
+  // An unacceptable name goes back to what it was.
   for (int i = 0; i < m_list->count(); ++i) {
     const QListWidgetItem& item = *m_list->item(i);
     const QString before = item.data(nameRole).toString();

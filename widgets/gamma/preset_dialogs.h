@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace sline::widgets {
 
-/// Asks for a name, and for what of a look is to be kept.
+/// Asks for a name, and for the parts of a look that are to be kept.
 class SavePresetDialog : public QDialog {
   Q_OBJECT
  public:

@@ -18,7 +18,7 @@ struct OwnPreset {
   const char* name;
   QString text;
   QString tip;
-  /// Null: focus, which looks at what is around the structures first.
+  /// Makes the edit; null for focus, which must first analyse what is around the structures.
   model::Edited (*edit)(const model::Scene&, std::span<const model::NodeId>);
 };
 
@@ -33,7 +33,7 @@ std::vector<OwnPreset> ownPresets() {
            model::withHidden}};
 }
 
-/// A menu's entry shows '&' as it is written.
+/// Escapes the text, so that a menu's entry shows '&' as it is written.
 QString plain(QString text) {
   return text.replace(QLatin1Char('&'), QStringLiteral("&&"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole looks at one click: the program's own and those that a person has named.
+// Applies whole looks at one click: the program's own and those that the user has named.
 #pragma once
 
 #include <QWidget>

@@ -32,7 +32,7 @@ QString written(const Colour& c) {
   return QStringLiteral("#%1").arg(c.red << 16 | c.green << 8 | c.blue, 6, 16, QLatin1Char('0'));
 }
 
-/// Reads what a setting says; nothing where it makes no sense.
+/// Reads a setting's value; returns none where it makes no sense.
 template <class Field>
 std::optional<typename Field::Value> readField(const Field& field, const QVariant& value) {
   using Value = typename Field::Value;
@@ -56,7 +56,7 @@ std::optional<typename Field::Value> readField(const Field& field, const QVarian
   }
 }
 
-/// Numbers as text, which reads the same whatever kind of file the settings are.
+/// Returns a number as text, which reads the same whatever kind of file the settings are.
 QVariant settingOf(float value) {
   return QString::number(double(value));
 }

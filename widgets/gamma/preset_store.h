@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks that a person has named, kept in the settings: they are for every scene.
+// Keeps the looks that the user has named in the settings, because they apply to every scene.
 #pragma once
 
 #include <QObject>
@@ -14,15 +14,17 @@ namespace sline::widgets {
 class PresetStore : public QObject {
   Q_OBJECT
  public:
-  /// The settings must outlive it.
+  /// Reads from the settings, which must outlive it.
   explicit PresetStore(QSettings& settings, QObject* parent = nullptr);
 
-  /// By name. What the settings have of a preset that this program does not know is left out.
+  /// Returns the presets by name, without those parts in the settings that this program does not
+  /// know.
   std::vector<model::StylePreset> presets() const;
   bool has(const QString& name) const;
-  /// Replaces one of that name. False where the name or the look says nothing.
+  /// Saves the preset, replacing one of that name. Returns false where the name or the look is
+  /// empty.
   bool save(const QString& name, const model::Style& look);
-  /// False where there is none of that name, or another has the new one.
+  /// Renames a preset; returns false where `from` does not exist or another preset is called `to`.
   bool rename(const QString& from, const QString& to);
   bool remove(const QString& name);
 

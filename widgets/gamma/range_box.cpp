@@ -19,7 +19,7 @@ void RangeBox::showRange(double low, double high) {
   m_high = high;
   m_mixed = textFromValue(low) != textFromValue(high);
   setValue(high);
-  // The number may be as it was while its text is another.
+  // The text may have changed although the number has not.
   if (!m_typed)
     lineEdit()->setText(prefix() + textFromValue(value()) + suffix());
 }
@@ -45,7 +45,7 @@ void RangeBox::stepBy(int steps) {
 }
 
 void RangeBox::wheelEvent(QWheelEvent* event) {
-  // The wheel is for the panel that this box stands in, unless somebody works here.
+  // The wheel scrolls the panel around this box, unless the box has the focus.
   if (hasFocus())
     QDoubleSpinBox::wheelEvent(event);
   else

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A number that may stand for several: "1.00 – 3.00" until somebody gives all the same.
+// Edits a number that may stand for several: "1.00 – 3.00" until the user sets them all to one
+// value.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -12,7 +13,7 @@ class RangeBox : public QDoubleSpinBox {
  public:
   explicit RangeBox(QWidget* parent = nullptr);
 
-  /// Emits nothing.
+  /// Shows the range without emitting a signal.
   void showRange(double low, double high);
   bool isMixed() const { return m_mixed; }
 
@@ -21,7 +22,8 @@ class RangeBox : public QDoubleSpinBox {
   void stepBy(int steps) override;
 
  signals:
-  /// By a person, and also where it is the number that the box has already: of several, it was one.
+  /// Tells that the user chose a value, even if it is the box's current number, because with
+  /// several values it was only one of them.
   void chosen(double value);
 
  protected:

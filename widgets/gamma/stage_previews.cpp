@@ -13,19 +13,20 @@ namespace sline::widgets {
 
 namespace {
 
-/// Milliseconds after the last change: while something moves, small pictures can wait.
+/// Milliseconds after the last change, because small pictures can wait while something moves.
 constexpr int previewsRestAfter = 300;
-// Of structures that are shown together.
+// These limit the structures that are shown together.
 constexpr std::size_t mostTriangles = 250'000;
 constexpr std::size_t mostStructures = 24;
-// Drawn twice as large and averaged: edges are all there is of a picture so small.
+// Small pictures are drawn twice as large and averaged, because they consist of little but edges.
 constexpr int samples = 2;
 constexpr int mostStages = 16;
-// What is readable, in pixels of the window; a picture's own units would make hairs of lines.
+// These are readable sizes in pixels of the window; a picture's own units would make lines too
+// thin.
 constexpr double penWidth = 1.1;
 constexpr double strokeSpacing = 3.0;
 
-/// λ in a picture of that height is this many pixels.
+/// Returns the pixels that make one λ in a picture of that height.
 double outputUnit(int height) {
   return double(height) / 720.0;
 }

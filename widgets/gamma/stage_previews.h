@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small pictures of what is selected, one for each of some values of Γ: seen as the camera sees
-// it, in its own look, drawn when nothing else is to be drawn.
+// Draws small pictures of the selection, one for each of some values of Γ, as the camera sees it
+// and in its own look, when nothing else is to be drawn.
 #pragma once
 
 #include <QImage>
@@ -14,26 +14,28 @@
 
 namespace sline::widgets {
 
-/// What small pictures of some structures show: those at or below the ids, or where these are too
-/// many for small pictures the largest of them alone. The structures stand at the top, with what
-/// they inherit answered.
+/// Returns the scene that small pictures of some structures show: the structures at or below the
+/// ids, or only the largest of them where there are too many for small pictures. They stand at the
+/// top, with inherited styles resolved.
 model::Scene previewSubject(const model::Scene& scene, const NodeIds& ids);
-/// The subject at that Γ, with lines and hatching as coarse as a picture of so many pixels needs.
+/// Returns the subject at that Γ, with lines and hatching as coarse as a picture of so many pixels
+/// needs.
 model::Scene previewScene(const model::Scene& subject, Gamma gamma, int height, double ratio);
-/// How much wider lines, and how much fewer strokes of hatching, a small picture of so many pixels
-/// needs to be read; `pen` is a line's width in pixels of the window, of which `ratio` of the
-/// picture's make one.
+/// Tells how much wider the lines must be, and how many fewer strokes of hatching there must be,
+/// for a small picture of so many pixels to be readable; `pen` is a line's width in pixels of the
+/// window, and `ratio` pixels of the picture make one pixel of the window.
 struct SmallLines {
   float pen = 1.0f;
   float hatchDensity = 1.0f;
 };
 SmallLines smallLines(int height, double ratio, double pen);
-/// Looks as the other camera does, at the middle of the subject, which fills the picture.
+/// Returns a camera that looks as the other does, at the middle of the subject, which fills the
+/// picture.
 model::Camera previewCamera(const model::Scene& subject, const model::Camera& camera, float aspect);
 
 class StageStrip;
 
-/// The strip's pictures come from the picture's renderer from now on.
+/// Has the picture's renderer draw the strip's pictures from now on.
 void drawStages(Session& session, Viewport& viewport, StageStrip& stages);
 
 class StagePreviews : public QObject {
@@ -41,16 +43,17 @@ class StagePreviews : public QObject {
  public:
   StagePreviews(Session& session, Viewport& viewport, QObject* parent = nullptr);
 
-  /// What is wanted; `size` in pixels of the screen, of which `ratio` make one of the window's.
+  /// Asks for pictures of the stages; `size` is in screen pixels, of which `ratio` make one pixel
+  /// of the window.
   void want(std::vector<Gamma> stages, QSize size, double ratio);
 
  signals:
-  /// Another subject: the pictures so far are of something else.
+  /// Tells that there is another subject, so that the pictures so far are out of date.
   void cleared();
   void made(int stage, const QImage& image);
 
  private:
-  /// All that the pictures depend on.
+  /// Holds everything that the pictures depend on.
   struct Key {
     model::Scene subject;
     model::CameraFrame frame{};
@@ -71,7 +74,7 @@ class StagePreviews : public QObject {
   double m_ratio = 1.0;
   QTimer m_rest;
   Key m_asked;
-  int m_round = 0;  ///< of what was asked for: older pictures may still be on their way
+  int m_round = 0;  ///< counts the requests: older pictures may still be on their way
   NodeIds m_ids;    ///< of the last subject
 };
 

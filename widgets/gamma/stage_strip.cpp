@@ -119,7 +119,7 @@ void StageStrip::clearPictures() {
 }
 
 void StageStrip::setCurrent(std::optional<Gamma> gamma) {
-  // Halfway between two, the stage that is reached counts.
+  // Halfway between two stages the lower one counts, which is already reached.
   const float nearest = gamma ? std::ceil(gamma->value() - 0.5f) : -1.0f;
   for (StageButton* button : m_buttons)
     button->setCurrent(button->gamma().value() == nearest);
@@ -131,7 +131,7 @@ void StageStrip::resizeEvent(QResizeEvent* event) {
 }
 
 bool StageStrip::event(QEvent* event) {
-  // Also when the window comes to a screen with other pixels.
+  // A screen with other pixels needs new pictures, too.
   if (event->type() == QEvent::Show || event->type() == QEvent::ScreenChangeInternal)
     place();
   return QWidget::event(event);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages beside the slider: a small picture of what is selected, as it looks there, and the
+// Shows the stages beside the slider: a small picture of the selection as it looks there, and the
 // stage's name. A click goes to that stage.
 #pragma once
 
@@ -22,10 +22,10 @@ class StageButton : public QAbstractButton {
   Gamma gamma() const { return Gamma::clamped(m_stage.gamma); }
   bool hasPicture() const { return m_stage.pictured; }
   const QImage& picture() const { return m_picture; }
-  /// A null image: none yet.
+  /// Shows the picture; a null image means none yet.
   void showPicture(const QImage& picture);
   void setPictureSize(QSize size);
-  /// The stage that Γ is at.
+  /// Marks the stage as the one that Γ is at.
   void setCurrent(bool current);
   QSize sizeHint() const override { return {120, 30}; }
 
@@ -44,10 +44,10 @@ class StageButton : public QAbstractButton {
 class StageStrip : public QWidget {
   Q_OBJECT
  public:
-  /// Stands beside the slider, as high as it.
+  /// Places the strip beside the slider, as high as it.
   explicit StageStrip(GammaSlider& slider, QWidget* parent = nullptr);
 
-  /// Γ of the stages that have pictures, in the order in which `showPicture` counts them.
+  /// Returns the Γ of the stages with pictures, in the order in which `showPicture` counts them.
   std::vector<Gamma> pictured() const;
   void showPicture(int index, const QImage& image);
   void clearPictures();
@@ -56,8 +56,8 @@ class StageStrip : public QWidget {
 
  signals:
   void chosen(sline::Gamma gamma);
-  /// Pictures of that size (of the screen's pixels, of which `ratio` make one of the window's) are
-  /// wanted.
+  /// Asks for pictures of that size in screen pixels, of which `ratio` make one pixel of the
+  /// window.
   void picturesWanted(QSize size, double ratio);
 
  protected:

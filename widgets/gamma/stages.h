@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages that Γ passes through, by the names people read.
+// Lists the stages that Γ passes through, by the names that the user reads.
 #pragma once
 
 #include <QString>
@@ -16,10 +16,10 @@ struct Stage {
   bool pictured = true;  ///< stands out from its neighbours enough for a small picture
 };
 
-/// From 0 to 5, one at each whole number.
+/// Returns the stages from 0 to 5, one at each whole number.
 std::vector<Stage> gammaStages();
 
-/// "3.25".
+/// Returns Γ as a text such as "3.25".
 QString gammaText(Gamma gamma);
 
 }  // namespace sline::widgets

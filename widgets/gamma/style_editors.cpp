@@ -19,7 +19,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// How the structures look that the selection stands for; a group without any stands for itself.
+/// Returns the looks of the selected structures; a group without structures has its own.
 std::vector<model::ResolvedStyle> looksOf(const model::Scene& scene, const NodeIds& ids) {
   std::vector<model::ResolvedStyle> looks;
   for (const model::ResolvedStructure& structure : model::resolvedBelow(scene, ids))
@@ -29,7 +29,7 @@ std::vector<model::ResolvedStyle> looksOf(const model::Scene& scene, const NodeI
   return looks;
 }
 
-/// True where one of the nodes, or one below them, says it itself.
+/// Tells whether one of the nodes has a value of its own.
 template <class Says>
 bool anySays(const model::Scene& scene, const NodeIds& ids, const Says& says) {
   const std::vector<model::Node>& nodes = scene.nodes();
@@ -53,7 +53,7 @@ QIcon swatch(const std::optional<QColor>& colour, const QPalette& palette, bool 
   if (!colour)
     painter.drawLine(QPointF(12.0, side - 12.0), QPointF(side - 12.0, 12.0));
   if (mixed) {
-    // Several colours: half of it left open.
+    // Half of the swatch stays open for several colours.
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette.color(QPalette::Base));
     painter.drawPolygon(QPolygonF{{8.0, side - 8.0}, {side - 8.0, 8.0}, {side - 8.0, side - 8.0}});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One row of the panel each: a number or a colour of what is selected, and the way back to what
-// the group above says.
+// Edits one number or colour of the selection in each row of the panel, with a button that returns
+// to what the group above says.
 #pragma once
 
 #include <QWidget>
@@ -16,7 +16,8 @@ namespace sline::widgets {
 class RangeBox;
 class StyleSlider;
 
-/// A label, and a button that resets what the row says; enabled where anything is said.
+/// A row with a label and a button that resets its value, enabled where any item has a value of its
+/// own.
 class StyleEditor : public QWidget {
   Q_OBJECT
  public:
@@ -28,9 +29,9 @@ class StyleEditor : public QWidget {
   const QString& text() const { return m_text; }
   QLabel& label() const { return *m_label; }
   QToolButton& resetButton() const { return *m_reset; }
-  /// One undo step, merged with the one before where that is of the same kind.
+  /// Applies the look in one undo step, merged with the one before if that is of the same kind.
   void apply(const model::Style& look);
-  /// What `which` answers comes from above again.
+  /// Makes the fields that `which` sets inherit from above again.
   void inherit(const model::Style& which);
 
  private:

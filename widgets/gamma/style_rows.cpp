@@ -24,7 +24,7 @@ T made(float value) {
     return T::clamped(value);
 }
 
-/// The row of a field, which its key names.
+/// Completes the row of a field; the field's key gives the row's id.
 template <const auto& Field>
 StyleNumber with(StyleNumber row) {
   using Value = typename std::remove_cvref_t<decltype(Field)>::Value;
@@ -54,7 +54,7 @@ StyleColour with(const QString& text, const QString& tip) {
 
 std::vector<StyleNumber> styleNumbers() {
   namespace fields = model::style_fields;
-  // A square gives the usual, 1 of 4, the slider's middle.
+  // A power of 2 puts the usual value, 1 of 4, in the slider's middle.
   return {with<fields::penWeight>({.text = tr("Line width"),
                                    .tip = tr("How wide lines are, times the usual; 0 draws none"),
                                    .high = 4.0,
@@ -94,7 +94,7 @@ std::vector<StyleField> styleFields() {
   for (const StyleColour& row : styleColours()) {
     model::Style which;
     which.*row.field = Colour();
-    // What a structure is drawn like goes for others too, what colour it has hardly ever.
+    // How a structure is drawn often suits others too, but its colour hardly ever does.
     fields.push_back({row.id, row.text, which, false});
   }
   return fields;

@@ -50,12 +50,12 @@ void StyleSlider::showRange(double low, double high, bool own) {
 }
 
 int StyleSlider::positionAfter(int steps) const {
-  // Of the number, wherever the slider stands.
+  // Steps count from the number, wherever the slider stands.
   return positionOf(std::clamp(0.5 * (m_low + m_up) + steps * m_step, 0.0, m_high));
 }
 
 void StyleSlider::wheelEvent(QWheelEvent* event) {
-  // The wheel is for the panel that this stands in, unless somebody works here.
+  // The wheel scrolls the panel around this slider, unless the slider has the focus.
   if (hasFocus())
     DragSlider::wheelEvent(event);
   else

@@ -9,7 +9,7 @@ namespace sline::widgets {
 class StyleSlider : public DragSlider {
   Q_OBJECT
  public:
-  /// From 0 to `high`; `power` as in StyleNumber.
+  /// Makes a slider from 0 to `high`; `power` is as in StyleNumber.
   StyleSlider(double high, double step, double power, QWidget* parent = nullptr);
 
   void showRange(double low, double high, bool own);

@@ -60,7 +60,7 @@ QVariant HelpBrowser::loadResource(int type, const QUrl& name) {
   if (type != QTextDocument::ImageResource)
     return isPage(address) ? helpText(idOf(address), QLocale()) : QVariant();
   QImage picture(QStringLiteral(":/help") + address.path());
-  // Drawn for paper, as the pages' pictures are, and no wider than the page.
+  // The pictures are drawn for paper, as the pages are, and must be no wider than the page.
   const int room = std::max(100, viewport()->width() - 2 * int(document()->documentMargin()) - 4);
   if (picture.width() > room)
     picture = picture.scaledToWidth(room, Qt::SmoothTransformation);
@@ -68,7 +68,7 @@ QVariant HelpBrowser::loadResource(int type, const QUrl& name) {
 }
 
 void HelpBrowser::dress() {
-  // Markdown's tables come without lines and as narrow as they can be.
+  // Tables from Markdown come without lines and as narrow as they can be.
   for (QTextFrame* frame : document()->rootFrame()->childFrames()) {
     auto* table = qobject_cast<QTextTable*>(frame);
     if (!table)
@@ -88,8 +88,8 @@ void HelpBrowser::dress() {
 
 void HelpBrowser::resizeEvent(QResizeEvent* event) {
   QTextBrowser::resizeEvent(event);
-  // Pictures are as wide as there was room when they were read. Later: a page that is being read
-  // must not begin anew.
+  // Pictures have the width that was available when they were read. Fitting waits, because a page
+  // that is being read must not start again.
   QTimer::singleShot(0, this, &HelpBrowser::fitPictures);
 }
 

@@ -5,7 +5,7 @@
 
 namespace sline::widgets {
 
-/// Shows the program's own pages and pictures and nothing else: it reads no file and knows no
+/// Shows the program's own pages and pictures and nothing else: it reads no file and uses no
 /// network. Links that lead outside are passed on.
 class HelpBrowser : public QTextBrowser {
   Q_OBJECT
@@ -13,7 +13,7 @@ class HelpBrowser : public QTextBrowser {
   explicit HelpBrowser(QWidget* parent = nullptr);
 
   void showPage(const QString& id);
-  /// Of what is shown.
+  /// Returns the id of the page that is shown.
   QString page() const;
   QVariant loadResource(int type, const QUrl& name) override;
 

@@ -15,7 +15,8 @@ HelpKey::HelpKey(QObject* parent) : QObject(parent) {
 }
 
 void HelpKey::showHelp(QWidget& about) {
-  // A child of the window that it explains: a dialog lets nobody else have the keyboard.
+  // The help is a child of the window that it explains, because a dialog keeps the keyboard from
+  // all other windows.
   QWidget* window = about.window();
   auto* help = window->findChild<HelpWindow*>(QString(), Qt::FindDirectChildrenOnly);
   if (!help)

@@ -7,13 +7,13 @@ class QWidget;
 
 namespace sline::widgets {
 
-/// F1 in dialogs, where the window's own actions are out of reach. There is to be one of it.
+/// Handles F1 in dialogs, where the window's own actions are out of reach. There must be only one.
 class HelpKey : public QObject {
   Q_OBJECT
  public:
   explicit HelpKey(QObject* parent);
 
-  /// Opens the page about the widget, or goes to it in the help that its window has open.
+  /// Opens the page about the widget, or shows it in the help that its window has already open.
   static void showHelp(QWidget& about);
 
  protected:

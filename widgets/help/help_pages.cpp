@@ -15,7 +15,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// By objectName.
+/// Maps an objectName to its page.
 struct Place {
   const char* widget;
   const char* page;

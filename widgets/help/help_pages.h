@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pages of help, compiled in from resources/help.
+// Provides the pages of help, compiled in from resources/help.
 #pragma once
 
 #include <QLocale>
@@ -10,22 +10,23 @@ class QWidget;
 
 namespace sline::widgets {
 
-/// Their ids, in the order in which the contents list them; the first is where help begins.
+/// Returns the ids of the pages in the order of the contents; help begins at the first.
 std::vector<QString> helpPageIds();
 
-/// The page in the locale's language, else in English; empty for a page that is not there.
-/// Markdown.
+/// Returns the page as Markdown in the locale's language, or else in English; empty for a page that
+/// does not exist.
 QString helpText(const QString& id, const QLocale& locale);
-/// Its first heading.
+/// Returns the page's first heading.
 QString helpTitle(const QString& id, const QLocale& locale);
 
-/// Pages that contain each of the words, whatever their case; all pages for no word.
+/// Returns the pages that contain each of the words, whatever their case; all pages for no word.
 std::vector<QString> helpPagesWith(const QString& words, const QLocale& locale);
 
-/// A widget's dynamic property that names the page about it; what is inside has the same page.
+/// The dynamic property of a widget that names the page about it; widgets inside it have the same
+/// page.
 constexpr const char* helpPageProperty = "helpPage";
-/// Of the widget or what it is in, by that property, else by the names of docks and dialogs; the
-/// first page where nobody says.
+/// Returns the page about the widget or what it is in, found by that property or else by the names
+/// of docks and dialogs; the first page where neither names one.
 QString helpPageOf(const QWidget* widget);
 
 }  // namespace sline::widgets

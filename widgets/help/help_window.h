@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Help in a window of its own: contents and search on the left, the page on the right.
+// Shows help in a window of its own: contents and search on the left, the page on the right.
 #pragma once
 
 #include <QWidget>
@@ -22,7 +22,7 @@ class HelpWindow : public QWidget {
   QWidget* makeBar();
   void list();
   void mark(const QString& id);
-  /// Where the page has the first of the words that are searched for.
+  /// Moves to where the page has the first of the words that are searched for.
   void findWords();
   void askBeforeLeaving(const QUrl& address);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be chosen of frame, unit, smoothing and decimation, as tables: the combo boxes, the
-// list's cells and the texts are made from them.
+// Lists the choices of frame, unit, smoothing and decimation as tables, from which the combo boxes,
+// the list's cells and the texts are made.
 #pragma once
 
 #include <QString>
@@ -12,13 +12,13 @@
 namespace sline::widgets {
 
 std::vector<ChoiceOf<model::Frame>> frameRows();
-/// Millimetres per unit.
+/// Returns the units with their millimetres per unit.
 std::vector<ChoiceOf<float>> unitRows();
 std::vector<ChoiceOf<model::Smoothing>> smoothingRows();
-/// How far a surface may move, in millimetres; 0: all triangles are kept.
+/// Returns how far a surface may move, in millimetres; 0 keeps all triangles.
 std::vector<ChoiceOf<float>> decimationRows();
 
-/// "cm", or "× 12.7" for a length without a name.
+/// Returns "cm", or "× 12.7" for a length without a name.
 QString unitText(float millimetres);
 QString smoothingText(const model::Smoothing& smoothing);
 QString decimationText(float millimetres);

@@ -25,7 +25,7 @@ std::vector<std::filesystem::path> pathsOf(const QStringList& texts) {
   return paths;
 }
 
-/// A scene file says itself how it is to be read.
+/// Tells whether all inputs are scene files, which themselves say how they are to be read.
 bool onlyScenes(const std::vector<std::filesystem::path>& paths) {
   return std::all_of(paths.begin(), paths.end(),
                      [](const std::filesystem::path& path) { return model::isSceneFile(path); });

@@ -16,8 +16,8 @@ class MessageBar;
 class Preferences;
 class WindowActions;
 
-/// What the actions of import do: the dialog before an import, for those who ask for it; the offer
-/// of it after an import that left something out or had to guess.
+/// Runs the actions of import: shows the dialog before an import on request, and offers it after an
+/// import that left something out or had to guess.
 class ImportActions : public QObject {
   Q_OBJECT
  public:
@@ -28,17 +28,17 @@ class ImportActions : public QObject {
     const WindowActions& actions;
     MessageBar& message;
   };
-  /// Calls what it is given at once, later, or never.
+  /// Calls the function that it is given at once, later, or never.
   using Guard = std::function<void(const std::function<void()>&)>;
 
-  /// All parts must outlive it. It is to be made after the message bar listens to the session, so
-  /// that its offer comes to what the bar says.
+  /// Connects the parts, all of which must outlive it. It must be made after the message bar
+  /// listens to the session, so that its offer is added to what the bar says.
   ImportActions(const Parts& parts, QWidget& window);
 
-  /// Who asks about unsaved changes before another document takes their place.
+  /// Sets the guard that asks about unsaved changes before another document takes their place.
   void setGuard(Guard guard) { m_guard = std::move(guard); }
-  /// Shows the dialog where Shift is held or the preferences want it always; a scene file alone is
-  /// never asked about. False: the paths are to be opened at once.
+  /// Shows the dialog where Shift is held or the preferences always want it; a lone scene file
+  /// never brings it up. Returns false if the paths are to be opened at once.
   bool asksFor(const QStringList& paths, Qt::KeyboardModifiers keys);
   void show(std::vector<std::filesystem::path> inputs);
 

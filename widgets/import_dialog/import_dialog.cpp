@@ -41,7 +41,8 @@ QString nameOf(const std::vector<std::filesystem::path>& inputs) {
   return QString::fromStdString(path.filename().string());
 }
 
-/// As the window's messages: red for what failed, amber for what to know.
+/// Colours the text as the window's messages are: red for failures, amber for what the user should
+/// know.
 QString dress(const QPalette& palette, bool failed) {
   const bool dark =
       palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
@@ -189,7 +190,7 @@ void ImportDialog::connectDraft() {
   });
 }
 
-/// Where a scan is all there is, what can be made of it comes first.
+/// Shows the scans; where there is nothing else, what can be made of them comes first.
 void ImportDialog::showScans() {
   const int tab = m_tabs->indexOf(m_thresholds);
   const bool any = !m_draft.figures().scans.empty();
@@ -248,7 +249,7 @@ void ImportDialog::showLeftOut() {
 }
 
 void ImportDialog::fitRows() {
-  constexpr int fewEnough = 200;  // the height of each is measured
+  constexpr int fewEnough = 200;  // because the height of each is measured
   if (m_leftOut->isVisible() && m_leftOut->rowCount() <= fewEnough)
     m_leftOut->resizeRowsToContents();
 }

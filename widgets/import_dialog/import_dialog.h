@@ -17,13 +17,13 @@ class PlanTree;
 class ThresholdPanel;
 class SelectionPanel;
 
-/// Shows what an import would do and lets it be changed: frame and unit, and of each structure
-/// whether it comes, its name, colour, smoothing and decimation. What is left out is told with the
-/// reason. Reads in the background as soon as it is made; the scene is not touched.
+/// Shows what an import would do and lets it be changed: frame and unit and, for each structure,
+/// whether it is imported, its name, colour, smoothing and decimation. What is left out is listed
+/// with the reason. Reads in the background as soon as it is made; the scene is not touched.
 class ImportDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `intoScene`: there is an open scene to add to.
+  /// Reads the inputs; `intoScene` tells whether there is an open scene to add to.
   ImportDialog(std::vector<std::filesystem::path> inputs, bool intoScene,
                QWidget* parent = nullptr);
   ~ImportDialog() override;
@@ -31,8 +31,8 @@ class ImportDialog : public QDialog {
   ImportDraft& draft() { return m_draft; }
 
  signals:
-  /// The dialog has closed itself; the plan is to become a document of its own, or part of the
-  /// open one.
+  /// Tells that the dialog has closed itself and the plan is to become a document of its own, or
+  /// part of the open one.
   void importWanted(const sline::model::ImportPlan& plan);
   void addWanted(const sline::model::ImportPlan& plan);
 

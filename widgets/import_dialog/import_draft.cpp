@@ -69,8 +69,8 @@ void ImportDraft::choose(const NodeIds& ids,
 void ImportDraft::cancel() {
   if (!m_job)
     return;
-  // It is let go at once and deletes itself when its thread has noticed; the dialog may be gone by
-  // then.
+  // The job is released at once and deletes itself when its thread has stopped; the dialog may have
+  // been destroyed by then.
   m_job->setParent(QCoreApplication::instance());
   connect(m_job, &SceneJob::cancelled, m_job, &QObject::deleteLater);
   m_job->disconnect(this);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plan under work: the one owner of what was chosen in the dialog. Plans in the background.
+// Holds the plan that the dialog edits, as the one owner of its choices. Plans in the background.
 #pragma once
 
 #include <QObject>
@@ -17,31 +17,31 @@ class ImportDraft : public QObject {
   Q_OBJECT
  public:
   explicit ImportDraft(QObject* parent = nullptr);
-  /// Does not wait for what is under way.
+  /// Does not wait for planning that is under way.
   ~ImportDraft() override;
 
-  /// Reads what is there; `planned` or `failed` follows.
+  /// Reads the inputs; `planned` or `failed` follows.
   void begin(std::vector<std::filesystem::path> inputs, const model::ImportOptions& options = {});
   const model::ImportPlan& plan() const { return m_plan; }
   const PlanFigures& figures() const { return *m_figures; }
-  /// Whether there is a plan, of the newest choices.
+  /// Tells whether there is a plan for the newest choices.
   bool ready() const { return m_plan.read && !m_job; }
   bool planning() const { return m_job != nullptr; }
 
   void setOptions(const model::ImportOptions& options);
-  /// Changes what is chosen of each of the structures. A frame or a unit is of a file: all that
-  /// came from the same one take it, too.
+  /// Changes the choices for each of the structures. Frame and unit belong to a file, so every
+  /// structure from the same file takes them too.
   void choose(const NodeIds& ids, const std::function<void(model::StructureChoice&)>& change);
-  /// Gives up planning; what was planned before stays.
+  /// Stops planning; the previous plan stays.
   void cancel();
 
  signals:
   void planningBegan();
-  /// `done` in [0, 1]; at most ten in a second.
+  /// Tells `done` in [0, 1]; at most ten times a second.
   void progressed(double done, const QString& what);
-  /// There is another plan, with other nodes perhaps.
+  /// Tells that there is another plan, perhaps with other nodes.
   void planned();
-  /// Something was chosen of the nodes or of all; the plan's tree is as it was.
+  /// Tells that a choice was made for some nodes or for all; the plan's tree is unchanged.
   void chosen();
   void failed(const sline::Error& error);
 

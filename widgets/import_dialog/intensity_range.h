@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A histogram with two bounds that are dragged, or moved by the keyboard: left and right move the
-// lower one, with Shift the upper one, with Ctrl tenfold.
+// Shows a histogram with two bounds that are dragged, or moved by the keyboard: left and right move
+// the lower one, with Shift the upper one, with Ctrl tenfold.
 #pragma once
 
 #include <QWidget>
@@ -16,19 +16,19 @@ class IntensityRange : public QWidget {
  public:
   explicit IntensityRange(QWidget* parent = nullptr);
 
-  /// What is along the axis; counts are shown by their logarithms.
+  /// Sets the histogram along the axis; counts are shown by their logarithms.
   void setHistogram(const model::GreyHistogram& histogram);
   void setBounds(const model::IntensityBounds& bounds);
   const model::IntensityBounds& bounds() const { return m_bounds; }
   double least() const { return m_least; }
   double greatest() const { return m_greatest; }
-  /// Where the intensity is drawn, in pixels.
+  /// Returns where the intensity is drawn, in pixels.
   int placeOf(double intensity) const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
  signals:
-  /// By hand.
+  /// Tells that the user has moved a bound.
   void boundsChanged(const sline::model::IntensityBounds& bounds);
 
  protected:
@@ -47,7 +47,7 @@ class IntensityRange : public QWidget {
   double m_least = 0.0;
   double m_greatest = 1.0;
   model::IntensityBounds m_bounds;
-  bool m_upper = false;  ///< which one the mouse has
+  bool m_upper = false;  ///< the mouse holds the upper bound
 };
 
 }  // namespace sline::widgets

@@ -124,7 +124,7 @@ void OptionsPanel::refresh() {
     return;
   for (const auto& [label, text] :
        {std::pair(m_frameReason, frameText(plan)), std::pair(m_unitReason, unitReasonText(plan))}) {
-    constexpr int widest = 680;  // of a dialog as it opens; the tip has all of it
+    constexpr int widest = 680;  // pixels, so that the dialog opens narrow; the tip has all of it
     label->setText(label->fontMetrics().elidedText(text, Qt::ElideRight, widest));
     label->setToolTip(text.toHtmlEscaped());
   }

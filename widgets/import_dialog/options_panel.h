@@ -13,7 +13,7 @@ class QLabel;
 
 namespace sline::widgets {
 
-/// What holds for all that is imported: frame and unit with what was found and why, smoothing,
+/// Sets what applies to the whole import: frame and unit with what was found and why, smoothing,
 /// decimation, repair.
 class OptionsPanel : public QWidget {
   Q_OBJECT

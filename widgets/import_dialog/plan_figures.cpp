@@ -23,7 +23,7 @@ void compareSides(const model::ImportPlan& plan, PlanFigures& figures) {
   std::vector<model::NodeId> ids;
   for (const auto& [id, part] : plan.parts) {
     const model::Node& node = *plan.scene.find(id);
-    // Coordinates left as they are have no sides.
+    // Coordinates that are left as in the file have no sides.
     if (node.provenance.frame == model::frameName(model::Frame::file))
       continue;
     places.push_back({node.name, figures.nodes[id.value].box.centre().x});
@@ -42,7 +42,7 @@ void compareSides(const model::ImportPlan& plan, PlanFigures& figures) {
 PlanFigures figuresOf(const model::ImportPlan& plan, const PlanFigures& before) {
   PlanFigures figures;
   const std::vector<model::Node>& nodes = plan.scene.nodes();
-  // Children first, so that a group is whole when it is handed up.
+  // Children come first, so that a group is complete when it is added to its parent.
   for (std::size_t i = nodes.size(); i-- > 0;) {
     const model::Node& node = nodes[i];
     StructureFigures& own = figures.nodes[node.id.value];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the dialog tells of a plan's surfaces, worked out once for each plan and off the window's
-// thread: it looks at every structure.
+// Computes the figures about a plan's surfaces that the dialog shows, once for each plan and off
+// the window's thread, because it looks at every structure.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace sline::widgets {
 struct ScanFigures;  // scan_slices.h
 
 struct StructureFigures {
-  std::size_t triangles = 0;  ///< of a group: of all below it
+  std::size_t triangles = 0;  ///< for a group, of all below it
   std::size_t structures = 0;
   model::Box box;          ///< millimetres
   bool otherSide = false;  ///< its name says left and it lies right, or the other way round
@@ -31,10 +31,11 @@ struct PlanFigures {
   std::vector<std::shared_ptr<const ScanFigures>> scans;
 };
 
-/// `before`: those of the plan before it, for what takes long and is the same.
+/// Returns the plan's figures. `before` holds those of the previous plan, from which figures that
+/// take long and have not changed are taken.
 PlanFigures figuresOf(const model::ImportPlan& plan, const PlanFigures& before = {});
 
-/// The longest side of the box; 0 where it is empty.
+/// Returns the longest side of the box; 0 where it is empty.
 float extent(const model::Box& box);
 
 }  // namespace sline::widgets

@@ -16,7 +16,7 @@ QString number(std::size_t value) {
   return QLocale().toString(qulonglong(value));
 }
 
-/// "LPS (vote: 20 of 22 left/right names)", or how many different answers there are.
+/// Returns "LPS (vote: 20 of 22 left/right names)", or how many different answers there are.
 template <class Decide>
 QString decisions(const model::ImportPlan& plan, const Decide& decide) {
   std::map<QString, std::size_t> answers;
@@ -54,7 +54,7 @@ QString unitDecision(const model::Provenance& from) {
   return because(unitText(from.mmPerUnit), from.unitReason);
 }
 
-/// The names of a few of them.
+/// Returns the names of a few of them.
 QString someNames(const model::Scene& scene, const std::vector<model::NodeId>& ids) {
   constexpr std::size_t shown = 4;
   QStringList names;

@@ -10,7 +10,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// Names and files are looked through, the other columns only sorted.
+/// Filters by names and files; the other columns are only sorted.
 class NameOrFile : public QSortFilterProxyModel {
  public:
   using QSortFilterProxyModel::QSortFilterProxyModel;

@@ -9,25 +9,25 @@ class QSortFilterProxyModel;
 
 namespace sline::widgets {
 
-/// The list of what would be imported: sorted by any column, filtered by name or file, several rows
-/// worked on at once.
+/// Lists what would be imported: sorted by any column, filtered by name or file, with several rows
+/// edited at once.
 class PlanTree : public QTreeView {
   Q_OBJECT
  public:
   explicit PlanTree(ImportDraft& draft, QWidget* parent = nullptr);
 
   PlanTreeModel& tree() { return *m_model; }
-  /// Shows the structures whose names, files or groups contain the text.
+  /// Shows the structures that have the text in their names, files or groups.
   void setFilter(const QString& text);
   NodeIds selectedNodes() const;
-  /// Of the row, in the view's own model.
+  /// Returns the index of the node's row in the view's own model.
   QModelIndex indexOf(model::NodeId id, int column = PlanTreeModel::name) const;
 
  signals:
   void selectedNodesChanged();
 
  protected:
-  /// Space includes or leaves out all that is selected.
+  /// Includes or leaves out the whole selection on Space.
   void keyPressEvent(QKeyEvent* event) override;
 
  private:

@@ -62,7 +62,7 @@ void PlanTreeModel::countChecks() {
           m_draft.plan().choiceOf(node.id).include ? Qt::Checked : Qt::Unchecked;
     const auto own = m_checks.find(node.id.value);
     if (own == m_checks.end())
-      continue;  // a group of nothing
+      continue;  // an empty group
     const auto [above, first] = m_checks.try_emplace(node.parent.value, own->second);
     if (!first && above->second != m_checks.at(node.id.value))
       above->second = Qt::PartiallyChecked;
@@ -71,7 +71,7 @@ void PlanTreeModel::countChecks() {
 
 void PlanTreeModel::showChosen() {
   countChecks();
-  // Rows may be anywhere: telling all of them together is what views are quick at.
+  // The rows may be anywhere, so all are announced together, which views handle quickly.
   for (const auto& [id, place] : m_places)
     if (!place.children.empty()) {
       const QModelIndex parent = indexOf({id});
@@ -158,7 +158,7 @@ QString PlanTreeModel::text(const model::Node& node, int column) const {
   if (column == file)
     return QString::fromStdString(node.provenance.file);
   if (!plan.parts.contains(node.id))
-    return {};  // of a scene file, whose structures stay as they are
+    return {};  // structures of a scene file stay as they are
   switch (column) {
     case frame:
       return QString::fromStdString(node.provenance.frame);

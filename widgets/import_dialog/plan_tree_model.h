@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree of an import plan as Qt's views want it.
+// Presents the tree of an import plan to Qt's views.
 #pragma once
 
 #include <QAbstractItemModel>
@@ -20,7 +20,7 @@ class PlanTreeModel : public QAbstractItemModel {
 
   model::NodeId idOf(const QModelIndex& index) const;
   QModelIndex indexOf(model::NodeId id) const;
-  /// The structures at or below the nodes, each once.
+  /// Returns the structures at or below the nodes, each once.
   NodeIds structuresOf(const NodeIds& ids) const;
   /// Imports or leaves out all structures at or below the nodes.
   void include(const NodeIds& ids, bool wanted);
@@ -53,7 +53,7 @@ class PlanTreeModel : public QAbstractItemModel {
 
   ImportDraft& m_draft;
   std::unordered_map<std::uint64_t, Place> m_places;
-  std::unordered_map<std::uint64_t, Qt::CheckState> m_checks;  ///< worked out after each choice
+  std::unordered_map<std::uint64_t, Qt::CheckState> m_checks;  ///< computed after each choice
 };
 
 }  // namespace sline::widgets

@@ -11,9 +11,9 @@ namespace sline::widgets {
 
 namespace {
 
-constexpr int mostPixels = 220;  // of a slice's side
+constexpr int mostPixels = 220;  // along a slice's side
 
-/// Which axis of the grid runs along an axis of the patient, and whether backwards.
+/// Tells which axis of the grid runs along an axis of the patient, and whether backwards.
 struct GridAxis {
   int axis = 0;
   bool backwards = false;
@@ -22,7 +22,7 @@ struct GridAxis {
 std::array<GridAxis, 3> patientAxes(const model::GreyVolume& volume) {
   std::array<GridAxis, 3> axes;
   std::array<bool, 3> taken{};
-  // The head's direction first: slices are acquired across it as a rule.
+  // The head's direction comes first, because slices are usually acquired across it.
   for (const int along : {2, 0, 1}) {
     double most = -1.0;
     for (int axis = 0; axis < 3; ++axis) {

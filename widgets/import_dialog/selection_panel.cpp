@@ -16,7 +16,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// What all of them have in common.
+/// Holds the value that all structures have in common, if `one` is true.
 template <class T>
 struct Common {
   bool one = true;
@@ -38,7 +38,7 @@ void addChoices(QComboBox& box, const QString& none, const std::vector<ChoiceOf<
     box.addItem(choice.text, choice.id);
 }
 
-/// Shows what all have; no entry where they differ.
+/// Shows the common value; no entry where the structures differ.
 template <class T>
 void showCommon(QComboBox& box, const Common<T>& all, const std::vector<ChoiceOf<T>>& choices) {
   const QVariant id = all.one ? idOf(all.value, choices) : QVariant();

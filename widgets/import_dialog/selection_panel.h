@@ -12,17 +12,18 @@ class QPushButton;
 
 namespace sline::widgets {
 
-/// What is chosen of the selected structures, unlike the others; and why they are as they are.
+/// Sets choices for the selected structures that differ from the others, and shows why they are as
+/// they are.
 class SelectionPanel : public QWidget {
   Q_OBJECT
  public:
   explicit SelectionPanel(ImportDraft& draft, QWidget* parent = nullptr);
-  /// `structures` are those at or below `selected`.
+  /// Shows the structures; `structures` are those at or below `selected`.
   void show(const NodeIds& selected, const NodeIds& structures);
 
  private:
   using Change = std::function<void(model::StructureChoice&)>;
-  /// At least as wide as so many letters.
+  /// Makes a combo box at least as wide as so many letters.
   QComboBox* combo(const char* name, const QString& label, int letters);
   void connectControls();
   void refresh();

@@ -28,7 +28,7 @@ QDoubleSpinBox* numberField(const char* name) {
   return box;
 }
 
-/// The table's presets in the person's language.
+/// Returns a preset of the table in the user's language.
 QString presetText(std::string_view name) {
   if (name == "bone")
     return ThresholdPanel::tr("Bone");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes structures of a scan: bounds chosen on its histogram, by number or by preset, with what
-// they take shown in slices at once.
+// Makes structures from a scan: bounds chosen on its histogram, by number or by preset, with the
+// result shown in slices at once.
 #pragma once
 
 #include <QWidget>

@@ -28,7 +28,7 @@ QJsonObject objectIn(const QByteArray& line) {
   return QJsonDocument::fromJson(line).object();
 }
 
-/// Waits for a whole line; empty where none comes in time.
+/// Waits for a whole line; returns an empty one where none comes in time.
 QByteArray lineFrom(QLocalSocket& socket, const QDeadlineTimer& deadline) {
   while (!socket.canReadLine())
     if (socket.bytesAvailable() > longestMessage ||
@@ -100,7 +100,7 @@ bool handOver(const QString& socket, const HandedFiles& files, std::chrono::mill
   while (window.bytesToWrite() > 0)
     if (!window.waitForBytesWritten(int(deadline.remainingTime())))
       return false;
-  // It answered a moment ago: even if the confirmation is late, the files are on their way.
+  // The window answered a moment ago: even if the confirmation is late, the files are on their way.
   lineFrom(window, deadline);
   return true;
 }

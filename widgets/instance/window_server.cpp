@@ -9,7 +9,7 @@
 namespace sline::widgets {
 
 namespace {
-/// A caller that is greeted and says nothing is not waited for.
+/// The time after which a caller that was greeted and says nothing is dropped.
 constexpr std::chrono::seconds silence{5};
 }  // namespace
 
@@ -31,8 +31,8 @@ bool WindowServer::listen() {
     return true;
   if (m_socket.isEmpty())
     return false;
-  // The kernel answers at once for a window that is there, hanging or not, and refuses for one that
-  // crashed.
+  // For an existing window the kernel connects at once, even if it hangs, and for a crashed one it
+  // refuses.
   QLocalSocket other;
   other.connectToServer(m_socket);
   if (other.waitForConnected(100))

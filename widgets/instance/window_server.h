@@ -11,18 +11,18 @@ class QLocalSocket;
 
 namespace sline::widgets {
 
-/// The window's end of the socket: hears of files that later starts of the program hand over. The
-/// socket is the user's alone. One window has it; another takes it over when it is used and that
-/// one is gone.
+/// Receives, at the window's end of the socket, the files that later starts of the program hand
+/// over. The socket is accessible to the user alone. One window holds it; another takes it over
+/// when that window is used after the first has gone.
 class WindowServer : public QObject {
   Q_OBJECT
  public:
-  /// `free` is asked whether the window may be given files now: one that asks something itself may
-  /// not. It must outlive the object.
+  /// Prepares the server. `free` tells whether the window may be given files now, which it may not
+  /// while it asks the user something; it must outlive the object.
   WindowServer(QString socket, std::function<bool()> free, QObject* parent = nullptr);
 
-  /// True where it listens, or another window of the program does. What a crash left of a socket is
-  /// put away.
+  /// Returns true where this window or another window of the program listens. Removes a socket that
+  /// a crash left behind.
   bool listen();
   bool listens() const;
 

@@ -23,11 +23,11 @@ void LanguageSwitch::use(const QString& choice) {
   const bool english = locale.language() == QLocale::English || locale.language() == QLocale::C;
   QCoreApplication::removeTranslator(&m_texts);
   QCoreApplication::removeTranslator(&m_qtTexts);
-  // "%n structures" has a singular in English, too.
+  // English is loaded too, because "%n structures" needs a singular there.
   if (m_texts.load(english ? QLocale(QLocale::English) : locale, QStringLiteral("sline"),
                    QStringLiteral("_"), own))
     QCoreApplication::installTranslator(&m_texts);
-  // Qt has no Norwegian of its own.
+  // Qt has no Norwegian translation; the program brings its own.
   if (!english &&
       (m_qtTexts.load(locale, QStringLiteral("qt"), QStringLiteral("_"), own) ||
        m_qtTexts.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), installed)))

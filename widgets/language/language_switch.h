@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Speaks the language that a person chose: texts, Qt's own texts, and how numbers are written.
+// Applies the language that the user chose: the texts, Qt's own texts, and how numbers are written.
 #pragma once
 
 #include <QObject>
@@ -14,10 +14,10 @@ class LanguageSwitch : public QObject {
  public:
   using QObject::QObject;
 
-  /// From now on; widgets that are there hear of it by QEvent::LanguageChange. `choice` is a value
-  /// of the preference "language/interface".
+  /// Applies the language from now on; existing widgets are told by QEvent::LanguageChange.
+  /// `choice` is a value of the preference "language/interface".
   void use(const QString& choice);
-  /// Whenever the preference changes.
+  /// Applies the language whenever the preference changes.
   void follow(Preferences& preferences);
 
  private:

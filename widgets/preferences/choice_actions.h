@@ -10,7 +10,7 @@ namespace sline::widgets {
 class Preferences;
 
 /// Adds an action for each choice of the preference to the menu, named `names`, "-" and the
-/// choice's id. The one that holds is checked; triggering another sets the preference.
+/// choice's id. The current choice is checked; triggering another sets the preference.
 void addChoiceActions(QMenu& menu, Preferences& preferences, const QString& id,
                       const QString& names);
 

@@ -6,7 +6,7 @@
 
 namespace sline::widgets {
 
-/// Makes a control of the preference: it sets it and follows it. Its objectName is the id, its
+/// Makes a control that sets the preference and follows it. Its objectName is the id, its
 /// accessible name the preference's text.
 QWidget* makePreferenceControl(Preferences& preferences, const QString& id);
 

@@ -27,7 +27,7 @@ std::vector<PreferenceRow> languageRows() {
   return {{{QStringLiteral("language/interface"), tr("Interface"),
             tr("The language of menus and texts; takes effect at once"),
             ChoiceField{{{QStringLiteral("system"), tr("As the system")},
-                         // Each in its own language, so that whoever speaks it finds it.
+                         // Each name is in its own language, so that its speakers find it.
                          {QStringLiteral("en"), QStringLiteral("English")},
                          {QStringLiteral("de"), QStringLiteral("Deutsch")},
                          {QStringLiteral("nl"), QStringLiteral("Nederlands")},

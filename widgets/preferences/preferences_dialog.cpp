@@ -15,7 +15,8 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, QWidget* parent)
     : QDialog(parent), m_preferences(preferences) {
   setObjectName(QStringLiteral("preferencesDialog"));
   setWindowTitle(tr("Preferences"));
-  // One that is closed but there would be taken for the one that another language finds open.
+  // A dialog that is closed but still exists would be taken for an open one when the language
+  // changes.
   setAttribute(Qt::WA_DeleteOnClose);
   auto* layout = new QVBoxLayout(this);
   auto* pages = new QTabWidget;
@@ -36,7 +37,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, QWidget* parent)
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults);
   QPushButton* restore = buttons->button(QDialogButtonBox::RestoreDefaults);
   restore->setObjectName(QStringLiteral("restoreStandards"));
-  // Enter closes; it must not undo what was chosen.
+  // Enter closes the dialog; it must not undo what was chosen.
   restore->setAutoDefault(false);
   buttons->button(QDialogButtonBox::Close)->setDefault(true);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);

@@ -9,8 +9,8 @@ class QFormLayout;
 
 namespace sline::widgets {
 
-/// A tab for each page of the table, a control for each row (its objectName is the row's id). What
-/// is set holds at once; nothing waits for a button.
+/// Shows a tab for each page of the table and a control for each row (its objectName is the row's
+/// id). Each change applies at once; nothing waits for a button.
 class PreferencesDialog : public QDialog {
   Q_OBJECT
  public:

@@ -30,7 +30,7 @@ QString numbered(const QString& name, int number) {
   return tr("%1 %2").arg(name).arg(number);
 }
 
-/// "Sagittal section", "Sagittal section 2", …
+/// Returns the first free name of "Sagittal section", "Sagittal section 2", …
 std::string freshName(const model::Scene& scene, SectionKind kind) {
   const QString name = kindName(kind);
   const auto taken = [&scene](const QString& text) {
@@ -45,10 +45,10 @@ std::string freshName(const model::Scene& scene, SectionKind kind) {
   return fresh.toStdString();
 }
 
-/// The side of the body to keep so that its cut face looks at the camera.
+/// Returns the side of the body to keep so that its cut face looks at the camera.
 model::AnatomicalView farSide(const model::Camera& camera, int axis) {
   using View = model::AnatomicalView;
-  // LPS: towards the larger coordinate lie the left, the back and the head.
+  // LPS: left, back and head lie towards the larger coordinate.
   static constexpr std::array<View, 3> larger{View::left, View::posterior, View::superior};
   static constexpr std::array<View, 3> smaller{View::right, View::anterior, View::inferior};
   constexpr float edgeOn = 1e-3f;

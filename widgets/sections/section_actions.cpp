@@ -15,7 +15,7 @@ namespace {
 
 using SectionIds = std::vector<model::SectionId>;
 
-/// Of the whole scene, along that axis of LPS.
+/// Returns the sections of the whole scene along that axis of LPS.
 SectionIds sectionsAlong(const model::Scene& scene, int axis) {
   constexpr float parallel = 0.9999f;
   SectionIds ids;
@@ -72,7 +72,7 @@ void SectionActions::toggle(int axis) {
   } else {
     m_session.apply(tr("Without %1 Section").arg(name), model::withoutSections(scene, there));
   }
-  showState();  // the action has checked itself, whatever came of it
+  showState();  // the action has checked itself, whatever the result
 }
 
 void SectionActions::add(const SectionWish& wish) {

@@ -12,26 +12,26 @@ class QToolButton;
 
 namespace sline::widgets {
 
-/// What the actions of section planes do: one section along each axis of the body, through the
-/// middle of what is shown, and as many as wanted by menus; each is an undo step.
+/// Runs the actions of section planes: one section along each axis of the body, through the middle
+/// of what is shown, and any number of sections by menus; each is an undo step.
 class SectionActions : public QObject {
   Q_OBJECT
  public:
   SectionActions(Session& session, const ViewControl& view, const WindowActions& actions,
                  QObject* parent);
 
-  /// Entries that add a section of each kind as the wish says else.
+  /// Fills the menu with entries that add a section of each kind, otherwise as the wish says.
   void fill(QMenu& menu, const SectionWish& wish);
-  /// The menu that adds sections, of the whole scene or of what is selected.
+  /// Gives the button its menu, which adds sections of the whole scene or of the selection.
   void fillAddMenu(QToolButton& button);
 
  signals:
-  /// A section could not be added.
+  /// Tells that a section could not be added.
   void refused(const sline::Error& error);
 
  private:
   QAction& actionOf(int axis) const;
-  /// Adds the section along the axis, or takes it away where there is one.
+  /// Adds the section along the axis, or removes it where there is one.
   void toggle(int axis);
   void add(const SectionWish& wish);
   void flip();

@@ -16,15 +16,16 @@ namespace sline::widgets {
 namespace {
 
 constexpr float arrowLength = 40.0f;  ///< pixels
-constexpr float reach = 11.0f;        ///< pixels: as far as a press may miss a grip
+constexpr float reach = 11.0f;        ///< pixels by which a press may miss a grip
 constexpr float border = 14.0f;       ///< pixels: grips nearer to the picture's edge are moved in
-constexpr float frameMargin = 1.06f;  ///< of the rectangle around what is cut
-/// Seen along a direction by less than its sine, it is too short on screen to drag along.
+constexpr float frameMargin = 1.06f;  ///< a factor on the rectangle around what is cut
+/// The sine of the angle between the line of sight and a direction below which that is too short on
+/// screen to drag along.
 constexpr float endOnSine = 0.26f;
 
 using Polygon = std::vector<glm::vec3>;
 
-/// The part of a polygon in front of the eye (Sutherland and Hodgman 1974).
+/// Returns the part of a polygon in front of the eye (Sutherland and Hodgman 1974).
 Polygon inFront(const Polygon& polygon, const model::Camera& camera) {
   if (camera.projection == model::Projection::orthographic)
     return polygon;
@@ -47,7 +48,7 @@ Polygon inFront(const Polygon& polygon, const model::Camera& camera) {
   return kept;
 }
 
-/// The part of a polygon on screen within the picture, some way from its edges.
+/// Returns the part of a polygon on screen within the picture, some way from its edges.
 std::vector<glm::vec2> withinPicture(std::vector<glm::vec2> polygon, const glm::vec2& size) {
   for (int edge = 0; edge < 4; ++edge) {
     const int axis = edge / 2;
@@ -74,7 +75,8 @@ bool inPicture(const std::optional<glm::vec2>& p, const glm::vec2& size, float b
   return p && p->x >= by && p->y >= by && p->x <= size.x - by && p->y <= size.y - by;
 }
 
-/// Where the arrow stands: in the middle of the upper edge, or as far up as the picture reaches.
+/// Returns the place of the arrow: in the middle of the upper edge, or as far up as the picture
+/// reaches.
 std::optional<glm::vec2> footOf(const SectionFrame& frame, const model::Camera& camera,
                                 const glm::vec2& size) {
   constexpr int steps = 50;
@@ -95,7 +97,7 @@ glm::vec2 middle(const std::vector<glm::vec2>& points) {
   return sum / float(points.size());
 }
 
-/// How a small way from a point is seen, as if it were as long as `way`; pixels.
+/// Returns how a small step from a point is seen, scaled up to the length of `way`; pixels.
 glm::vec2 onScreen(const SectionDrag::Start& s, const glm::vec3& at, const glm::vec3& way) {
   constexpr float small = 1e-2f;
   const auto a = pixelOf(s.camera, at, s.size);
@@ -103,7 +105,7 @@ glm::vec2 onScreen(const SectionDrag::Start& s, const glm::vec3& at, const glm::
   return a && b ? (*b - *a) / small : glm::vec2(0.0f);
 }
 
-/// Where the line comes nearest to the ray, in units of its direction.
+/// Returns where the line comes nearest to the ray, in units of its direction.
 double alongLine(const glm::vec3& at, const glm::vec3& direction, const model::Ray& ray) {
   const glm::dvec3 d(direction);
   const glm::dvec3 r(ray.direction);
@@ -186,10 +188,10 @@ double SectionDrag::slideAt(const glm::vec2& pixel) const {
   const SectionFrame& frame = m_start.frame;
   const glm::vec3& n = frame.plane.normal;
   const model::Ray from = sightThrough(m_start.camera, m_start.pixel, m_start.size);
-  // The point of the plane that was taken hold of follows the mouse along the normal.
+  // The held point of the plane follows the mouse along the normal.
   const float slope = glm::dot(from.direction, n);
   if (std::abs(slope) > std::sqrt(1.0f - endOnSine * endOnSine)) {
-    // Seen along the normal there is nothing to follow: up is away from the eye.
+    // Seen along the normal the point cannot follow: dragging upwards moves it away from the eye.
     const glm::vec3 held =
         pointAtDepthOf(m_start.camera, frame.centre, m_start.pixel, m_start.size);
     const float scale = model::millimetresPerPixel(m_start.camera, held, m_start.size.y);
@@ -207,7 +209,8 @@ double SectionDrag::turnAt(const glm::vec2& pixel, bool snap) const {
   const glm::vec3 arm = aboutU ? -frame.halfV * frame.v : frame.halfU * frame.u;
   const glm::vec3 axis = aboutU ? frame.u : frame.v;
   const glm::vec3 held = frame.centre + arm;
-  // Where the ring begins to move when the plane turns by a positive angle.
+  // The tangent is the direction in which the ring begins to move when the plane turns by a
+  // positive angle.
   const glm::vec3 tangent = glm::cross(axis, arm);
   const glm::vec2 along = onScreen(m_start, held, tangent);
   const glm::vec2 outwards = onScreen(m_start, held, arm);
@@ -216,7 +219,8 @@ double SectionDrag::turnAt(const glm::vec2& pixel, bool snap) const {
   if (glm::length(along) > 2.0f * endOnSine * glm::length(outwards)) {
     angle = double(glm::dot(way, along) / glm::dot(along, along));
   } else if (glm::length(outwards) > 0.0f) {
-    // Seen along its normal the ring only comes nearer to the middle: it goes away from the eye.
+    // Seen along its normal the ring only comes nearer to the middle, so it is taken to move away
+    // from the eye.
     const glm::vec3 towards = model::towardsEye(m_start.camera, held);
     const double sign = glm::dot(tangent, towards) > 0.0f ? -1.0 : 1.0;
     angle = -sign * std::numbers::pi / 2.0 *

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a section plane is taken hold of by: its outline, an arrow to move and flip it, two rings to
-// tilt it. Geometry without a window; pixels count from the picture's upper left corner.
+// Computes the parts by which a section plane is dragged: its outline, an arrow to move and flip
+// it, two rings to tilt it. Geometry without a window; pixels count from the picture's upper left
+// corner.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -13,7 +14,7 @@
 
 namespace sline::widgets {
 
-/// The rectangle of a plane that what it cuts fits into.
+/// The rectangle of a plane that encloses everything it cuts.
 struct SectionFrame {
   model::Plane plane;
   glm::vec3 centre{0.0f};
@@ -21,28 +22,29 @@ struct SectionFrame {
   glm::vec3 v{0.0f, 0.0f, 1.0f};
   float halfU = 0.0f;
   float halfV = 0.0f;
-  /// Where the plane may go: offsets at which it still touches the bounds.
+  /// The limits of the plane: offsets at which it still touches the bounds.
   float lowest = 0.0f;
   float highest = 0.0f;
 };
 SectionFrame sectionFrame(const model::Plane& plane, const model::Box& bounds);
 
-/// slide: along the normal; flip: the other side; the others turn about an axis of the frame.
+/// The kinds of drag. slide: along the normal; flip: to the other side; the others turn about an
+/// axis of the frame.
 enum class SectionGrip { none, slide, flip, turnAboutU, turnAboutV };
 
 /// The frame as it is seen.
 struct SectionHandles {
-  std::vector<glm::vec2> outline;  ///< what of the rectangle is in front of the eye, closed
+  std::vector<glm::vec2> outline;  ///< the part of the rectangle in front of the eye, closed
   glm::vec2 slide{0.0f};           ///< the arrow's foot
-  glm::vec2 tip{0.0f};             ///< its head, towards what is taken away
+  glm::vec2 tip{0.0f};             ///< its head, towards the side that is removed
   bool endOn = false;              ///< seen almost along the arrow: drawn as a ring with a dot
   std::optional<glm::vec2> turnAboutU;
   std::optional<glm::vec2> turnAboutV;
 };
-/// Absent where nothing of the plane is in the picture.
+/// Returns the handles; absent where no part of the plane is in the picture.
 std::optional<SectionHandles> sectionHandles(const SectionFrame& frame, const model::Camera& camera,
                                              const glm::vec2& size);
-/// What a press at the pixel takes hold of.
+/// Returns the part that a press at the pixel takes hold of.
 SectionGrip gripAt(const SectionHandles& handles, const glm::vec2& pixel);
 
 /// A drag of a section, from the press to the release.
@@ -56,10 +58,10 @@ class SectionDrag {
     glm::vec2 size{1.0f};
   };
   explicit SectionDrag(const Start& start) : m_start(start) {}
-  /// The plane for the mouse at that pixel; depends on where the drag began, not on the way.
-  /// `snap`: to whole steps, as long as is round for what is cut, or of 15°.
+  /// Returns the plane for the mouse at that pixel, which depends on where the drag began, not on
+  /// the path. `snap`: to whole steps, either a round length that suits what is cut, or 15°.
   model::Plane at(const glm::vec2& pixel, bool snap) const;
-  /// The angle of a turn, in degrees.
+  /// Returns the angle of a turn, in degrees.
   double turnAt(const glm::vec2& pixel, bool snap) const;
 
  private:

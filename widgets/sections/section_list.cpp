@@ -27,7 +27,7 @@ void SectionList::documentChange(const Document& before, const Document& now) {
     endResetModel();
     return;
   }
-  // What a section cuts goes by a node's name, which may be another one now.
+  // The column of what a section cuts shows a node's name, which may have changed.
   for (int row = 0; row < int(sections.size()); ++row)
     if (old[std::size_t(row)] != sections[std::size_t(row)] ||
         before.scene.nodes() != now.scene.nodes())

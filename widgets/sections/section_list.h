@@ -7,7 +7,7 @@
 
 namespace sline::widgets {
 
-/// The scene's sections as rows: a tick for what cuts, name, position and what is cut.
+/// Lists the scene's sections as rows: a tick for those that cut, name, position and what is cut.
 class SectionList : public QAbstractTableModel {
   Q_OBJECT
  public:
@@ -22,7 +22,7 @@ class SectionList : public QAbstractTableModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
   const model::Section* at(int row) const;
-  /// −1 where there is none.
+  /// Returns the section's row, or −1 where there is none.
   int rowOf(std::optional<model::SectionId> id) const;
 
  private:

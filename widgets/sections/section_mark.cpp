@@ -13,7 +13,7 @@ namespace sline::widgets {
 namespace {
 
 constexpr double thin = 1.3;       ///< pixels: the outline
-constexpr double haloWidth = 2.4;  ///< pixels around each line, so that it stands off the drawing
+constexpr double haloWidth = 2.4;  ///< pixels around each line, which sets it off from the drawing
 
 }  // namespace
 
@@ -78,7 +78,7 @@ void SectionMark::paintArrow(QPainter& painter) const {
   QPainterPath shaft(point(handles.slide));
   shaft.lineTo(point(handles.tip - 0.6f * head * way));
   QPolygonF triangle;
-  if (handles.endOn)  // the way the arrow leads cannot be shown: two heads, for the two sides
+  if (handles.endOn)  // the arrow's direction cannot be shown: two heads, for the two sides
     triangle << point(handles.tip - 0.75f * head * glm::vec2(0, 1))
              << point(handles.tip + 0.55f * head * glm::vec2(1, 0))
              << point(handles.tip + 0.75f * head * glm::vec2(0, 1))

@@ -7,7 +7,7 @@
 
 namespace sline::widgets {
 
-/// The active section's outline and handles over the picture; the mouse goes through.
+/// Shows the active section's outline and handles over the picture; mouse events pass through.
 class SectionMark : public QWidget {
   Q_OBJECT
  public:

@@ -7,11 +7,12 @@
 
 namespace sline::widgets {
 
-/// The plane moved to that position.
+/// Returns the plane moved to that position.
 model::Plane movedTo(model::Plane plane, double position);
-/// "L 12.0 mm", "S 30.5 mm", for an oblique plane "12.0 mm", the number as the locale writes it.
+/// Returns "L 12.0 mm", "S 30.5 mm", or for an oblique plane "12.0 mm", with the number as the
+/// locale writes it.
 QString positionText(const model::Plane& plane);
-/// Keeps the other side.
+/// Returns the plane that keeps the other side.
 model::Plane flipped(const model::Plane& plane);
 
 }  // namespace sline::widgets

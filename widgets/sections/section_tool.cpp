@@ -89,7 +89,7 @@ bool SectionTool::press(const Pointer& pointer) {
   m_pressed = pointer.pixel;
   const model::Box bounds = m_session.scene().visibleBounds(section->scope);
   m_drag.emplace(SectionDrag::Start{
-      // A head that is dragged takes the arrow along.
+      // Dragging the head moves the plane as the arrow does.
       .grip = m_grip == SectionGrip::flip ? SectionGrip::slide : m_grip,
       .pixel = pointer.pixel,
       .frame = sectionFrame(section->plane, bounds),
@@ -101,7 +101,7 @@ bool SectionTool::press(const Pointer& pointer) {
 void SectionTool::move(const Pointer& pointer) {
   if (!m_drag)
     return;
-  constexpr float still = 4.0f;  // pixels that a hand shakes in a click
+  constexpr float still = 4.0f;  // pixels by which a hand may shake in a click
   if (m_grip == SectionGrip::flip) {
     if (glm::length(pointer.pixel - m_pressed) < still)
       return;

@@ -17,19 +17,19 @@ class SectionTool : public QObject, public Tool {
   SectionTool(Session& session, const ViewControl& view);
   /// Shows its handles over the picture, beneath all that lies there so far.
   void showOver(QWidget& picture);
-  /// What it shows; null where it was never told to.
+  /// Returns the mark that it shows; null where `showOver` was never called.
   const SectionMark* mark() const { return m_mark; }
 
-  /// The active section's handles in a picture of that size; absent where there is none.
+  /// Returns the active section's handles in a picture of that size; absent where there is none.
   std::optional<SectionHandles> handles(const glm::vec2& size) const {
     return handles(size, m_view.camera());
   }
-  /// The same in a picture that another camera took.
+  /// Returns the active section's handles in a picture that another camera took.
   std::optional<SectionHandles> handles(const glm::vec2& size, const model::Camera& camera) const;
   SectionGrip gripAt(const Pointer& pointer) const;
   bool dragging() const { return m_drag.has_value(); }
   SectionGrip grip() const { return m_grip; }
-  /// What the drag has come to: "L 12.0 mm", "15°"; empty while there is none.
+  /// Returns the result of the drag so far: "L 12.0 mm", "15°"; empty while there is no drag.
   const QString& readout() const { return m_readout; }
 
   bool press(const Pointer& pointer) override;

@@ -154,14 +154,14 @@ void SectionsPanel::remove() {
     return;
   const std::array<model::SectionId, 1> ids{section->id};
   m_session.apply(tr("Delete Section"), model::withoutSections(m_session.scene(), ids));
-  // The one that takes its place, so that a key held down deletes one after the other.
+  // The next section takes its place, so that a key held down deletes one after the other.
   const model::Section* next = m_sections->at(std::min(row, m_sections->rowCount() - 1));
   m_session.activateSection(next ? std::optional(next->id) : std::nullopt);
 }
 
 bool SectionsPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_list && event->type() == QEvent::ShortcutOverride) {
-    // Del removes structures elsewhere in the window.
+    // Elsewhere in the window Del removes structures.
     if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete)
       event->accept();
   } else if (watched == m_list && event->type() == QEvent::KeyPress &&
@@ -200,7 +200,7 @@ void SectionsPanel::showActive() {
   const model::Section* section = m_sections->at(row);
   if (row != m_list->currentIndex().row())
     m_list->setCurrentIndex(m_sections->index(row, 0));
-  // Room for names, unless sections differ in what they cut.
+  // Names get the room of this column, unless some section cuts less than the whole scene.
   const auto& all = m_session.scene().sections();
   m_list->setColumnHidden(SectionList::scope,
                           std::all_of(all.begin(), all.end(), [](const model::Section& each) {

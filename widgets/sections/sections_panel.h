@@ -15,12 +15,12 @@ namespace sline::widgets {
 
 class SectionList;
 
-/// All sections in a list, and below it what can be said of the active one.
+/// Lists all sections, with the details of the active one below.
 class SectionsPanel : public QWidget {
   Q_OBJECT
  public:
   explicit SectionsPanel(Session& session, QWidget* parent = nullptr);
-  /// The button that adds sections; whoever knows the camera gives it a menu.
+  /// Returns the button that adds sections; the caller, which knows the camera, gives it a menu.
   QToolButton& addButton() { return *m_add; }
 
  protected:
@@ -47,7 +47,7 @@ class SectionsPanel : public QWidget {
   QDoubleSpinBox* m_position = nullptr;
   QComboBox* m_scope = nullptr;
   QCheckBox* m_hatched = nullptr;
-  bool m_following = false;  ///< the session, not the person
+  bool m_following = false;  ///< the session changes the controls, not the user
 };
 
 }  // namespace sline::widgets

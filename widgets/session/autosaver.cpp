@@ -8,7 +8,7 @@ namespace sline::widgets {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-/// Its name is taken when the first copy is made.
+/// Holds the copy's file, which gets its name when the first copy is made.
 struct Autosaver::Copy {
   std::optional<model::Autosave> file;
 };
@@ -38,7 +38,7 @@ void Autosaver::setInterval(milliseconds interval) {
 void Autosaver::documentChange(const Document& before, const Document& now) {
   if (m_interval.count() <= 0 || m_folder.empty() || before.scene == now.scene)
     return;
-  // Structures come and go rarely, and much work may hang on each.
+  // Structures come and go rarely, and much work may depend on each.
   const bool large = before.scene.nodes().size() != now.scene.nodes().size();
   m_clock.changed(Clock::now(), large);
   constexpr milliseconds longest(1000);
@@ -92,7 +92,7 @@ void Autosaver::keep() {
     if (others)
       document.others = *others;
     const Status kept = copy->file->keep(document, source);
-    // The document's own copy has all that this one had.
+    // The document's own copy has everything that this one had.
     if (kept.ok() && left)
       model::forget(*left);
     return [this, kept] { finish(kept); };
@@ -105,7 +105,7 @@ void Autosaver::finish(const Status& status) {
     emit kept();
     return;
   }
-  m_clock.changed(Clock::now());  // in a while again
+  m_clock.changed(Clock::now());  // tries again later
   m_timer.start(1000);
   if (!std::exchange(m_failing, true))
     emit failed(status.error());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Copies of what is not saved, for a crash.
+// Keeps copies of unsaved work for the case of a crash.
 #pragma once
 
 #include <QObject>
@@ -13,25 +13,25 @@
 namespace sline::widgets {
 
 /// Keeps a copy of the document in the folder a while after it has changed, and at once when much
-/// has; lets go of it when the document is as its file is. Of a document that was recovered the
-/// copy that a crash has left is removed then too, and as soon as it has one of its own.
+/// has; drops the copy when the document is as its file is. For a recovered document, the copy that
+/// a crash left is removed then too, and as soon as the document has a copy of its own.
 class Autosaver : public QObject {
   Q_OBJECT
  public:
   Autosaver(Session& session, std::filesystem::path folder, QObject* parent = nullptr);
-  /// A copy that is there stays, unless `discard` came before.
+  /// Leaves an existing copy in place, unless `discard` was called before.
   ~Autosaver() override;
 
   const std::filesystem::path& folder() const { return m_folder; }
-  /// How long after a change; 0: no copies.
+  /// Sets the time between a change and its copy; 0 means no copies.
   void setInterval(std::chrono::milliseconds interval);
-  /// The document is let go of: nothing is to be recovered.
+  /// Discards the copy, because the document is given up and nothing is to be recovered.
   void discard();
 
  signals:
-  /// The copy has all that was changed when it was asked for.
+  /// Tells that the copy has all changes up to when it was asked for.
   void kept();
-  /// Once for each time that it begins to fail.
+  /// Tells of a failure, once each time that copies begin to fail.
   void failed(const sline::Error& error);
 
  private:
@@ -44,7 +44,7 @@ class Autosaver : public QObject {
 
   Session& m_session;
   std::filesystem::path m_folder;
-  std::shared_ptr<Copy> m_copy;  ///< of the queue's thread
+  std::shared_ptr<Copy> m_copy;  ///< belongs to the queue's thread
   std::chrono::milliseconds m_interval = std::chrono::minutes(1);
   model::AutosaveClock m_clock{m_interval};
   QTimer m_timer;

@@ -42,7 +42,7 @@ void BackgroundJob::cancel() {
 
 bool BackgroundJob::report(double share, std::string_view what) {
   using namespace std::chrono;
-  constexpr std::int64_t pause = 100;  // as often as an eye can follow; whoever shows it repaints
+  constexpr std::int64_t pause = 100;  // milliseconds: as often as an eye follows a repaint
   const std::int64_t now =
       duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
   std::int64_t last = m_lastReport;

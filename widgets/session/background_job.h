@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A long piece of work on a thread of its own.
+// Runs a long piece of work on a thread of its own.
 #pragma once
 
 #include <QObject>
@@ -15,35 +15,36 @@
 
 namespace sline::widgets {
 
-/// Runs once; whoever made it hears from it on the thread it was made on.
+/// Runs its work once and emits its signals on the thread on which it was made.
 class BackgroundJob : public QObject {
   Q_OBJECT
  public:
-  /// Tells how much is done, in [0, 1], and what is being done; false where the work is to end.
+  /// Reports how much is done, in [0, 1], and what is being done; returns false where the work must
+  /// end.
   using Progress = std::function<bool(double done, std::string_view what)>;
-  /// Returns an error, whatever it says, where it gave up.
+  /// Does the work; where it gave up, it returns an error, whatever that says.
   using Work = std::function<Status(const Progress&)>;
 
   explicit BackgroundJob(Work work, QObject* parent = nullptr);
   ~BackgroundJob() override;
 
-  /// Once, when all that listen are connected.
+  /// Starts the work; to be called once, when all receivers are connected.
   void start();
-  /// The work is asked to give up; nothing but `cancelled` follows, or `done` where it was over.
+  /// Asks the work to stop; only `cancelled` follows, or `done` if the work was already over.
   void cancel();
 
  signals:
-  /// At most ten in a second.
+  /// Tells the progress, at most ten times a second.
   void progressed(double done, const QString& what);
   void done();
   void failed(const sline::Error& error);
   void cancelled();
 
  protected:
-  /// Cancels, and waits until the work has noticed. To be called by the destructor of each class
-  /// whose members the work uses.
+  /// Cancels, and waits until the work has stopped. A class with members that the work uses must
+  /// call it in its destructor.
   void end();
-  /// True from any thread once somebody has cancelled.
+  /// Returns true, from any thread, once the job has been cancelled.
   bool stopped() const { return m_stop.stop_requested(); }
   std::stop_token stopToken() const { return m_stop.get_token(); }
 
@@ -57,12 +58,12 @@ class BackgroundJob : public QObject {
   std::thread m_thread;
 };
 
-/// What a person can do where the work could not go on.
+/// Advises the user where the work could not go on.
 struct JobAdvice {
-  const char* memory = "";   ///< there was too little
-  const char* library = "";  ///< one threw what nobody expected
+  const char* memory = "";   ///< there was too little memory
+  const char* library = "";  ///< a library threw an unexpected exception
 };
-/// Runs the work; what it throws becomes an error that a person can read.
+/// Runs the work and turns exceptions into errors that the user can understand.
 Status caught(const std::function<Status()>& work, const JobAdvice& advice);
 
 }  // namespace sline::widgets

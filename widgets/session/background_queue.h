@@ -11,11 +11,11 @@
 
 namespace sline::widgets {
 
-/// Work on one thread of its own that lets the window go first, one piece after the other.
+/// Runs pieces of work one after the other on one thread of its own, which gives way to the window.
 class BackgroundQueue : public QObject {
   Q_OBJECT
  public:
-  /// What is to follow on the thread that this object belongs to; empty: nothing.
+  /// Follows on the thread that this object belongs to; may be empty.
   using Sequel = std::function<void()>;
   using Work = std::function<Sequel(const std::stop_token&)>;
 
@@ -24,9 +24,9 @@ class BackgroundQueue : public QObject {
   ~BackgroundQueue() override;
 
   void add(Work work);
-  /// What has not begun is not done, and what is under way is asked to stop.
+  /// Drops the work that has not begun, and asks the running piece to stop.
   void drop();
-  /// True until the sequel of the last piece was run.
+  /// Returns true until the sequel of the last piece has run.
   bool busy() const { return m_unfinished > 0; }
 
  private:

@@ -10,12 +10,12 @@ namespace sline::widgets {
 
 /// A scene that the program models itself.
 struct DemoScene {
-  QString id;     ///< what settings and tests call it
-  QString title;  ///< what a person reads
+  QString id;     ///< its name in settings and tests
+  QString title;  ///< the name that the user reads
   SceneMaker make;
 };
 
-/// The first is what a new user sees first.
+/// Returns the demo scenes; a new user sees the first one first.
 std::vector<DemoScene> demoScenes();
 
 }  // namespace sline::widgets

@@ -12,32 +12,33 @@
 
 namespace sline::widgets {
 
-/// What is open: a scene and the name it goes by. A value, so that undo is the previous one.
+/// Holds what is open: a scene and its name. It is a value, so that undo restores the previous one.
 struct Document {
   model::Scene scene;
   QString title;
-  /// One for each opening, so that whoever shows the document sees where another begins; 0: nothing
-  /// was opened yet.
+  /// A number for each opening, by which views of the document notice that another one begins; 0
+  /// while nothing has been opened yet.
   int opening = 0;
   bool operator==(const Document&) const = default;
 };
 
-/// A scene on its way in, and what its reader had to leave out or mend.
+/// A scene that is being loaded, and what its reader had to leave out or mend.
 struct Loaded {
   model::Scene scene;
   QString title;
   QStringList remarks;
-  std::vector<std::filesystem::path> paths;            ///< where it came from; none: it was made
-  std::optional<std::vector<model::NewMesh>> renewed;  ///< instead of a scene: new meshes for it
-  std::optional<DocumentFile> file;                    ///< of a scene file
-  bool added = false;  ///< the scene goes below what is open, as an edit of it
-  int reverts = 0;     ///< the opening that goes back to what the disk has; 0: it is a new one
+  std::vector<std::filesystem::path> paths;  ///< the sources; none if the scene was made here
+  /// New meshes for the open scene, instead of a scene.
+  std::optional<std::vector<model::NewMesh>> renewed;
+  std::optional<DocumentFile> file;  ///< of a scene file
+  bool added = false;                ///< the scene goes below what is open, as an edit of it
+  int reverts = 0;  ///< the opening that returns to the state on disk; 0: a new opening
 };
 
-/// What files and folders go by: "pelvis", or "liver.stl and 3 more".
+/// Returns a title for files and folders: "pelvis", or "liver.stl and 3 more".
 QString titleOf(const std::vector<std::filesystem::path>& paths);
 
-/// What was imported from the paths, as a document to be.
+/// Returns what was imported from the paths, ready to become a document.
 Loaded loadedFrom(model::Imported imported, const std::vector<std::filesystem::path>& paths);
 
 }  // namespace sline::widgets

@@ -63,7 +63,7 @@ Result<ReadDocument> readDocument(const fs::path& path,
                                   std::shared_ptr<const model::FileLock> held) {
   ReadDocument read;
   read.file.path = path;
-  // First the lock: what is read then stays what is on the disk.
+  // The lock comes first, so that what is read then stays what is on the disk.
   lock(read.file, std::move(held));
   read.file.stamp = stampOf(path);
   Result<model::SceneDocument> document = model::readSceneFile(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a document has to do with the disk.
+// Connects a document with its file on disk.
 #pragma once
 
 #include <QString>
@@ -21,30 +21,30 @@ struct FileStamp {
   std::filesystem::file_time_type when;
   bool operator==(const FileStamp&) const = default;
 };
-/// Nothing where there is no file.
+/// Returns the file's stamp; none where there is no file.
 std::optional<FileStamp> stampOf(const std::filesystem::path& file);
 
 enum class Writable {
   yes,
   lockedElsewhere,  ///< another window or program has it open for writing
-  newerProgram,     ///< it says more than this program would write
-  notPermitted,     ///< its rights or those of its folder
-  changedOnDisk,    ///< by somebody else, while it was not locked here
+  newerProgram,     ///< it contains more than this program would write
+  notPermitted,     ///< its permissions or those of its folder
+  changedOnDisk,    ///< by another program, while it was not locked here
 };
 
-/// The scene file of a document. It belongs to an opening, not to a `Document`: undo takes a scene
-/// back, but not the name that it was saved under meanwhile.
+/// The scene file of a document. It belongs to an opening, not to a `Document`: undo restores a
+/// scene, but not the name under which it was saved meanwhile.
 struct DocumentFile {
   std::filesystem::path path;  ///< empty: never saved
   Writable writable = Writable::yes;
   QString reason;  ///< why it is not writable, as a sentence without its full stop
-  /// What the file's reader found there without a meaning here, for saving; null: none.
+  /// Members of the file that have no meaning here, kept for saving; null for none.
   std::shared_ptr<const std::vector<model::ZipMember>> others;
-  std::shared_ptr<const std::string> thumbnail;  ///< PNG; null: none
-  /// The scene as it came in or was saved last; absent: no file has it (it was recovered).
+  std::shared_ptr<const std::string> thumbnail;  ///< PNG; null for none
+  /// The scene as it came in or was saved last; absent if no file has it (it was recovered).
   std::optional<model::Scene> saved;
-  std::optional<FileStamp> stamp;               ///< of the file as it was read or written last
-  std::optional<model::Recoverable> copy;       ///< of unsaved work, which the document was made of
+  std::optional<FileStamp> stamp;          ///< of the file as it was read or written last
+  std::optional<model::Recoverable> copy;  ///< the copy of unsaved work from which it was recovered
   std::shared_ptr<const model::FileLock> lock;  ///< held while the document is open
 };
 
@@ -54,18 +54,19 @@ struct ReadDocument {
 };
 
 /// Reads a scene file and locks it, or says why it cannot be saved again. `held` is a lock that the
-/// caller has already, perhaps of this file; null: none.
+/// caller has already, perhaps of this file; null for none.
 Result<ReadDocument> readDocument(const std::filesystem::path& path,
                                   std::shared_ptr<const model::FileLock> held);
 
-/// The same for a copy of unsaved work. Its file is the one that it is a copy of.
+/// Reads a copy of unsaved work; its file is the one that it is a copy of, which is locked as in
+/// `readDocument`.
 Result<ReadDocument> readRecovered(const model::Recoverable& found,
                                    std::shared_ptr<const model::FileLock> held);
 
-/// Locks the file again, which was let go, unless it has changed since.
+/// Locks the file again after its lock was released, unless it has changed since.
 void relock(DocumentFile& file);
 
-/// Who a lock is of: the same file under whatever name.
+/// Tells whether the lock is of this file, under whatever name.
 bool isLockOf(const model::FileLock& lock, const std::filesystem::path& file);
 
 }  // namespace sline::widgets

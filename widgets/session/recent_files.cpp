@@ -18,7 +18,7 @@ QStringList RecentFiles::paths() const {
 }
 
 void RecentFiles::add(const QString& path) {
-  // Without asking the disk, which may be far away.
+  // The path is resolved without asking the disk, which may be far away.
   const QString absolute = QDir::cleanPath(QDir().absoluteFilePath(path));
   QStringList paths = this->paths();
   paths.removeAll(absolute);

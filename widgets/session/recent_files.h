@@ -8,17 +8,17 @@ class QSettings;
 
 namespace sline::widgets {
 
-/// What was opened and saved last, in the settings.
+/// Keeps the list of files that were opened and saved last in the settings.
 class RecentFiles : public QObject {
   Q_OBJECT
  public:
   static constexpr int most = 10;
 
-  /// The settings must outlive it.
+  /// Uses the settings, which must outlive it.
   explicit RecentFiles(QSettings& settings, QObject* parent = nullptr);
-  /// Absolute, the newest first.
+  /// Returns absolute paths, the newest first.
   QStringList paths() const;
-  /// Puts it first.
+  /// Puts the path first.
   void add(const QString& path);
   void remove(const QString& path);
   void clear();

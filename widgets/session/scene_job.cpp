@@ -19,7 +19,7 @@ Status SceneJob::make(const Progress& progress) {
             stopToken());
         if (!result.ok())
           return result.error();
-        // Nobody waits any more for what was made meanwhile.
+        // A result that was made meanwhile is no longer wanted.
         if (stopped())
           return Error{.reason = "cancelled"};
         m_loaded = std::make_unique<Loaded>(std::move(*result));

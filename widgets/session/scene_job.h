@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading or modelling a scene on a thread of its own, with progress and cancel.
+// Reads or models a scene on a thread of its own, with progress and cancel.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,8 @@
 
 namespace sline::widgets {
 
-/// Makes a scene; calls the progress now and then and gives up where that says false, or as soon as
-/// stop is asked for. What it gives then is thrown away.
+/// Makes a scene; calls the progress now and then and stops where that returns false, or as soon as
+/// a stop is requested. Its result is discarded then.
 using SceneMaker =
     std::function<Result<Loaded>(const model::ImportProgress&, const std::stop_token&)>;
 
@@ -29,7 +29,7 @@ class SceneJob : public BackgroundJob {
   Status make(const Progress& progress);
 
   SceneMaker m_maker;
-  std::unique_ptr<Loaded> m_loaded;  ///< of the thread, until it is done
+  std::unique_ptr<Loaded> m_loaded;  ///< belongs to the thread until the job is done
 };
 
 }  // namespace sline::widgets

@@ -12,7 +12,7 @@ struct SceneSaver::Order {
   std::filesystem::path path;
   As as = As::document;
   int opening = 0;
-  DocumentFile file;  ///< of the document when it was asked for; `saved` is what to write
+  DocumentFile file;  ///< of the document when the save was requested; `saved` is what to write
   Companions companions;
 };
 
@@ -40,7 +40,7 @@ std::shared_ptr<const std::string> pngOf(const QImage& picture) {
 
 using Members = std::vector<model::ZipMember>;
 
-/// In the order of names, as they are read again.
+/// Inserts the member in the order of names, in which members are read again.
 std::shared_ptr<const Members> withMember(const std::shared_ptr<const Members>& before,
                                           const model::ZipMember& member) {
   Members members = before ? *before : Members();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saving in the background: of a snapshot, so that edits go on meanwhile.
+// Saves a snapshot in the background, so that editing goes on meanwhile.
 #pragma once
 
 #include <QImage>
@@ -14,29 +14,29 @@ namespace sline::widgets {
 class SceneSaver : public QObject {
   Q_OBJECT
  public:
-  /// What goes along in the file. What is absent stays as it was there.
+  /// Parts that are saved along with the scene. Absent ones stay as they were in the file.
   struct Companions {
-    QImage picture;  ///< made small
+    QImage picture;  ///< scaled down
     std::optional<model::ZipMember> member;
   };
   enum class As {
-    document,  ///< the document goes by this file from then on
-    copy       ///< it goes by the file that it had
+    document,  ///< the document takes this file from then on
+    copy       ///< the document keeps its file
   };
 
   explicit SceneSaver(Session& session, QObject* parent = nullptr);
 
-  /// Writes the document as it is now, without a drag that is under way. One that comes while
-  /// another is written waits.
+  /// Writes the document as it is now, without a drag that is under way. A save that is requested
+  /// during another one waits.
   void save(const std::filesystem::path& file, As as, const Companions& companions = {});
   bool busy() const { return m_queue.busy(); }
 
  signals:
   void started(const QString& name);
   void saved(const std::filesystem::path& file, sline::widgets::SceneSaver::As as);
-  /// The file is as it was before; the document is not saved.
+  /// Tells that saving failed: the file is as it was before, and the document is not saved.
   void failed(const sline::Error& error);
-  /// After the last of `saved` and `failed`.
+  /// Tells that the last of `saved` and `failed` has been emitted.
   void ended();
 
  private:
@@ -46,13 +46,14 @@ class SceneSaver : public QObject {
   void finish(const Order& order, const Outcome& outcome);
 
   Session& m_session;
-  /// What this object has written, and the locks it took for that while anybody holds them: a save
-  /// may have been asked for before the one of the same file before it was done.
+  /// Holds the last stamp of a file that this object has written, and the lock that it took for
+  /// that while any owner holds it: a save may be requested before the previous one of the same
+  /// file is done.
   struct Written {
     std::optional<FileStamp> stamp;
     std::weak_ptr<const model::FileLock> lock;
   };
-  std::map<std::filesystem::path, Written> m_written;  ///< of the queue's thread
+  std::map<std::filesystem::path, Written> m_written;  ///< belongs to the queue's thread
   BackgroundQueue m_queue;
 };
 

@@ -12,7 +12,7 @@
 
 namespace sline::widgets {
 
-/// From one document to the next; scenes share their meshes, so both together are small.
+/// Goes from one document to the next; scenes share their meshes, so both together are small.
 class DocumentStep : public QUndoCommand {
  public:
   DocumentStep(Session& session, Document after, QString series)
@@ -81,7 +81,7 @@ QStringList remarksOf(const model::Reloaded& reloaded) {
   return remarks;
 }
 
-/// Where to look for files again: scenes refer to files beside them.
+/// Returns where to look for files again, because scenes refer to files beside them.
 std::vector<std::filesystem::path> placesOf(std::vector<std::filesystem::path> sources) {
   for (std::filesystem::path& path : sources)
     if (!model::isSurfaceFile(path) && !std::filesystem::is_directory(path))
@@ -89,8 +89,8 @@ std::vector<std::filesystem::path> placesOf(std::vector<std::filesystem::path> s
   return sources;
 }
 
-/// In a window a drawing is read as solid unless somebody says otherwise: structures hide what is
-/// behind them.
+/// Makes structures hide what is behind them unless the scene sets a fill, because a drawing in a
+/// window is read as solid.
 model::Scene solid(const model::Scene& scene) {
   NodeIds top;
   for (const model::Node& node : scene.nodes()) {
@@ -259,7 +259,8 @@ void Session::noteSaved(int opening, DocumentFile file) {
 }
 
 void Session::moveLock(int from, int to) {
-  // Of one file opened twice both have the same lock: what is new holds it before the old lets go.
+  // A file that is opened twice has one lock in both: the new one holds it before the old one
+  // releases it.
   if (m_files[to].lock) {
     m_files[from].lock.reset();
     return;
@@ -433,7 +434,7 @@ void Session::startJob(const QString& title, SceneMaker maker) {
 void Session::cancelJob() {
   if (!m_job)
     return;
-  // It is let go at once and deletes itself when its thread has noticed.
+  // The job is released at once and deletes itself when its thread has stopped.
   connect(m_job, &SceneJob::cancelled, m_job, &QObject::deleteLater);
   connect(m_job, &SceneJob::done, m_job, &QObject::deleteLater);
   m_job->cancel();

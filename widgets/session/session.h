@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one door for change. Everybody else reads the document, asks for edits and hears what became
-// of them; nobody keeps a copy.
+// The only way to change the document: other objects read it, ask for edits and are told the
+// result; none keeps a copy.
 #pragma once
 
 #include <QObject>
@@ -28,88 +28,91 @@ class Session : public QObject {
 
   const Document& document() const { return m_document; }
   const model::Scene& scene() const { return m_document.scene; }
-  /// For looking at; `undo` and `redo` are the way to go back and forth.
+  /// Returns the history for display; `undo` and `redo` are the way to go back and forth.
   QUndoStack& history() { return m_history; }
-  /// A drag under way ends as if it had not been.
+  /// Undoes one step; a drag under way is cancelled.
   void undo();
   void redo();
 
-  /// An edit as one undo step; false, and no step, where it changes nothing. Edits with the same
-  /// `series` that follow each other within a second (a key held down) become one step.
+  /// Applies an edit as one undo step; returns false, and makes no step, where it changes nothing.
+  /// Edits with the same `series` that follow each other within a second (a key held down) become
+  /// one step.
   bool apply(const QString& name, model::Edited edited, const QString& series = {});
-  /// Shows a scene without making a step: a drag's. The first call begins the drag.
+  /// Shows a scene without making a step, during a drag. The first call begins the drag.
   void preview(model::Scene scene);
-  /// Ends the drag with one step, or none where all is as before.
+  /// Ends the drag with one step, or none where nothing has changed.
   void commitPreview(const QString& name);
-  /// Ends the drag as if it had not been.
+  /// Ends the drag and restores the scene before it.
   void cancelPreview();
   bool previewing() const { return m_beforePreview.has_value(); }
-  /// What edits during a drag start from: the scene before it.
+  /// Returns the scene before the drag, from which edits during a drag start.
   const model::Scene& sceneBeforePreview() const;
 
-  /// What structures are called on screen; not part of the document.
+  /// Returns the names of structures on screen, which are not part of the document.
   ShownNames& names() { return m_names; }
-  /// The scene file of the document.
+  /// Returns the scene file of the document.
   const DocumentFile& file() const;
-  /// The file's name, where there is one, else what the document goes by.
+  /// Returns the file's name if there is a file, otherwise the document's title.
   QString title() const;
-  /// Whether there is something to lose: the scene differs from what the file has or, where there
+  /// Tells whether there is unsaved work: the scene differs from what the file has or, where there
   /// is none, from what came in. A drag under way counts.
   bool modified() const { return m_modified; }
-  /// A file was written with the scene of this opening; its lock stays with the document.
+  /// Notes that a file was written with the scene of this opening; its lock stays with the
+  /// document.
   void noteSaved(int opening, DocumentFile file);
 
   const NodeIds& selection() const { return m_selection; }
-  /// Ids that the scene lacks are left out.
+  /// Selects the nodes; ids that the scene lacks are left out.
   void select(NodeIds ids);
 
-  /// The section that is being worked on, where the scene has it.
+  /// Returns the section that is being edited, if the scene has it.
   std::optional<model::SectionId> activeSection() const;
   void activateSection(std::optional<model::SectionId> id);
-  /// The label that is being worked on, where the scene has it.
+  /// Returns the label that is being edited, if the scene has it.
   std::optional<model::AnnotationId> activeAnnotation() const;
   void activateAnnotation(std::optional<model::AnnotationId> id);
 
-  /// Reads the files and folders in the background; the scene becomes the document when it is
-  /// there (one undo step). A job that is under way is cancelled.
+  /// Reads the files and folders in the background; the scene becomes the document once it is read
+  /// (one undo step). A job that is under way is cancelled.
   void openPaths(std::vector<std::filesystem::path> paths);
-  /// Reads meshes again whose files have changed since they were opened, in the background, as one
-  /// undo step. Only in this session is it known where they lie.
+  /// Reads meshes again if their files have changed since they were opened, in the background, as
+  /// one undo step. The places of these files are known only in this session.
   void reloadSources();
-  /// Where something is known to reload from.
+  /// Tells whether any source is known from which to reload.
   bool canReload() const { return !sources().empty(); }
   void openMade(const QString& title, SceneMaker maker);
-  /// The files and folders that the document was made of, as they were named.
+  /// Returns the files and folders that the document was made of, as they were named.
   std::vector<std::filesystem::path> sources() const;
-  /// A scene without anything in it.
+  /// Opens an empty scene.
   void openEmpty(const QString& title);
-  /// A copy that was left by a crash: it differs from its file until it is saved.
+  /// Opens a copy that a crash left; it differs from its file until it is saved.
   void openRecovered(const model::Recoverable& found);
   /// Reads the document's file again, as an undo step.
   void revert();
-  /// Nothing is open afterwards (one undo step).
+  /// Closes the document, so that nothing is open (one undo step).
   void closeDocument();
   void cancelJob();
   bool busy() const { return m_job != nullptr; }
 
  signals:
-  /// Also at each step of a drag; compare the two to see what differs.
+  /// Tells of each change, also at each step of a drag; comparing the two shows what differs.
   void documentChanged(const sline::widgets::Document& before, const sline::widgets::Document& now);
   void selectionChanged();
-  /// Which file it is, whether it may be written, or whether the document differs from it.
+  /// Tells that the file, its writability, or whether the document differs from it has changed.
   void fileChanged();
-  /// What was asked for is there. Nothing for what was made.
+  /// Tells that what was asked for is open; the paths are empty for a scene made here.
   void opened(const std::vector<std::filesystem::path>& paths);
-  /// Another one was activated; that it left the scene, or came back, is a change of the document.
+  /// Tells that another section was activated; an active section that leaves the scene, or comes
+  /// back, is a change of the document instead.
   void activeSectionChanged();
-  /// As for sections.
+  /// Tells that another label was activated, as for sections.
   void activeAnnotationChanged();
   void jobStarted(const QString& title);
   void jobProgressed(double done, const QString& what);
   void jobEnded();
-  /// Something could not be done; the document is as it was.
+  /// Tells that something could not be done; the document is as it was.
   void failed(const sline::Error& error);
-  /// A scene came in, but parts of it were left out or mended.
+  /// Tells that a scene came in, but parts of it were left out or mended.
   void remarked(const QStringList& remarks);
 
  private:
@@ -121,7 +124,7 @@ class Session : public QObject {
   void add(const Loaded& loaded);
   void goBack(const Loaded& loaded);
   void addOpening(Document document, DocumentFile file);
-  /// Locks are held for what is open, not for what undo could bring back.
+  /// Moves the lock, because locks are held for what is open, not for what undo could bring back.
   void moveLock(int from, int to);
   void compareWithFile(bool another);
   void startJob(const QString& title, SceneMaker maker);
@@ -137,7 +140,7 @@ class Session : public QObject {
   SceneJob* m_job = nullptr;
   bool m_modified = false;
   int m_openings = 0;
-  /// By Document::opening, so that they hold after undo, too.
+  /// The sources by Document::opening, so that they are right after undo, too.
   std::map<int, std::vector<std::filesystem::path>> m_sources;
   std::map<int, DocumentFile> m_files;
 };

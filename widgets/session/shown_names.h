@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What structures are called on screen. The scene keeps the names of its file.
+// Translates the names of structures for the screen. The scene keeps the names of its file.
 #pragma once
 
 #include <QHash>
@@ -17,28 +17,29 @@ class ShownNames : public QObject {
  public:
   using QObject::QObject;
 
-  /// Nothing: as in the file.
+  /// Returns the language of names; none for names as in the file.
   std::optional<model::NameLanguage> language() const { return m_language; }
   void setLanguage(std::optional<model::NameLanguage> language);
 
-  /// The name as people read it; plain text.
+  /// Returns the name as the user reads it; plain text.
   QString shown(const QString& name) const;
   QString shown(const std::string& name) const { return shown(QString::fromStdString(name)); }
-  /// True where the table has the name, in every language.
+  /// Tells whether the table has the name, in every language.
   bool knows(const std::string& name) const { return m_table.knows(name); }
-  /// In the language of that tag ("la"); of an empty or unknown one the name itself.
+  /// Returns the name in the language of that tag ("la"); for an empty or unknown one the name
+  /// itself.
   QString calledIn(const std::string& name, std::string_view tag) const;
-  /// All that the structure is called in any language.
+  /// Returns all names of the structure in any language.
   QStringList alsoCalled(const QString& name) const;
 
  signals:
-  /// Whoever shows names shows them anew.
+  /// Tells that shown names must be refreshed.
   void changed();
 
  private:
   model::AnatomicalNames m_table;
   std::optional<model::NameLanguage> m_language;
-  /// Looked up once for each name: a body has thousands, and each is painted often.
+  /// Caches each name after its first look-up: a body has thousands, and each is painted often.
   mutable QHash<QString, QString> m_shown;
 };
 

@@ -14,7 +14,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// "*.sline *.mrml *.obj …", for a file dialog.
+/// Returns "*.sline *.mrml *.obj …", for a file dialog.
 QString readablePatterns() {
   QStringList patterns{QStringLiteral("*.sline"), QStringLiteral("*.mrml"), QStringLiteral("*.mrb"),
                        QStringLiteral("*.fcsv"), QStringLiteral("*.mrk.json")};
@@ -29,7 +29,7 @@ QFileDialog* fileDialog(QWidget& window, const QString& title, const QString& fo
   return dialog;
 }
 
-/// Names come from files: nothing in them is markup.
+/// Makes a question in plain text, because names come from files and must not act as markup.
 QMessageBox* question(QWidget& window, const char* name, const QString& text) {
   auto* box = new QMessageBox(&window);
   box->setObjectName(QLatin1String(name));
@@ -39,7 +39,8 @@ QMessageBox* question(QWidget& window, const char* name, const QString& text) {
   return box;
 }
 
-/// The file dialog has asked about the name as it was typed; this is of the name with its ending.
+/// Asks about the name with its ending, because the file dialog has asked about the name as it was
+/// typed.
 void askAboutOverwriting(QWidget& window, const QString& path, const SceneFileQuestion& asked) {
   QMessageBox* box =
       question(window, "overwriteDialog",

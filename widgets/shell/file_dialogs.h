@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked about files. None waits in a loop of its own: answers come to the function given.
+// Asks about files. No dialog waits in a loop of its own: each answer goes to the function given.
 #pragma once
 
 #include <QStringList>
@@ -9,7 +9,7 @@ class QWidget;
 
 namespace sline::widgets {
 
-/// The setting that keeps the folder files were last chosen from.
+/// The setting that keeps the folder from which files were last chosen.
 inline constexpr const char* lastFolderKey = "files/folder";
 
 using PathsChosen = std::function<void(const QStringList&)>;
@@ -19,8 +19,9 @@ void chooseFolder(QWidget& window, const QString& folder, const PathsChosen& cho
 
 struct SceneFileQuestion {
   QString title;
-  QString suggestion;                          ///< with its folder
-  std::function<void(const QString&)> chosen;  ///< ends with ".sline"; may be overwritten
+  QString suggestion;  ///< with its folder
+  /// Gets a path that ends with ".sline" and may be overwritten.
+  std::function<void(const QString&)> chosen;
   std::function<void()> cancelled;
 };
 void chooseSceneFile(QWidget& window, const SceneFileQuestion& question);
@@ -30,10 +31,10 @@ struct UnsavedQuestion {
   std::function<void()> save;
   std::function<void()> discard;
 };
-/// Save, discard, or neither.
+/// Asks whether to save, to discard, or neither.
 void askAboutUnsaved(QWidget& window, const UnsavedQuestion& question);
 
-/// Whether to go back to what the disk has.
+/// Asks whether to return to the state on disk.
 void askAboutReverting(QWidget& window, const QString& title, const std::function<void()>& revert);
 
 }  // namespace sline::widgets

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Menus and toolbar as tables over the table of actions.
+// Lists menus and toolbar as tables over the table of actions.
 #pragma once
 
 #include <QString>
@@ -17,21 +17,21 @@ class WindowActions;
 struct MenuRow {
   QString id;  ///< also the QMenu's objectName
   QString text;
-  /// Ids of actions; "" draws a line; ">id" is another row as a submenu. Rows that no other names
-  /// stand in the menu bar.
+  /// Holds ids of actions; "" draws a line; ">id" is another row as a submenu. Rows that no other
+  /// row names stand in the menu bar.
   std::vector<QString> entries;
 };
 
 std::vector<MenuRow> menuRows();
-/// Ids of actions; "" draws a line.
+/// Returns the ids of the toolbar's actions; "" draws a line.
 std::vector<QString> toolRows();
 
 class WindowMenus {
  public:
   /// Fills the window's menu bar.
   WindowMenus(QMainWindow& window, const WindowActions& actions);
-  /// For entries that are not in the table, such as the scene's own views. Asserts that there is
-  /// one of that id.
+  /// Returns the menu of that id, for entries that are not in the table, such as the scene's own
+  /// views. Asserts that there is one.
   QMenu& operator[](const QString& id) const;
 
  private:

@@ -148,13 +148,13 @@ void MessageBar::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
   if (event->type() == QEvent::PaletteChange)
     dress();
-  // It outlives the other controls when the language changes: what it says must not be lost.
+  // The bar outlives the other controls when the language changes, so that its message is not lost.
   if (event->type() == QEvent::LanguageChange)
     nameControls();
 }
 
 void MessageBar::dress() {
-  // Red for what failed, amber for what to know, green for what is done.
+  // Red stands for failures, amber for what the user should know, green for what is done.
   struct Colours {
     const char* light;
     const char* lightText;

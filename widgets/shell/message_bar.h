@@ -12,29 +12,30 @@ class QToolButton;
 
 namespace sline::widgets {
 
-/// A line above the picture that says what went wrong, or what was left out, and stays until it is
-/// closed; nothing waits for it.
+/// Shows a line above the picture that says what went wrong, or what was left out, and stays until
+/// it is closed; the program does not wait for it.
 class MessageBar : public QFrame {
   Q_OBJECT
  public:
   explicit MessageBar(QWidget* parent = nullptr);
   void showError(const Error& error);
-  /// The first is shown, the others on demand.
+  /// Shows the first remark, and the others on demand.
   void showRemarks(const QStringList& remarks);
-  /// A button for what can be done about the message that is shown; it goes with the message.
+  /// Adds a button for what can be done about the current message; it disappears with the message.
   void offer(QAction& action);
-  /// Stays until it is closed or `hideNotice` says that it is over; the button does the action.
+  /// Shows a notice that stays until it is closed or `hideNotice` is called; the button runs the
+  /// action.
   void showNotice(const QString& heading, const QString& body, QAction& action);
-  /// Something went well; each action is a button, at most two of them. Where there are remarks the
-  /// first stands in the body's place, and the others are shown on demand.
+  /// Reports a success; each action is a button, at most two of them. Where there are remarks the
+  /// first takes the body's place, and the others are shown on demand.
   void showDone(const QString& heading, const QString& body, const QList<QAction*>& actions,
                 const QStringList& remarks = {});
-  /// Other messages stay.
+  /// Hides a notice; other messages stay.
   void hideNotice();
   QString text() const;
 
  signals:
-  /// How much of what it lies over is covered: its height, 0 while it is hidden.
+  /// Tells how many pixels of what it lies over are covered: its height, 0 while it is hidden.
   void covers(int pixels);
 
  protected:
@@ -56,7 +57,7 @@ class MessageBar : public QFrame {
   QPushButton* m_details;
   QToolButton* m_close;
   QPushButton* m_remedy;
-  QPushButton* m_other;  ///< what else can be done
+  QPushButton* m_other;  ///< a second thing that can be done
   QStringList m_remarks;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that can be done in the window, in one table: menus, keys and help are made from it.
+// Lists everything that can be done in the window in one table, from which menus, keys and help are
+// made.
 #pragma once
 
 #include <QKeySequence>
@@ -20,21 +21,21 @@ struct ActionRow {
   QString text;
   QList<QKeySequence> keys;
   QString tip;
-  const char* icon = nullptr;  ///< of widgets/theme/icons.h
+  const char* icon = nullptr;  ///< a name of widgets/theme/icons.h
 };
 
-/// In the order in which help lists them.
+/// Returns the actions in the order in which help lists them.
 std::vector<ActionRow> actionRows();
-/// What mouse and keys do in the list of structures beside these.
+/// Returns what mouse and keys do in the list of structures besides the actions.
 std::vector<ControlRow> listRows();
 
 class WindowActions {
  public:
   /// Makes an action of each row and adds it to the window, so that its keys work.
   explicit WindowActions(QWidget& window);
-  /// Makes them once more, in the language of now; those that were are gone.
+  /// Replaces the actions by new ones in the current language.
   void remake(QWidget& window);
-  /// Asserts that the table has it.
+  /// Returns the action; asserts that the table has it.
   QAction& operator[](const QString& id) const;
 
  private:

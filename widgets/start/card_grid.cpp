@@ -19,7 +19,7 @@ CardGrid::CardGrid(QWidget* parent) : QWidget(parent) {
 }
 
 void CardGrid::setCards(std::vector<ThumbnailCard*> cards) {
-  // Perhaps one of them is just being clicked.
+  // The cards are deleted later, because one of them may just be handling a click.
   for (ThumbnailCard* card : m_cards) {
     card->setParent(nullptr);
     card->deleteLater();

@@ -8,15 +8,15 @@ namespace sline::widgets {
 
 class ThumbnailCard;
 
-/// Cards side by side, as many in a row as fit, all of one size.
+/// Arranges cards of one size side by side, as many in a row as fit.
 class CardGrid : public QWidget {
   Q_OBJECT
  public:
   explicit CardGrid(QWidget* parent = nullptr);
-  /// Takes them; those that were there go.
+  /// Takes ownership of the cards and removes the previous ones.
   void setCards(std::vector<ThumbnailCard*> cards);
   const std::vector<ThumbnailCard*>& cards() const { return m_cards; }
-  /// Cards beyond these rows are not shown; 0: all are.
+  /// Limits the rows that are shown; 0 shows all.
   void setMostRows(int rows);
 
   bool hasHeightForWidth() const override { return true; }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int width = 480;  // as large as a card on a screen of twice the density
 constexpr int height = 360;
-constexpr int samples = 2;  // across a pixel
+constexpr int samples = 2;  // per pixel in each direction
 
 QSurfaceFormat pictureFormat() {
   QSurfaceFormat format;
@@ -46,7 +46,8 @@ QImage drawn(const model::Scene& scene) {
       .convertToFormat(QImage::Format_RGB32);
 }
 
-/// Null where it was given up, or where there is no OpenGL to draw it with.
+/// Returns the picture; null where drawing was stopped, or where there is no OpenGL to draw it
+/// with.
 QImage drawn(const DemoScene& demo, QOffscreenSurface& surface, const std::stop_token& stop) {
   const Result<Loaded> made =
       demo.make([&stop](float, const std::string&) { return !stop.stop_requested(); }, stop);

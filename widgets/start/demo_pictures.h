@@ -13,8 +13,8 @@ class QOffscreenSurface;
 
 namespace sline::widgets {
 
-/// Pictures of the demo scenes, drawn once by the renderer itself, in the background and when
-/// nothing else is to be done.
+/// Provides pictures of the demo scenes, drawn once by the renderer itself, in the background and
+/// when nothing else is to be done.
 class DemoPictures : public QObject {
   Q_OBJECT
  public:
@@ -22,10 +22,10 @@ class DemoPictures : public QObject {
   ~DemoPictures() override;
 
   enum class Missing { draw, leave };
-  /// Those that are remembered come first. Each is answered by `drawn`, unless it is missing and is
-  /// left so or cannot be drawn.
+  /// Asks for the pictures of the demos, remembered ones first. Each is answered by `drawn`, unless
+  /// it is missing and is to be left so, or cannot be drawn.
   void ask(const std::vector<DemoScene>& demos, Missing missing);
-  /// Gives up what is under way.
+  /// Stops the drawing that is under way.
   void stop();
 
  signals:

@@ -8,14 +8,14 @@
 
 namespace sline::widgets {
 
-/// Small pictures that can be made again, as PNG files in a folder. Usable from any thread; a
-/// folder that cannot be read or written holds nothing.
+/// Keeps small pictures that can be made again, as PNG files in a folder. Usable from any thread; a
+/// folder that cannot be read or written acts as an empty one.
 class PictureCache {
  public:
-  /// Empty: there is none. It need not exist.
+  /// Uses the folder, which need not exist; an empty path means no folder.
   explicit PictureCache(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
-  /// Null where there is none of that name.
+  /// Returns the picture; null where there is none of that name.
   QImage find(const QString& name) const;
   void keep(const QString& name, const QImage& picture) const;
 
@@ -23,7 +23,7 @@ class PictureCache {
   std::filesystem::path m_folder;
 };
 
-/// A picture from bytes that are not trusted; null where they are none, or a large one.
+/// Returns a picture from untrusted bytes; null where they are not a picture, or a large one.
 QImage smallPicture(const QByteArray& bytes);
 
 }  // namespace sline::widgets

@@ -7,7 +7,7 @@
 
 namespace sline::widgets {
 
-/// The list for when something else is open already. It closes when nothing is left in it, or
+/// Shows the list while something else is open already. It closes when the list is empty, or
 /// something was recovered, and deletes itself.
 class RecoveryDialog : public QDialog {
   Q_OBJECT

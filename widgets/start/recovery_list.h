@@ -10,8 +10,8 @@ class QVBoxLayout;
 
 namespace sline::widgets {
 
-/// What crashes have left: for each document its title, when the copy was made, its file, and what
-/// can be done with it.
+/// Lists what crashes have left: for each document its title, when the copy was made, its file, and
+/// what can be done with it.
 class RecoveryList : public QWidget {
   Q_OBJECT
  public:
@@ -20,7 +20,7 @@ class RecoveryList : public QWidget {
 
  signals:
   void recoverWanted(const sline::model::Recoverable& found);
-  /// It was asked whether that is meant.
+  /// Tells that the user has confirmed the removal.
   void forgetWanted(const sline::model::Recoverable& found);
 
  private:

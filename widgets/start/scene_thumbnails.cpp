@@ -24,7 +24,7 @@ QImage pictureIn(const QString& file) {
   return png.ok() ? smallPicture(QByteArray::fromStdString(*png)) : QImage();
 }
 
-/// Another one when the file was written again.
+/// Returns a key that changes when the file is written again.
 QString keyOf(const QFileInfo& file) {
   const QString text = file.absoluteFilePath() + QLatin1Char('\n') + QString::number(file.size()) +
                        QLatin1Char('\n') + QString::number(file.lastModified().toMSecsSinceEpoch());

@@ -9,18 +9,18 @@
 
 namespace sline::widgets {
 
-/// The small pictures in scene files, read in the background and remembered.
+/// Provides the small pictures in scene files, which are read in the background and remembered.
 class SceneThumbnails : public QObject {
   Q_OBJECT
  public:
   explicit SceneThumbnails(PictureCache cache, QObject* parent = nullptr);
-  /// Answered by one of the signals.
+  /// Asks for the picture of the file; one of the signals answers.
   void ask(const QString& file);
-  /// Forgets what was asked for.
+  /// Drops the pending requests.
   void drop() { m_queue.drop(); }
 
  signals:
-  /// Null: the file is there, but has none.
+  /// Tells the picture; null if the file exists but has none.
   void found(const QString& file, const QImage& picture);
   void missing(const QString& file);
 

@@ -244,7 +244,7 @@ void StartPage::hideEvent(QHideEvent* event) {
   m_demoPictures.stop();
 }
 
-/// What lies beneath cannot be seen and is passed over; the order is that of reading.
+/// Skips what lies beneath, which cannot be seen; the order is that of reading.
 bool StartPage::focusNextPrevChild(bool next) {
   std::vector<QWidget*> stops;
   for (QWidget* child : findChildren<QWidget*>())

@@ -18,18 +18,18 @@ class CardGrid;
 class RecentFiles;
 class RecoveryList;
 
-/// What is there while nothing is open: what a crash has left, what was open last, the demos. It
-/// lies over the whole window below the toolbar, whose panels keep their places beneath it.
+/// Shows, while nothing is open, what a crash has left, what was open last, and the demos. It lies
+/// over the whole window below the toolbar; panels keep their places beneath it.
 class StartPage : public QWidget {
   Q_OBJECT
  public:
-  /// Both must outlive it. Pictures are remembered in the folder.
+  /// Makes the page. Both must outlive it. Pictures are remembered in the folder.
   StartPage(QMainWindow& window, RecentFiles& recent, const std::filesystem::path& cache);
 
   void setRecoverable(const std::vector<model::Recoverable>& found);
-  /// Without, cards of demos show what is remembered and nothing is drawn for them.
+  /// Sets whether demos are drawn; otherwise their cards show only remembered pictures.
   void setDrawing(bool drawing) { m_drawing = drawing; }
-  /// A place at its upper edge, for a message.
+  /// Returns a place at its upper edge, for a message.
   QVBoxLayout& messagePlace() { return *m_messagePlace; }
 
  signals:

@@ -90,7 +90,7 @@ void ThumbnailCard::paintPicture(QPainter& painter, const QRectF& area) {
     painter.setOpacity(1.0);
     return;
   }
-  // All of it is shown; what it is drawn on goes on beside it.
+  // The whole picture is shown, and its background continues beside it.
   painter.fillRect(area, m_picture.pixelColor(0, 0));
   const QSizeF size = QSizeF(m_picture.size()).scaled(area.size(), Qt::KeepAspectRatio);
   QRectF place(QPointF(), size);

@@ -6,22 +6,22 @@
 
 namespace sline::widgets {
 
-/// A picture with a title and a line below it, to be clicked. While there is no picture a quiet
-/// drawing stands in its place.
+/// Shows a picture with a title and a line below it, to be clicked. While there is no picture a
+/// plain drawing takes its place.
 class ThumbnailCard : public QAbstractButton {
   Q_OBJECT
  public:
   static constexpr int smallestWidth = 176;
 
   explicit ThumbnailCard(const QString& title, QWidget* parent = nullptr);
-  /// Below the title, shortened in the middle where it is too long.
+  /// Sets the line below the title, shortened in the middle where it is too long.
   void setLine(const QString& line);
   QString line() const { return m_line; }
   void setPicture(const QImage& picture);
   bool hasPicture() const { return !m_picture.isNull(); }
-  /// Of widgets/theme/icons.h, while there is no picture.
+  /// Sets the drawing, one of widgets/theme/icons.h, that is shown while there is no picture.
   void setStandIn(const QString& icon);
-  /// Still to be clicked, but drawn as what is not there.
+  /// Draws the card as if its file were missing; it can still be clicked.
   void setFaded(bool faded);
 
   QSize sizeHint() const override;

@@ -44,7 +44,7 @@ double GammaCell::xOf(Gamma gamma) const {
 }
 
 Gamma GammaCell::gammaAt(double x) const {
-  // To 0.05: a step finer than a pixel of so short a groove would be an accident.
+  // Γ is rounded to 0.05, because a finer step would be less than a pixel of so short a groove.
   const double gamma = 5.0 * (x - groove().left()) / groove().width();
   return Gamma::clamped(float(std::round(gamma * 20.0) / 20.0));
 }
@@ -150,7 +150,8 @@ void paintGamma(QPainter& painter, const GammaCell& cell, const GammaLook& look,
   for (int stage = 1; stage < 5; ++stage)
     painter.drawRect(QRectF(cell.xOf(Gamma::clamped(float(stage))) - 0.5, groove.top() - 3.0, 1.0,
                             groove.height() + 6.0));
-  // From above: thin and grey. Said here: full. Several that differ: the range.
+  // A thin grey bar shows a value from above, a full one the node's own; several that differ show
+  // their range.
   const double from = one ? groove.left() : cell.xOf(look.range.low);
   const double to = cell.xOf(look.range.high);
   painter.setBrush(look.own ? accent : faded(accent, 0.4));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the tree's small controls look, and where in their cells they are.
+// Paints the tree's small controls and computes where in their cells they are.
 #pragma once
 
 #include <QColor>
@@ -15,7 +15,7 @@ class QPainter;
 
 namespace sline::widgets {
 
-/// The inline Γ slider in its cell: a groove, and the number to the right of it.
+/// Locates the inline Γ slider in its cell: a groove, and the number to the right of it.
 struct GammaCell {
   QRectF cell;
   QRectF groove() const;
@@ -32,17 +32,17 @@ struct SwatchLook {
 };
 void paintSwatch(QPainter& painter, const QRectF& cell, const SwatchLook& look,
                  const QPalette& palette);
-/// A padlock; faint where the group above is what locks. Nothing where it is open, or, under the
-/// mouse, an open one.
+/// Paints a padlock, faint where the group above is locked. Paints nothing for an open row, or an
+/// open padlock while the mouse is over it.
 void paintLock(QPainter& painter, const QRectF& cell, RowLock lock, bool underMouse,
                const QPalette& palette);
-/// Where rows that are dragged would stand: a line, or a frame around the group they go into.
+/// Paints where dragged rows would go: a line, or a frame around the group that would take them.
 void paintDropMark(QPainter& painter, const QRectF& mark, bool into, const QPalette& palette);
 
 struct GammaLook {
   model::GammaRange range;
   bool own = false;
-  bool selected = false;  ///< the row is, so that the colours must stand on the highlight
+  bool selected = false;  ///< the row is selected, so the colours must contrast with the highlight
   bool locked = false;    ///< no handle: there is nothing to drag
 };
 void paintGamma(QPainter& painter, const GammaCell& cell, const GammaLook& look,

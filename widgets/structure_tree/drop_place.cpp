@@ -13,7 +13,7 @@ namespace {
 
 using Model = StructureTreeModel;
 
-/// The child of the group that stands behind it; the root where it is the last.
+/// Returns the sibling that stands behind it in the group; the root where it is the last.
 model::NodeId behind(const Model& model, model::NodeId id) {
   const TreeShape::Place& place = *model.shape().find(id);
   const NodeIds& siblings = model.shape().find(place.parent)->children;

@@ -13,18 +13,20 @@ namespace sline::widgets {
 
 class StructureTreeModel;
 
-/// Where rows that are dragged come to stand if they are let go.
+/// Tells where dragged rows go if they are dropped.
 struct DropPlace {
-  model::NodeId group;   ///< the root: the top level
-  model::NodeId before;  ///< of its children; the root: behind the last
-  /// In the view's viewport: a line between two rows, or, where they go into a group, its row.
+  model::NodeId group;   ///< the root for the top level
+  model::NodeId before;  ///< one of its children; the root for behind the last
+  /// Its rectangle in the view's viewport: a line between two rows, or, where the rows go into a
+  /// group, the group's row.
   QRect mark;
   bool into = false;
 };
 
-/// Above the middle of a row: before it; below: behind it. The middle of a group's row, and all of
-/// it but the upper part where the group is open, means into it; below all rows: the top level's
-/// end. Nothing where the edit would refuse.
+/// Returns the place for the mouse: above the middle of a row, before it; below, behind it. The
+/// middle of a group's row, and all of it but the upper part where the group is open, means into
+/// the group; below all rows means the end of the top level. Returns none where the edit would be
+/// refused.
 std::optional<DropPlace> dropPlace(const QTreeView& view, const StructureTreeModel& model,
                                    const model::Scene& scene, const NodeIds& ids, const QPoint& at);
 

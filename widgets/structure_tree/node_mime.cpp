@@ -9,7 +9,7 @@
 namespace sline::widgets {
 
 namespace {
-/// Tells this session from others, of this program and of others that run.
+/// Returns a mark that tells this session from others, of this and of other running programs.
 quint64 markOf(const Session& session) {
   return quint64(quintptr(&session)) ^ (quint64(QCoreApplication::applicationPid()) << 48);
 }

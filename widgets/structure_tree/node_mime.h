@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes on their way from one place of the tree to another, as Qt's drag and drop carries them.
+// Packs nodes that move within the tree into the form that Qt's drag and drop carries.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@ namespace sline::widgets {
 
 inline constexpr const char* nodeMimeType = "application/x-sline-nodes";
 
-/// The caller's to keep.
+/// Returns the nodes' data, which the caller owns.
 QMimeData* nodesAsMime(const Session& session, const NodeIds& ids);
-/// Nothing where the data are of another kind, or of another session's scene.
+/// Returns the nodes; none where the data are of another kind, or of another session's scene.
 std::optional<NodeIds> nodesFromMime(const Session& session, const QMimeData& data);
 
 }  // namespace sline::widgets

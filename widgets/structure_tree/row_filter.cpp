@@ -60,7 +60,7 @@ const QString& RowFilter::textOf(const std::string& name) {
 }
 
 RowFilter::Left RowFilter::apply(const model::Scene& scene) {
-  // Words are found once for a group and hold for all below it.
+  // Words that are found in a group hold for all below it.
   std::unordered_map<std::uint64_t, std::vector<bool>> found;
   const auto count = std::size_t(m_words.size());
   found[model::rootId.value] = std::vector<bool>(count);

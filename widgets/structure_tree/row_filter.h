@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which rows a typed text leaves: words in any order, in any of the names of a structure or of the
-// groups above it, whatever the case and the accents.
+// Finds the rows that match a typed text: words in any order, in any of the names of a structure or
+// of the groups above it, whatever the case and the accents.
 #pragma once
 
 #include <QHash>
@@ -12,20 +12,22 @@
 
 namespace sline::widgets {
 
-/// Text as it is compared: case and accents gone, '_' and '-' as spaces, "ß" as "ss", "æ" as "ae".
+/// Returns the text as it is compared: without case and accents, '_' and '-' as spaces, "ß" as
+/// "ss", "æ" as "ae".
 QString searchable(const QString& text);
 
 class RowFilter {
  public:
   void setNames(StructureNames names);
   const StructureNames& names() const { return m_names; }
-  /// False where it asks for the same as before. Without a word everything is left.
+  /// Sets the text; returns false where it asks for the same as before. Without a word every row
+  /// matches.
   bool setText(const QString& text);
   bool active() const { return !m_words.isEmpty(); }
 
   struct Left {
-    model::NodeSet rows;  ///< what matches, all below it and the groups above it
-    NodeIds structures;   ///< those that match, in tree order
+    model::NodeSet rows;  ///< the matches, all below them and the groups above them
+    NodeIds structures;   ///< the matching structures, in tree order
   };
   Left apply(const model::Scene& scene);
 
@@ -34,7 +36,7 @@ class RowFilter {
 
   StructureNames m_names;
   QStringList m_words;
-  QHash<QString, QString> m_texts;  ///< by name: all that it is called, as it is compared
+  QHash<QString, QString> m_texts;  ///< by name: all names of the structure, as they are compared
 };
 
 }  // namespace sline::widgets

@@ -10,7 +10,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// What is known of the structures at or below a node.
+/// Collects what is known of the structures at or below a node.
 struct Tally {
   std::size_t structures = 0;
   std::size_t visible = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tree's rows show, worked out for a whole scene at once: asking node by node would look
-// at all below each group again, which a body of a thousand structures makes long.
+// Computes what the tree's rows show, for a whole scene at once: computing it node by node would
+// visit everything below each group again, which takes long for a body of a thousand structures.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 
 namespace sline::widgets {
 
-/// Whether a row is locked, and by whom.
+/// Tells whether a row is locked, and whether by a group above or by itself.
 enum class RowLock { open, above, own };
 
-/// All of a row but its name.
+/// Holds everything that a row shows except its name.
 struct RowState {
   model::Shown shown = model::Shown::none;   ///< as model::shownOf
   std::vector<Colour> colours;               ///< the first few of the structures there, each once
   model::GammaRange gamma;                   ///< as model::gammaRangeOf
   Opacity opacity = Opacity::clamped(1.0f);  ///< of the faintest structure there
-  bool ownGamma = false;                     ///< the node says Γ itself
+  bool ownGamma = false;                     ///< the node has a Γ of its own
   bool ownColour = false;
   bool ownOpacity = false;
   bool group = false;
@@ -30,7 +30,7 @@ struct RowState {
   bool operator==(const RowState&) const = default;
 };
 
-/// By the ids of the nodes.
+/// The states by the ids of the nodes.
 using RowStates = std::unordered_map<std::uint64_t, RowState>;
 RowStates rowStatesOf(const model::Scene& scene);
 

@@ -16,7 +16,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// Which of the nodes and of what is below them say something themselves.
+/// Pairs an action with the fields that it makes the nodes, and all below them, inherit.
 struct InheritRow {
   const char* action;
   model::Style which;
@@ -74,7 +74,7 @@ void StructureActions::connectTree() {
   on("ungroup", [this] { ungroupNodes(m_session, m_session.selection()); });
   on("lock", [this] {
     toggleLocked(m_session, m_session.selection());
-    showState();  // the action has checked itself, whatever came of it
+    showState();  // the action has checked itself, whatever the result
   });
   on("properties", [this] { m_tree.showProperties(m_session.selection()); });
   on("remove", [this] { removeNodes(m_session, m_session.selection()); });
@@ -88,7 +88,7 @@ void StructureActions::nameGroup(model::NodeId group) {
 void StructureActions::showState() {
   const model::Scene& scene = m_session.scene();
   const NodeIds& ids = m_session.selection();
-  // The session forgets what is gone only after the document has changed.
+  // The session removes deleted nodes from the selection only after the document has changed.
   const bool any = !ids.empty() && std::all_of(ids.begin(), ids.end(), [&](model::NodeId id) {
     return scene.find(id) != nullptr;
   });

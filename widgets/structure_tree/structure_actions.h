@@ -12,7 +12,7 @@ namespace sline::widgets {
 class StructureTree;
 class Viewport;
 
-/// What the actions on the selected structures do: emphasis, visibility, groups, locks, removal.
+/// Runs the actions on the selected structures: emphasis, visibility, groups, locks, removal.
 class StructureActions : public QObject {
   Q_OBJECT
  public:
@@ -24,7 +24,7 @@ class StructureActions : public QObject {
   void connectLooks();
   void connectTree();
   void editSelection(const QString& name, Edit made);
-  /// Opens the editor of the name of a group that was just made.
+  /// Opens the name editor for a group that was just made.
   void nameGroup(model::NodeId group);
   void showState();
 

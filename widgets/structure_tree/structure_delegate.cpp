@@ -31,7 +31,7 @@ void StructureDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
   const auto shown = model::Shown(index.data(Model::shownRole).toInt());
   if (index.column() == Model::name && shown == model::Shown::none)
     look.palette.setColor(QPalette::Text, look.palette.color(QPalette::Disabled, QPalette::Text));
-  // One highlight for the row; a frame around a single cell says nothing here.
+  // The row has one highlight; a frame around a single cell has no meaning here.
   look.state &= ~QStyle::State_HasFocus;
   const QStyle* style = look.widget ? look.widget->style() : QApplication::style();
   style->drawControl(QStyle::CE_ItemViewItem, &look, painter, look.widget);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What keys, menus and clicks ask for, as undo steps of the session with names that people read.
+// Carries out what keys, menus and clicks ask for, as undo steps of the session with names that the
+// user reads.
 #pragma once
 
 #include "model/edit/look.h"
@@ -7,26 +8,26 @@
 
 namespace sline::widgets {
 
-/// Hides the nodes where all of them is shown, else shows them.
+/// Hides the nodes if all of them are shown, else shows them.
 void toggleShown(Session& session, const NodeIds& ids);
-/// Locks the nodes, or unlocks them where each is locked.
+/// Locks the nodes, or unlocks them if each is locked.
 void toggleLocked(Session& session, const NodeIds& ids);
-/// Shows the nodes and nothing else; where that is so, everything.
+/// Shows the nodes and nothing else; if that is already so, shows everything.
 void isolate(Session& session, const NodeIds& ids);
 void hideOthers(Session& session, const NodeIds& ids);
 void showAll(Session& session);
 void ghostNodes(Session& session, const NodeIds& ids);
-/// The nodes and all below them inherit again what `which` answers: Γ, colour, opacity or the whole
-/// look.
+/// Makes the nodes and all below them inherit again what `which` sets: Γ, colour, opacity or the
+/// whole look.
 void inherit(Session& session, const NodeIds& ids, const model::Style& which);
-/// True where one of the nodes, or of those below them, says any of that itself.
+/// Tells whether one of the nodes, or of those below them, sets any of that itself.
 bool saysItself(const model::Scene& scene, const NodeIds& ids, const model::Style& which);
 
-/// A group of the nodes, selected; the root where there is none.
+/// Groups and selects the nodes; returns the group, or the root where none was made.
 model::NodeId groupNodes(Session& session, const NodeIds& ids);
-/// An empty group beside or, where the only node is a group, within what is selected; selected.
+/// Adds and selects an empty group, beside the selection or, if that is a single group, within it.
 model::NodeId addGroup(Session& session, const NodeIds& ids);
-/// Dissolves the groups; what was in them is selected.
+/// Dissolves the groups and selects what was in them.
 void ungroupNodes(Session& session, const NodeIds& ids);
 void removeNodes(Session& session, const NodeIds& ids);
 void moveNodes(Session& session, const NodeIds& ids, model::NodeId group, model::NodeId before);

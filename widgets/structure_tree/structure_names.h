@@ -7,12 +7,12 @@
 
 namespace sline::widgets {
 
-/// How structures are called where people read and look for them. Either may be empty: then a name
-/// is shown as the scene has it, and found under it alone.
+/// Gives the names under which structures are shown and found. Either function may be empty: then a
+/// name is shown as the scene has it, and found under it alone.
 struct StructureNames {
-  /// What a person reads in place of the scene's name.
+  /// Returns the name that the user reads in place of the scene's name.
   std::function<QString(const QString& name)> shown;
-  /// Under what else it is looked for: names in other languages, synonyms.
+  /// Returns further names by which it is found: names in other languages, synonyms.
   std::function<QStringList(const QString& name)> alsoCalled;
 };
 

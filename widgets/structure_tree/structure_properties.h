@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of a structure or a group: where it came from, how large it is, what import did to
-// it, how it is drawn and who says so.
+// Lists what is known of a structure or a group: where it came from, how large it is, how import
+// changed it, how it is drawn and which node decides that.
 #pragma once
 
 #include <QDialog>
@@ -14,17 +14,18 @@ class QFormLayout;
 namespace sline::widgets {
 
 struct Property {
-  QString id;  ///< what tests call it
+  QString id;  ///< its name in tests
   QString label;
   QString text;
 };
 
-/// All but area and volume, which take long on a large mesh.
+/// Returns all properties except area and volume, which take long on a large mesh.
 std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids);
-/// Of the structures at or below the nodes; the volume of those that are closed.
+/// Returns the area of the structures at or below the nodes, and the volume of those that are
+/// closed.
 std::vector<Property> extentProperties(const std::vector<model::MeshPtr>& meshes);
 
-/// The properties as they are when it opens, as text that can be selected and copied.
+/// Shows the properties as they are when it opens, as text that can be selected and copied.
 class StructureProperties : public QDialog {
   Q_OBJECT
  public:

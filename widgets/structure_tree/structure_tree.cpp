@@ -45,7 +45,7 @@ StructureTree::StructureTree(Session& session, QWidget* parent)
   connect(m_view, &StructureTreeView::filtered, this, &StructureTree::showCount);
   connect(&session, &Session::documentChanged, this,
           [this](const Document& before, const Document& now) {
-            // What was looked for in one scene hides the next.
+            // A filter that was typed for one scene would hide parts of the next.
             if (before.opening != now.opening)
               m_filter->clear();
             showCount();

@@ -12,7 +12,7 @@ namespace sline::widgets {
 
 class StructureTreeView;
 
-/// The tree under its filter box.
+/// Shows the tree under its filter box.
 class StructureTree : public QWidget {
   Q_OBJECT
  public:
@@ -20,7 +20,7 @@ class StructureTree : public QWidget {
   StructureTreeView& view() { return *m_view; }
   /// Puts the cursor into the filter box.
   void find();
-  /// A dialog for the colour of the nodes.
+  /// Opens a dialog for the colour of the nodes.
   void chooseColour(const NodeIds& ids);
   void showProperties(const NodeIds& ids);
 

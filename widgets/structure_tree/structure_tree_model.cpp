@@ -20,10 +20,10 @@ QString textOf(const model::GammaRange& range) {
              : StructureTreeModel::tr("%1 to %2").arg(gammaText(range.low), gammaText(range.high));
 }
 
-/// More than these, and beginning anew is quicker for whoever watches.
+/// The number of steps above which a reset is quicker for the views.
 constexpr std::size_t mostSteps = 64;
 
-/// First and last of the columns in which the rows differ; none: {columns, -1}.
+/// The first and last of the columns in which the rows differ; {columns, -1} for none.
 struct Columns {
   int first = StructureTreeModel::columns;
   int last = -1;
@@ -114,7 +114,7 @@ void StructureTreeModel::changeRows(const model::Scene& before, const model::Sce
   std::unordered_map<std::uint64_t, const std::string*> names;
   for (const model::Node& node : before.nodes())
     names.emplace(node.id.value, &node.name);
-  // Neighbours that differ in the same columns are told together.
+  // Neighbours that differ in the same columns are announced together.
   QModelIndex first;
   QModelIndex last;
   Columns told;
@@ -270,7 +270,7 @@ QVariant StructureTreeModel::data(const QModelIndex& index, int role) const {
     case Qt::EditRole:
       return index.column() == name ? QString::fromStdString(node->name) : QVariant();
     case Qt::ToolTipRole:
-      // Names are of files and may look like markup.
+      // Names come from files and may look like markup.
       return QStringLiteral("<p>%1</p>").arg(describe(index).toHtmlEscaped());
     case Qt::AccessibleTextRole:
       return describe(index);

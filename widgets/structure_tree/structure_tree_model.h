@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's tree as Qt's views want it, or what a filter leaves of it. Of each scene it works out
-// the shape of the tree (ids, parents, order) and what the rows show, and asks the session for all
-// else. Rows that differ are told one by one, and so are those that come, go and move.
+// Presents the scene's tree, or what a filter leaves of it, to Qt's views. For each scene it
+// computes the shape of the tree (ids, parents, order) and what the rows show, and asks the session
+// for all else. It announces each row that changes, and each one that comes, goes or moves.
 #pragma once
 
 #include <QAbstractItemModel>
@@ -23,23 +23,23 @@ class StructureTreeModel : public QAbstractItemModel {
     opacityRole,               ///< float: of the faintest
     lowGammaRole,              ///< float: smallest Γ of the structures there
     highGammaRole,             ///< float: largest
-    ownGammaRole,              ///< bool: the node says Γ itself
-    ownColourRole,             ///< bool: it says its colour or opacity itself
+    ownGammaRole,              ///< bool: the node has a Γ of its own
+    ownColourRole,             ///< bool: it has a colour or opacity of its own
     lockRole,                  ///< RowLock as int
   };
 
   explicit StructureTreeModel(Session& session, QObject* parent = nullptr);
 
-  /// How structures are called from now on.
+  /// Sets the names under which structures are shown and found.
   void setNames(StructureNames names);
-  /// Leaves the rows that match (see RowFilter); nothing typed leaves all.
+  /// Keeps only the rows that match (see RowFilter); an empty text keeps all.
   void setFilter(const QString& text);
   bool filtered() const { return m_filter.active(); }
-  /// The structures that match the filter; none where there is no filter.
+  /// Returns the structures that match the filter; none where there is no filter.
   const NodeIds& matches() const { return m_matches; }
 
   model::NodeId idOf(const QModelIndex& index) const;
-  /// In the name's column; invalid for a node without a row.
+  /// Returns the index in the name's column; invalid for a node without a row.
   QModelIndex indexOf(model::NodeId id) const;
   const TreeShape& shape() const { return m_shape; }
   const RowState& state(model::NodeId id) const;
@@ -57,7 +57,7 @@ class StructureTreeModel : public QAbstractItemModel {
   Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
 
  signals:
-  /// Around steps or a reset that add, take away or move rows. `opened`: another document.
+  /// Encloses steps or a reset that add, remove or move rows. `opened`: another document.
   void rearranging();
   void rearranged(bool opened);
 
@@ -76,7 +76,7 @@ class StructureTreeModel : public QAbstractItemModel {
   RowFilter m_filter;
   NodeIds m_matches;
   TreeShape m_shape;
-  RowStates m_states;  ///< worked out anew from each scene
+  RowStates m_states;  ///< computed anew for each scene
 };
 
 }  // namespace sline::widgets

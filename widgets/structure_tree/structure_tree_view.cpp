@@ -25,7 +25,7 @@ namespace sline::widgets {
 using Model = StructureTreeModel;
 
 namespace {
-/// Where there are more rows, a document that is opened shows its top level alone.
+/// The number of rows above which a document that is opened shows its top level alone.
 constexpr std::size_t rowsAtAGlance = 300;
 }  // namespace
 
@@ -72,7 +72,7 @@ void StructureTreeView::shapeColumns() {
     columns->resizeSection(column, width);
   }
   columns->setSectionResizeMode(Model::name, QHeaderView::Stretch);
-  // Names that are cut to nothing would be no use.
+  // Names need some room to be of use.
   constexpr int letters = 16;
   setMinimumWidth(columns->length() - columns->sectionSize(Model::name) +
                   letters * fontMetrics().averageCharWidth() + indentation());
@@ -177,7 +177,8 @@ void StructureTreeView::rename(model::NodeId id) {
     return;
   setFocus();
   scrollTo(index);
-  // Not by the view, which would toggle the row while Ctrl is down, as with Ctrl+G.
+  // The row is selected here and not by the view, which would toggle it while Ctrl is down, as with
+  // Ctrl+G.
   selectionModel()->setCurrentIndex(
       index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   edit(index);
@@ -245,7 +246,7 @@ void StructureTreeView::dragGamma(const QPointF& at) {
 }
 
 void StructureTreeView::sweepTo(const QPointF& at) {
-  // A fast mouse jumps over rows.
+  // A fast mouse skips rows.
   const double step = std::max(1, rowHeight(m_model->index(0, 0)));
   const int column = m_sweep.what() == SwitchSweep::Switch::eye ? Model::eye : Model::lock;
   const int x = columnViewportPosition(column) + 1;
@@ -393,7 +394,7 @@ void StructureTreeView::fromSession() {
   if (m_following)
     return;
   const QScopedValueRollback following(m_following, true);
-  // Neighbours as one range: Qt weighs each range against all others.
+  // Neighbours are selected as one range, because Qt compares each range with all others.
   std::vector<QModelIndex> rows;
   for (const model::NodeId id : m_session.selection())
     if (const QModelIndex index = indexOf(id); index.isValid())

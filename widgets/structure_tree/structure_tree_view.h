@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree on screen: clicks on eyes, swatches and locks, drags of Γ and of rows, keys.
+// Shows the tree on screen: clicks on eyes, swatches and locks, drags of Γ and of rows, keys.
 #pragma once
 
 #include <QPersistentModelIndex>
@@ -21,25 +21,25 @@ class StructureTreeView : public QTreeView {
  public:
   explicit StructureTreeView(Session& session, QWidget* parent = nullptr);
 
-  /// How structures are called from now on.
+  /// Sets the names under which structures are shown and found.
   void setNames(StructureNames names);
-  /// Shows the structures whose names, or whose groups' names, contain all words of the text.
+  /// Shows the structures that have all words of the text in their names or their groups' names.
   void setFilter(const QString& text);
-  /// The structures that match the filter; none where there is none.
+  /// Returns the structures that match the filter; none where there is no filter.
   const NodeIds& matches() const;
-  /// The row, by its name's cell; invalid where the filter hides it.
+  /// Returns the index of the row's name cell; invalid where the filter hides it.
   QModelIndex indexOf(model::NodeId id) const;
-  /// The row's cell in the viewport; empty where the row is out of sight.
+  /// Returns the row's cell in the viewport; empty where the row is out of sight.
   QRect cellOf(model::NodeId id, int column) const;
-  /// Opens the editor of the name, or of the current row's.
+  /// Opens the editor of the node's name, or of the current row's.
   void rename(model::NodeId id);
   void renameCurrent();
-  /// The first row becomes the current one, where none is.
+  /// Makes the first row the current one if there is none.
   void enter();
 
  signals:
   void colourWanted(const std::vector<sline::model::NodeId>& ids);
-  /// Enter was pressed: bring what is selected into the picture.
+  /// Tells that Enter was pressed, which brings the selection into the picture.
   void zoomWanted();
   void filtered();
 
@@ -58,17 +58,18 @@ class StructureTreeView : public QTreeView {
   void shapeColumns();
   void connectModel();
   model::NodeId idAt(const QModelIndex& shown) const;
-  /// The selection where the row is part of it, else the row alone.
+  /// Returns the selection if the row is part of it, else the row alone.
   NodeIds meant(const QModelIndex& shown) const;
   bool pressControl(const QModelIndex& index, const QPointF& at);
-  /// Takes from the group above again what the cell says.
+  /// Makes the cell's value inherit from the group above again.
   bool resetControl(const QModelIndex& index);
   void dragGamma(const QPointF& at);
   void sweepTo(const QPointF& at);
   void showDrop(std::optional<DropPlace> place);
   void toSession();
   void fromSession();
-  /// What was open before the rows were arranged anew is open again.
+  /// Remembers the state before the rows are rearranged, so that open groups are open again
+  /// afterwards.
   void beforeArranging();
   void afterArranging(bool opened);
   void openGroups();
@@ -80,11 +81,11 @@ class StructureTreeView : public QTreeView {
   SwitchSweep m_sweep;
   double m_sweptTo = 0.0;
   std::optional<DropPlace> m_drop;
-  model::NodeSet m_closed;   ///< groups that a person closed
+  model::NodeSet m_closed;   ///< groups that the user closed
   bool m_arranging = false;  ///< groups open and close by themselves
-  bool m_following = false;  ///< the session's selection, not the person's
+  bool m_following = false;  ///< the session's selection is followed, not the user's
   bool m_adding = false;     ///< Ctrl is down: what the filter hides stays selected
-  int m_scroll = 0;          ///< where the rows stood before they are arranged anew
+  int m_scroll = 0;          ///< where the rows stood before they are rearranged
   model::NodeId m_current;   ///< the current row, likewise
 };
 

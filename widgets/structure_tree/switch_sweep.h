@@ -5,17 +5,18 @@
 
 namespace sline::widgets {
 
-/// Eyes or locks set by one press and whatever the mouse then passes over: shown at once, one undo
-/// step when it is let go, none where it is given up.
+/// Switches eyes or locks by one press and over the rows that the mouse then passes: shown at once,
+/// one undo step on release, none if it is cancelled.
 class SwitchSweep {
  public:
   enum class Switch { eye, lock };
 
   explicit SwitchSweep(Session& session) : m_session(session) {}
 
-  /// All of them come to be what the one that was pressed is not: shown, or locked.
+  /// Begins a sweep that gives all of them the opposite of the pressed node's state: shown or
+  /// hidden, locked or open.
   void begin(Switch what, model::NodeId pressed, NodeIds ids);
-  /// One more, set as the first were.
+  /// Adds one more, set as the first were.
   void add(model::NodeId id);
   void finish();
   void cancel();

@@ -81,7 +81,7 @@ void TreeShape::apply(const RowStep& step) {
 
 namespace {
 
-/// Of the positions, a longest sequence that rises: what may stay while the rest moves.
+/// Returns a longest rising sequence among the positions: those rows may stay while the rest moves.
 std::vector<bool> longestRise(const std::vector<int>& positions) {
   std::vector<std::size_t> tails;  // the last of the best sequence of each length
   std::vector<std::size_t> before(positions.size());
@@ -103,7 +103,7 @@ std::vector<bool> longestRise(const std::vector<int>& positions) {
   return rises;
 }
 
-/// Works the steps out on a copy of the tree as it was.
+/// Computes the steps on a copy of the original tree.
 class Difference {
  public:
   Difference(const TreeShape& from, const TreeShape& to, std::size_t most)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which rows stand where, and the steps that lead from one tree to another: rows that stay keep
-// their expansion and their place on screen.
+// Holds which rows stand where, and computes the steps that lead from one tree to another: rows
+// that stay keep their expansion and their place on screen.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace sline::widgets {
 
-/// Some neighbouring rows come, go with all below them, or move.
+/// A step in which some neighbouring rows come, go with all below them, or move.
 struct RowStep {
   enum class Kind { insert, move, remove };
   Kind kind = Kind::insert;
@@ -20,7 +20,7 @@ struct RowStep {
   int first = 0;
   std::vector<model::NodeId> ids;
   model::NodeId target;  ///< of a move: the parent there
-  int row = 0;           ///< of a move: the first row there, when they have left where they were
+  int row = 0;           ///< of a move: the first row there, counted once the rows have left
 };
 
 class TreeShape {
@@ -31,9 +31,9 @@ class TreeShape {
     std::vector<model::NodeId> children;
   };
 
-  /// Of all nodes, or of those that are to be shown: with a node the groups above it.
+  /// Makes the shape of all nodes, or of those to be shown, which include the groups above each.
   explicit TreeShape(const model::Scene& scene, const model::NodeSet* shown = nullptr);
-  /// Null for a node without a row; the root has a place of its own.
+  /// Returns the node's place, null for a node without a row; the root has a place of its own.
   const Place* find(model::NodeId id) const;
   std::size_t rows() const { return m_places.size() - 1; }
   bool isBelow(model::NodeId id, model::NodeId ancestor) const;
@@ -49,7 +49,8 @@ class TreeShape {
   std::unordered_map<std::uint64_t, Place> m_places;
 };
 
-/// Nothing where it would take more than `most` steps, or a group came to stand below itself.
+/// Returns the steps; none where more than `most` would be needed, or a group came to stand below
+/// itself.
 std::optional<std::vector<RowStep>> stepsBetween(const TreeShape& from, const TreeShape& to,
                                                  std::size_t most);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// File names between Qt and the standard library, both UTF-8.
+// Converts file names between Qt and the standard library, both UTF-8.
 #pragma once
 
 #include <QString>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts of functions that belong to no class with Q_OBJECT.
+// Translates the texts of functions that belong to no class with Q_OBJECT.
 #pragma once
 
 #include <QString>

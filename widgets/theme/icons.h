@@ -5,8 +5,8 @@
 
 namespace sline::widgets {
 
-/// A line drawing of resources/icons by its file's name without ".svg", in the text's colour of
-/// whatever theme it is drawn in, sharp at any size. Null where there is no such drawing.
+/// Returns the line drawing of resources/icons with that file name, without ".svg": in the text's
+/// colour of whatever theme it is drawn in, sharp at any size. Null where there is no such drawing.
 QIcon lineIcon(const QString& name);
 
 }  // namespace sline::widgets

@@ -19,7 +19,7 @@ struct ColourRow {
   QRgb dark;
 };
 
-// Greys without a cast, so that anatomy's colours stand beside them as they are; one blue for what
+// The greys have no tint, so that anatomy's colours look unchanged beside them; one blue marks what
 // is selected.
 constexpr std::array colourRows{
     ColourRow{QPalette::Window, 0xfff3f3f2, 0xff2b2b2c},
@@ -46,7 +46,8 @@ constexpr std::array colourRows{
 
 constexpr std::array greyWhenDisabled{QPalette::WindowText, QPalette::Text, QPalette::ButtonText};
 
-/// Fusion outlines what can be ticked darker than the ground: on a dark one nobody would see it.
+/// Outlines what can be ticked once more on a dark background, where Fusion's own outline is darker
+/// than the background and cannot be seen.
 class VisibleBoxes : public QProxyStyle {
  public:
   VisibleBoxes() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -73,7 +74,7 @@ class VisibleBoxes : public QProxyStyle {
 
 void dress(QApplication& application, Theme theme) {
   QApplication::setPalette(paletteOf(theme));
-  // Palettes of tool tips are the style's own.
+  // Tool tips take their palette from the style, so they need a style sheet.
   application.setStyleSheet(
       QStringLiteral("QToolTip { color: palette(tool-tip-text); background: palette(tool-tip-base);"
                      " border: 1px solid palette(mid); padding: 3px; }"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the controls look: light or dark, the same on every system.
+// Sets how the controls look: light or dark, the same on every system.
 #pragma once
 
 #include <QPalette>
@@ -14,8 +14,8 @@ enum class Theme { light, dark };
 
 QPalette paletteOf(Theme theme);
 
-/// Dresses the application as the preference "appearance/theme" says, now and whenever it changes;
-/// "as the system" is what the application's palette was before.
+/// Styles the application as the preference "appearance/theme" says, now and whenever it changes;
+/// "as the system" is the application's palette before that.
 class ThemeFollower {
  public:
   ThemeFollower(QApplication& application, Preferences& preferences);

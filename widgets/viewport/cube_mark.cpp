@@ -157,7 +157,7 @@ void CubeMark::paintEvent(QPaintEvent*) {
   painter.translate(QRectF(rect()).center());
   for (const CubeFace& face : m_faces)
     paintFace(painter, face);
-  // Letters lie on their faces; far from facing the eye they could not be read.
+  // Letters lie on their faces and could not be read on a face that is turned far from the eye.
   constexpr float legible = 0.25f;
   constexpr double em = 100.0;
   QFont font = this->font();

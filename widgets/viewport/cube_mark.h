@@ -7,8 +7,8 @@
 
 namespace sline::widgets {
 
-/// The orientation cube in the picture's corner: a click looks from there, a drag turns the scene.
-/// What lies beside the cube is left to the picture.
+/// Shows the orientation cube in the picture's corner: a click looks from there, a drag turns the
+/// scene. Mouse events beside the cube are left to the picture.
 class CubeMark : public QWidget {
   Q_OBJECT
  public:
@@ -16,16 +16,16 @@ class CubeMark : public QWidget {
   void setCamera(const model::Camera& camera);
   void setDark(bool dark);
   QSize sizeHint() const override;
-  /// The pixel in the middle of a part that is seen; for tests.
+  /// Returns the pixel in the middle of a part that is seen; for tests.
   std::optional<QPointF> placeOf(const CubePart& part) const;
-  /// Ends a drag under way as if it had not been; false where there is none.
+  /// Cancels a drag that is under way; returns false where there is none.
   bool cancel();
 
  signals:
   void lookWanted(const sline::widgets::CubePart& from);
-  /// Pixels since the drag's beginning; the first is (0, 0).
+  /// Tells the pixels since the drag's beginning; the first is (0, 0).
   void turned(const glm::vec2& way);
-  /// The drag ends; or, `kept` false, is to be as if it had not been.
+  /// Tells that the drag ends; `kept` is false if its effect is to be undone.
   void turnEnded(bool kept);
 
  protected:

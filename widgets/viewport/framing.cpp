@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::array<model::NodeId, 1> everything{model::rootId};
 
-/// Of each structure's box: a whole body has too many vertices to look at within a frame.
+/// Returns the corners of each structure's box, because a whole body has too many vertices to look
+/// at within a frame.
 std::vector<glm::vec3> visibleCorners(const model::Scene& scene,
                                       std::span<const model::NodeId> ids) {
   std::vector<glm::vec3> corners;
@@ -47,7 +48,8 @@ model::Camera cameraFrom(const model::Scene& scene, model::AnatomicalView view, 
 }
 
 model::Camera overview(const model::Scene& scene, float aspect) {
-  // Views are saved for pictures of 4:3; a narrower window steps back so that the sides stay in.
+  // Views are saved for pictures of 4:3; in a narrower window the camera steps back so that the
+  // sides stay in.
   const float narrow = std::min(1.0f, aspect * 3.0f / 4.0f);
   for (const model::View& view : scene.views())
     if (view.name == "Overview" && !model::cameraFault(view.camera))

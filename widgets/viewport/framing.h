@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras that show a scene or a part of it. `aspect` is the picture's width / height.
+// Computes cameras that show a scene or a part of it. `aspect` is the picture's width / height.
 #pragma once
 
 #include <span>
@@ -8,16 +8,18 @@
 
 namespace sline::widgets {
 
-/// The bounds of what is visible at or below the nodes; empty where nothing is.
+/// Returns the bounds of what is visible at or below the nodes; empty where nothing is.
 model::Box visibleBounds(const model::Scene& scene, std::span<const model::NodeId> ids);
-/// The camera, not turned, such that all that is visible at or below the nodes fits.
+/// Returns the camera, not turned, moved such that all that is visible at or below the nodes fits.
 model::Camera fitted(const model::Camera& camera, const model::Scene& scene,
                      std::span<const model::NodeId> ids, float aspect);
-/// All that is visible, from that side.
+/// Returns a camera that shows all that is visible, from that side.
 model::Camera cameraFrom(const model::Scene& scene, model::AnatomicalView view, float aspect);
-/// As a scene is first seen: its view of that name, else the body from the front.
+/// Returns the camera from which a scene is first seen: its view of that name, else the body from
+/// the front.
 model::Camera overview(const model::Scene& scene, float aspect);
-/// False where all is a speck, or so near that floats cannot tell one place from another.
+/// Returns false where the whole scene is a speck, or so near that floats cannot tell one place
+/// from another.
 bool withinReach(const model::Camera& camera, const glm::vec3& pivot, const model::Scene& scene);
 
 }  // namespace sline::widgets

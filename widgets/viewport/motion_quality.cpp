@@ -7,7 +7,7 @@ namespace sline::widgets {
 
 namespace {
 constexpr std::array<float, 4> scales{1.0f, 0.75f, 0.5f, 1.0f / 3.0f};
-/// Longer, and turning the scene feels like pushing it.
+/// The milliseconds above which turning the scene feels like pushing it.
 constexpr double fluent = 60.0;
 /// The part of a picture's time that depends on its pixels; the rest goes into lines and triangles.
 constexpr double pixelShare = 0.7;

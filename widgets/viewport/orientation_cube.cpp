@@ -8,8 +8,8 @@ namespace sline::widgets {
 
 namespace {
 
-/// Face `part` with its letter; seen from outside, `right` × `up` = part, as in the anatomical view
-/// of that name.
+/// The face `part` with its letter; seen from outside, `right` × `up` = part, as in the anatomical
+/// view of that name.
 struct Side {
   char letter;
   glm::ivec3 part;
@@ -34,10 +34,11 @@ const Side& sideOf(const CubeFace& face) {
   return sides().front();
 }
 
-/// Beyond this part of the way from the middle of a face to its edge, a neighbour is meant, too.
+/// The part of the way from the middle of a face to its edge beyond which a neighbour is meant,
+/// too.
 constexpr float inner = 0.56f;
 
-/// The strip of a face, along one of its directions, that belongs to −1, 0 or 1.
+/// Returns the strip of a face, along one of its directions, that belongs to −1, 0 or 1.
 glm::vec2 strip(int step) {
   if (step == 0)
     return {-inner, inner};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The body's six sides as a cube that turns with the scene. Geometry without a window; pixels count
-// from the cube's middle, y downwards.
+// Computes the body's six sides as a cube that turns with the scene. Geometry without a window;
+// pixels count from the cube's middle, y downwards.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace sline::widgets {
 
-/// A face, an edge or a corner, by the direction (LPS) in which it lies: each coordinate −1, 0 or 1
-/// and not all 0.
+/// A face, an edge or a corner, by the direction (LPS) in which it lies: each coordinate is −1, 0
+/// or 1, and not all are 0.
 using CubePart = glm::ivec3;
 
 /// A face as it is seen. Its letter is read upright where `right` leads to the right and `up`
@@ -29,15 +29,15 @@ struct CubeFace {
   std::array<glm::vec2, 4> corners() const;
 };
 
-/// The faces that look at the eye; `half` is half the cube's edge in pixels.
+/// Returns the faces that look at the eye; `half` is half the cube's edge in pixels.
 std::vector<CubeFace> cubeFaces(const model::Camera& camera, float half);
-/// The outline of a part on the faces that show it.
+/// Returns the outline of a part on the faces that show it.
 std::vector<std::array<glm::vec2, 4>> cubePatches(const std::vector<CubeFace>& faces,
                                                   const CubePart& part);
-/// What of the cube is at a pixel; absent beside it.
+/// Returns the part of the cube that is at a pixel; absent beside the cube.
 std::optional<CubePart> cubePartAt(const std::vector<CubeFace>& faces, const glm::vec2& pixel);
-/// What is upwards in the picture for who looks at that part: the head, and from straight above or
-/// below the front of the body.
+/// Returns the direction that points upwards in the picture for a view of that part: the head, and
+/// from straight above or below the front of the body.
 glm::vec3 upwardsFrom(const CubePart& part);
 
 }  // namespace sline::widgets

@@ -106,7 +106,7 @@ std::vector<QRectF> PictureMarks::places() const {
     add(cornerBox(m_cube->sizeHint(), Qt::TopRightCorner));
   if (m_choice.scaleBar)
     add(cornerBox(m_scaleBar->sizeHint(), Qt::BottomLeftCorner));
-  // Words and letters change while the camera turns; labels are not to give way each time.
+  // Words and letters change while the camera turns; labels must not give way each time.
   const auto sizeOf = [](const QLabel& label, const QString& text) {
     return label.fontMetrics().boundingRect(text).size() + QSize(4, 2);
   };

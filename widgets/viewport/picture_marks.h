@@ -14,7 +14,7 @@ class QLabel;
 
 namespace sline::widgets {
 
-/// Which marks a person wants to see.
+/// Holds which marks the user wants to see.
 struct MarkChoice {
   bool cube = true;
   bool scaleBar = true;
@@ -22,7 +22,7 @@ struct MarkChoice {
   bool operator==(const MarkChoice&) const = default;
 };
 
-/// What lies over the picture: letters at its edges, orientation cube, scale bar, the time a
+/// Shows the marks over the picture: letters at its edges, orientation cube, scale bar, the time a
 /// picture takes and the name under the mouse.
 class PictureMarks : public QObject {
   Q_OBJECT
@@ -33,17 +33,18 @@ class PictureMarks : public QObject {
   void choose(const MarkChoice& choice);
   const MarkChoice& choice() const { return m_choice; }
   void setBackground(render::Background background);
-  /// For the camera and what it turns around; without a scene there is nothing to mark.
+  /// Places the marks for the camera and the point it turns around; without a scene there is
+  /// nothing to mark.
   void place(const model::Camera& camera, const glm::vec3& pivot, bool scene);
-  /// So many pixels at the upper edge are covered by something else.
+  /// Sets how many pixels at the upper edge are covered by something else.
   void setHeadroom(int pixels) { m_headroom = pixels; }
-  /// Letters grow with the picture's height, and what covers the picture there is no place for
-  /// labels.
+  /// Makes the letters grow with the picture's height, and keeps labels off the covered rectangle.
   void setPresented(bool presented, const QRect& covered);
-  /// Where marks stand or may stand, whatever they say now, with air around them: pixels.
+  /// Returns the places, in pixels and with some space around them, where marks stand or may stand,
+  /// whatever they say now.
   std::vector<QRectF> places() const;
   void showTime(double milliseconds, float scale);
-  /// Near the mouse; plain text.
+  /// Shows the name near the mouse; plain text.
   void showName(const QString& name, const QPoint& mouse);
   void hideName();
 

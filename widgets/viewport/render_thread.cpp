@@ -138,7 +138,7 @@ Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& r
     return Error{.reason = std::string("the picture could not be drawn: ") + failure.what(),
                  .remedy = "Hide some structures, or close other programs to free memory"};
   }
-  // Before anybody sees the picture, so that both come together.
+  // The labels are drawn before the picture is published, so that both appear together.
   m_sheet = m_labels.draw(request.scene, request.camera, request.labels);
   m_unlabelled.reset();
   if (!m_sheet)
@@ -183,7 +183,7 @@ void RenderThread::drawPreview(PicturePainter& painter, const PreviewRequest::Pr
   std::optional<render::Image> image;
   try {
     auto drawn = painter.preview(preview, m_unwanted);
-    // Without this one the panel lacks a small picture: nothing to bother anybody with.
+    // Without this one the panel only lacks a small picture, which is not worth a message.
     if (!drawn)
       return;
     image = std::move(*drawn);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The thread that draws pictures, in an OpenGL context of its own. The newest request wins; one
+// Draws pictures on a thread with an OpenGL context of its own. The newest request wins; a request
 // that is overtaken before it begins is never drawn.
 #pragma once
 
@@ -30,50 +30,52 @@ struct PictureRequest {
   model::Scene scene;
   model::Camera camera;
   render::PictureSettings settings;
-  float scale = 1.0f;   ///< of the picture's size to the window's; what is shown is as large
-  bool moving = false;  ///< camera or section are on their way; else they rest, and their picture
-                        ///< is given up when they move on
+  float scale = 1.0f;   ///< the picture's size / the window's; it is shown at the window's size
+  bool moving = false;  ///< camera or section are moving; else they rest, and their picture is
+                        ///< abandoned when they move on
   LabelWish labels;
 };
 
-/// Who asks for small pictures; the first come first.
+/// The kinds of small pictures by their purpose; the first kind is drawn first.
 enum class PreviewsOf { stages, views, exported };
 inline constexpr std::size_t previewAskers = 3;
 
-/// Small pictures beside the large one; drawn only while nobody has asked for another large one for
-/// a while. A newer request replaces those of the same asker that are not drawn yet.
+/// Asks for small pictures beside the large one; they are drawn only while no other large one has
+/// been requested for a while. A newer request replaces those of the same asker that are not drawn
+/// yet.
 struct PreviewRequest {
   struct Preview {
-    int id = 0;  ///< whoever asks knows which
+    int id = 0;  ///< chosen by the asker
     model::Scene scene;
     model::Camera camera;
     render::PictureSettings settings;
-    int samples = 1;  ///< across a pixel; the picture comes as many times smaller
+    int samples = 1;  ///< per pixel in each direction; the picture is reduced by this factor
   };
   std::vector<Preview> previews;
   PreviewsOf asker = PreviewsOf::stages;
 };
 
-/// Draws requests; lives on the render thread, whose context is current.
+/// Draws requests; lives on the render thread with its context current.
 class PicturePainter {
  public:
   virtual ~PicturePainter() = default;
-  /// False where the picture was given up because nobody wants it any more.
+  /// Draws the picture; returns false where it was abandoned because it is no longer wanted.
   virtual Result<bool> paint(const PictureRequest& request,
                              const render::Picture::TargetJob& job) = 0;
-  /// Nothing where it was given up; a painter need not know how.
+  /// Draws a small picture; returns none where it was abandoned. A painter need not support
+  /// previews.
   virtual Result<std::optional<render::Image>> preview(const PreviewRequest::Preview&,
                                                        const std::atomic<bool>& /*unwanted*/) {
     return std::optional<render::Image>();
   }
-  /// By the last picture, where it is known.
+  /// Returns the number of layers that the last picture drew, where it is known.
   virtual int layersDrawn() const { return 0; }
 };
 using PainterFactory = std::function<Result<std::unique_ptr<PicturePainter>>()>;
-/// The renderer itself.
+/// Makes a painter that uses the renderer itself.
 Result<std::unique_ptr<PicturePainter>> makePicturePainter();
 
-/// A picture that is done and waits in the handoff.
+/// Describes a picture that is done and waits in the handoff.
 struct PictureReport {
   std::uint64_t number = 0;
   double milliseconds = 0.0;
@@ -89,7 +91,7 @@ class RenderThread : public QThread {
  public:
   /// Starts at once. The handoff must outlive the thread. To be called on the GUI's thread.
   RenderThread(QOpenGLContext& shareWith, render::gpu::Handoff& handoff, PainterFactory factory);
-  /// Waits until the picture under way is done or given up.
+  /// Waits until the picture under way is done or abandoned.
   ~RenderThread() override;
 
   void ask(PictureRequest request);
@@ -97,7 +99,7 @@ class RenderThread : public QThread {
 
  signals:
   void drawn(const sline::widgets::PictureReport& report);
-  /// The labels of the newest picture that came without them.
+  /// Tells the labels of the newest picture, which came without them.
   void labelled(const sline::widgets::LabelSheetPtr& labels);
   void previewed(sline::widgets::PreviewsOf asker, int id, const QImage& image);
   void failed(const sline::Error& error);
@@ -106,7 +108,7 @@ class RenderThread : public QThread {
   void run() override;
 
  private:
-  /// Waits until there is something to do; nothing of all: the thread is to end.
+  /// The next thing to do, for which the thread waits; if it holds nothing, the thread must end.
   struct Work {
     std::optional<PictureRequest> picture;
     std::optional<PreviewRequest::Preview> preview;
@@ -114,17 +116,17 @@ class RenderThread : public QThread {
     bool labels = false;
   };
   Work next();
-  /// A step towards the labels of a picture that lacks them.
+  /// Does one step towards the labels of a picture that lacks them.
   void drawLabels();
   void drawPicture(PicturePainter& painter, const PictureRequest& request);
   void drawPreview(PicturePainter& painter, const PreviewRequest::Preview& preview,
                    PreviewsOf asker);
   Result<bool> draw(PicturePainter& painter, const PictureRequest& request);
 
-  // Of the thread itself.
+  // These members belong to the thread itself.
   LabelDrawer m_labels;
   LabelSheetPtr m_sheet;                       ///< of the picture that was drawn last
-  std::optional<PictureRequest> m_unlabelled;  ///< its request, where it has none
+  std::optional<PictureRequest> m_unlabelled;  ///< its request, if it has no labels yet
 
   render::gpu::Handoff& m_handoff;
   PainterFactory m_factory;
@@ -133,7 +135,7 @@ class RenderThread : public QThread {
   std::mutex m_mutex;
   std::condition_variable m_wake;
   std::optional<PictureRequest> m_request;
-  /// What an asker still waits for.
+  /// Holds what an asker still waits for.
   struct Waiting {
     std::vector<PreviewRequest::Preview> previews;  ///< the next one last
     std::uint64_t round = 0;                        ///< counts requests
@@ -143,7 +145,7 @@ class RenderThread : public QThread {
   std::chrono::steady_clock::time_point m_pictureEnd;
   bool m_quit = false;
   std::optional<PreviewsOf> m_previewing;
-  /// Of the picture under way: its camera, where it rests.
+  /// The camera of the picture that is being drawn, if it rests.
   std::optional<model::Camera> m_resting;
   std::atomic<bool> m_unwanted = false;
 };

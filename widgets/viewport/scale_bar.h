@@ -8,7 +8,7 @@
 
 namespace sline::widgets {
 
-/// The bar with its length, in the picture's lower left corner.
+/// Shows the bar with its length, in the picture's lower left corner.
 class ScaleBarMark : public QWidget {
   Q_OBJECT
  public:
@@ -17,7 +17,7 @@ class ScaleBarMark : public QWidget {
   void setInk(const QColor& ink);
   QSize sizeHint() const override;
   const std::optional<render::ScaleLength>& bar() const { return m_bar; }
-  static constexpr int most = 140;  ///< pixels that the bar takes
+  static constexpr int most = 140;  ///< the maximum length of the bar in pixels
 
  protected:
   void paintEvent(QPaintEvent* event) override;

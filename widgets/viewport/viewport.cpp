@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures and cameras; what hands do is in viewport_input.cpp.
+// Handles pictures and cameras; input is in viewport_input.cpp.
 #include "widgets/viewport/viewport.h"
 
 #include <QOpenGLContext>
@@ -20,7 +20,7 @@ namespace {
 constexpr int restAfter = 150;
 /// Milliseconds that a flight takes.
 constexpr int flightTime = 220;
-/// And one in which looks change: long enough to see what becomes of what.
+/// Milliseconds that a flight takes in which looks change: long enough to follow each change.
 constexpr int travelTime = 700;
 constexpr int flightStep = 15;
 /// Milliseconds that the mouse rests on a structure before its name is shown.
@@ -75,8 +75,8 @@ Viewport::Viewport(Session& session, QWidget* parent)
 }
 
 Viewport::~Viewport() {
-  // QOpenGLWidget's destructor takes the context away when there is no Viewport any more to hear
-  // it.
+  // QOpenGLWidget's destructor destroys the context when there is no Viewport any more that could
+  // react.
   if (context())
     context()->disconnect(this);
   closeGraphics();
@@ -89,7 +89,7 @@ render::gpu::TextureSize Viewport::pixels() const {
 }
 
 void Viewport::initializeGL() {
-  // A widget that moves to another window, or whose context was lost, begins anew.
+  // A widget that moves to another window, or has lost its context, begins anew.
   closeGraphics();
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::closeGraphics,
           Qt::UniqueConnection);
@@ -124,14 +124,14 @@ void Viewport::closeGraphics() {
 }
 
 void Viewport::failure(const Error& error) {
-  // Once: a context that was lost is made anew, and so is all that was drawn in it. What fails
-  // again has another reason.
+  // Recovery is tried once: a lost context is made anew, with all that was drawn in it. A second
+  // failure has another reason.
   if (m_rebuilt || !context()) {
     emit failed(error);
     return;
   }
   m_rebuilt = true;
-  // Not within a signal of the thread that is to go.
+  // Graphics must not be rebuilt within a signal of the thread that is then destroyed.
   QMetaObject::invokeMethod(this, &Viewport::rebuildGraphics, Qt::QueuedConnection);
 }
 
@@ -146,7 +146,7 @@ void Viewport::paintGL() {
   if (!m_handoff)
     return;
   if (m_shown == 0) {
-    // Paper until there is a picture.
+    // The background is shown until there is a picture.
     const glm::vec4 paper = render::backgroundColour(m_background);
     context()->functions()->glClearColor(paper.r, paper.g, paper.b, 1.0f);
     context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
@@ -156,7 +156,7 @@ void Viewport::paintGL() {
   if (shown == m_shown)
     return;
   m_shown = shown;
-  // Whoever listens may ask for things that must not happen within a paint event.
+  // Receivers may ask for things that must not happen within a paint event.
   QMetaObject::invokeMethod(this, &Viewport::pictureShown, Qt::QueuedConnection);
 }
 
@@ -171,7 +171,8 @@ void Viewport::refresh() {
 void Viewport::refresh(model::Scene scene) {
   if (!m_thread)
     return;
-  // A section keeps to what the camera's moves allow: another size draws everything anew.
+  // A moving section keeps to the scale of the camera's moves, because another size draws
+  // everything anew.
   m_askedScale = m_moving ? m_quality.scale() : 1.0f;
   const render::gpu::TextureSize size = pixels();
   PictureRequest request{.number = ++m_asked,
@@ -231,7 +232,8 @@ void Viewport::move(const model::Camera& camera) {
   m_camera = camera;
   m_cutting = false;
   keepMoving();
-  // The marks follow with the picture: painting them costs a software driver the whole window.
+  // The marks follow with the picture, because a software driver redraws the whole window to paint
+  // them.
   refresh();
   emit cameraChanged();
 }
@@ -273,7 +275,8 @@ void Viewport::travelTo(const model::Camera& camera, const model::Scene& from,
     stopFlight();
     m_camera = camera;
     placeMarks();
-    // At once with the looks that are about to be the document's: in between there is no picture.
+    // The looks that will be the document's are shown at once, because there is no picture in
+    // between.
     refresh(to);
     emit cameraChanged();
     return;
@@ -424,7 +427,7 @@ void Viewport::documentChange(const Document& before, const Document& now) {
     return;
   forgetName();
   if (m_blend && !m_instead && !(m_blend->end() == now.scene))
-    m_blend.reset();  // somebody changed the looks meanwhile
+    m_blend.reset();  // the looks were changed elsewhere meanwhile
   if (another) {
     m_instead.reset();
     m_labels->setShut(false);
@@ -475,7 +478,7 @@ std::vector<Tool*> Viewport::tools() {
 }
 
 void Viewport::showTools() {
-  // Where things are in the picture that is shown, which may lag behind the camera.
+  // Tools refer to the picture that is shown, which may lag behind the camera.
   const ShownPicture picture{
       .camera = m_drawnCamera.value_or(m_camera),
       .size = size2(),

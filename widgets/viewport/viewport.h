@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture of the document. It shows the newest picture that the render thread has finished and
-// never waits for one; while the camera or a section moves pictures may be coarser.
+// Shows the document as a picture. It shows the newest picture that the render thread has finished
+// and never waits for one; while the camera or a section moves pictures may be coarser.
 #pragma once
 
 #include <QElapsedTimer>
@@ -29,36 +29,36 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   explicit Viewport(Session& session, QWidget* parent = nullptr);
   ~Viewport() override;
 
-  /// For tests: who draws, from the next OpenGL context on.
+  /// Sets what draws, from the next OpenGL context on; for tests.
   void setPainter(PainterFactory factory) { m_factory = std::move(factory); }
 
-  /// From now on it hears of the mouse, after those that were added before and before labels and
-  /// the camera do.
+  /// Adds a tool that gets mouse events from now on, after the tools added before and before labels
+  /// and the camera.
   void addTool(std::unique_ptr<Tool> tool);
 
   const model::Camera& camera() const override { return m_camera; }
-  /// What the camera turns around.
+  /// Returns the point that the camera turns around.
   glm::vec3 pivot() const override { return m_pivot; }
   void setPivot(const glm::vec3& pivot);
-  /// At once.
+  /// Sets the camera at once.
   void setCamera(const model::Camera& camera);
-  /// In a short flight, where these are wanted; any move by hand takes over.
+  /// Moves the camera in a short flight if flights are wanted; any move by the user takes over.
   void flyTo(const model::Camera& camera);
   void setFlights(bool wanted) { m_flights = wanted; }
-  /// The same for the looks too, which go along with the camera in a longer flight from those of
-  /// one scene to those of the scene that is shown or about to be; a move by hand ends it there.
+  /// Moves the camera in a longer flight together with the looks, from those of one scene to those
+  /// of the scene that is shown or about to be; a move by the user ends it there.
   void travelTo(const model::Camera& camera, const model::Scene& from, const model::Scene& to);
-  /// This one in place of the document's, which it leaves alone; nothing can be chosen in it. With
-  /// none it is the document's again.
+  /// Shows this scene in place of the document's, which stays unchanged; nothing can be selected in
+  /// it. With none, the document's is shown again.
   void showInstead(std::optional<model::Scene> scene);
-  /// What the picture is of, when no flight is under way.
+  /// Returns the scene of the picture when no flight is under way.
   const model::Scene& shownScene() const;
   void showFrom(model::AnatomicalView view);
   /// Turns around the pivot until that side of the orientation cube faces the eye.
   void lookFrom(const CubePart& from);
-  /// Fits all that is visible without turning the camera; it becomes what the camera turns around.
+  /// Fits all that is visible without turning the camera, and makes its middle the pivot.
   void fitAll();
-  /// The same of what is visible at or below the nodes.
+  /// Does the same as `fitAll`, but for what is visible at or below the nodes.
   void fitTo(const NodeIds& ids);
 
   render::Background background() const { return m_background; }
@@ -67,42 +67,44 @@ class Viewport : public QOpenGLWidget, public ViewControl {
     return {.background = m_background, .light = {}, .keyLight = keyLight()};
   }
   void setBackground(render::Background background);
-  /// Whether what is shaded has the key light besides the headlight: as the scene says, else as it
-  /// was set here.
+  /// Tells whether shaded surfaces have the key light besides the headlight: as the scene says,
+  /// else as it was set here.
   bool keyLight() const;
   void setKeyLight(bool on);
   MousePreset mousePreset() const { return m_cameraTool.preset(); }
   void setMousePreset(MousePreset preset) { m_cameraTool.setPreset(preset); }
   const MarkChoice& marks() const { return m_marks->choice(); }
   void chooseMarks(const MarkChoice& choice);
-  /// To be read from afar: labels and letters grow with the picture's height. `covered`: pixels
-  /// that something else takes; labels keep clear of them.
+  /// Makes labels and letters grow with the picture's height, to be read from afar. `covered`:
+  /// pixels that something else takes; labels keep clear of them.
   void setPresented(bool presented, const QRect& covered = {});
-  /// So many pixels at the upper edge are covered; marks keep clear of them.
+  /// Sets how many pixels at the upper edge are covered; marks keep clear of them.
   void setHeadroom(int pixels);
   void setNamesWanted(bool wanted);
   PictureLabels& labels() { return *m_labels; }
 
-  /// True where the picture on screen is of the document and the camera as they are, in full size.
+  /// Returns true where the picture on screen is of the document and the camera as they are, in
+  /// full size.
   bool upToDate() const;
-  /// OpenGL's, as it calls itself; empty until the window was first shown.
+  /// Returns OpenGL's own name for itself; empty until the window was first shown.
   const QString& driver() const { return m_driver; }
-  /// The time the last picture took to draw.
+  /// Returns the time that the last picture took to draw.
   double lastMilliseconds() const { return m_lastMilliseconds; }
-  /// How many of its layers had to be drawn; the others were kept.
+  /// Returns how many of its layers had to be drawn; the others were kept.
   int lastLayersDrawn() const { return m_lastLayersDrawn; }
-  /// Small pictures by the same renderer, whenever the picture itself is done; `previewed` follows
-  /// for each. They replace those asked for before.
+  /// Asks for small pictures by the same renderer, whenever the picture itself is done; `previewed`
+  /// follows for each. They replace those asked for before.
   void askPreviews(PreviewRequest request);
 
  signals:
   void cameraChanged();
   void backgroundChanged();
-  /// The picture on screen is another one.
+  /// Tells that another picture is on screen.
   void pictureShown();
-  /// The camera turns around this point of a structure from now on.
+  /// Tells that the camera turns around this point of a structure from now on.
   void pivotChosen(const QString& structure);
-  /// What can be done with the structure there, or where there is none with the picture.
+  /// Asks for a menu of what can be done with the structure there, or with the picture where there
+  /// is none.
   void menuWanted(const QPoint& onScreen, const std::optional<sline::widgets::Pick>& pick);
   void previewed(sline::widgets::PreviewsOf asker, int id, const QImage& image);
   void failed(const sline::Error& error);
@@ -153,17 +155,17 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void forgetName();
   void turnByCube(const glm::vec2& way);
   void placeMarks();
-  /// Those that hear of the mouse, in this order.
+  /// Returns the tools that get mouse events, in this order.
   std::vector<Tool*> tools();
   void showTools();
-  /// The camera turns around the middle of what is shown.
+  /// Makes the middle of what is shown the point that the camera turns around.
   void pivotToMiddle();
   render::gpu::TextureSize pixels() const;
   glm::vec2 size2() const { return {float(width()), float(height())}; }
   float aspect() const { return size2().x / size2().y; }
-  /// Of the part of the picture that labels leave to the anatomy.
-  /// To marks that are elsewhere now.
+  /// Redraws the labels, which give way to marks that have moved.
   void labelsGiveWay();
+  /// Returns the aspect of the part of the picture that labels leave to the anatomy.
   float aspectBesideLabels(const model::Camera& camera) const;
 
   Session& m_session;
@@ -181,14 +183,14 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   std::vector<std::unique_ptr<Tool>> m_added;
   CameraTool m_cameraTool;
   Tool* m_held = nullptr;             ///< has the mouse
-  std::optional<Pointer> m_heldBack;  ///< the newest move that it has not heard of
+  std::optional<Pointer> m_heldBack;  ///< the newest move that it has not been told of
   QElapsedTimer m_lastHeard;
   Qt::MouseButton m_button = Qt::NoButton;
   QPointF m_pressed;
   bool m_dragged = false;  ///< the mouse went far enough that the release is no click
   model::Camera m_beforeTurn;
   std::optional<model::CameraFlight> m_flight;
-  std::optional<model::SceneBlend> m_blend;  ///< of the flight, where looks change in it
+  std::optional<model::SceneBlend> m_blend;  ///< the change of looks in the flight, if any
   std::optional<model::Scene> m_instead;
   QElapsedTimer m_flown;
   int m_flightTime = 0;  ///< milliseconds
@@ -196,24 +198,25 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   bool m_flights = false;
 
   MotionQuality m_quality;
-  bool m_cutting = false;  ///< it is a section that moves
+  bool m_cutting = false;  ///< a section is what moves
   QTimer m_rest;
   bool m_moving = false;
-  bool m_arrived = false;     ///< at the end of a flight, whose last picture is still to come
+  bool m_arrived = false;     ///< at the end of a flight, before its last picture has come
   std::uint64_t m_asked = 0;  ///< the newest request
   float m_askedScale = 1.0f;
   std::uint64_t m_took = 0;   ///< the newest that was drawn
   std::uint64_t m_shown = 0;  ///< on screen
   double m_lastMilliseconds = 0.0;
   std::optional<model::Camera> m_drawnCamera;  ///< of the newest picture
-  /// What the marks say.
+  /// Holds what the marks show.
   struct Marked {
     model::Camera camera;
     glm::vec3 pivot{0.0f};
     bool scene = false;
   };
   Marked m_marked;
-  /// Until a picture of that number is there, another document's is on screen, and its marks stay.
+  /// The number of the picture to wait for: until it is there, another document's picture is on
+  /// screen, and its marks stay.
   std::uint64_t m_marksAwait = 1;
   int m_lastLayersDrawn = 0;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hands do in the picture: mouse, touchpad and keys.
+// Handles input in the picture: mouse, touchpad and keys.
 #include <QApplication>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
@@ -23,7 +23,7 @@ constexpr float keyPixels = 40.0f;   ///< by an arrow key with Ctrl
 constexpr float cubeDegrees = 1.1f;  ///< for each pixel that the cube is dragged
 constexpr int longestUnheard = 300;  ///< milliseconds
 
-/// One step of each arrow key; the scene's near side goes that way.
+/// Returns one step of each arrow key; the scene's near side goes that way.
 glm::vec2 arrowStep(int key) {
   switch (key) {
     case Qt::Key_Left:
@@ -85,8 +85,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   if (!m_held || (!m_dragged && !m_held->movesAtOnce()))
     return;
   m_heldBack = pointer(event->position(), m_button, event->modifiers());
-  // Once for each picture: what is changed and painted in between would only take time from
-  // drawing. Where no picture comes, the drag goes on all the same.
+  // Tools move once for each picture, because what is changed and painted in between would only
+  // take time from drawing. Where no picture comes, the drag goes on all the same.
   if (m_took == m_asked || m_lastHeard.hasExpired(longestUnheard))
     dragOn();
   else if (m_moving)
@@ -166,8 +166,8 @@ void Viewport::zoomAt(const QPointF& at, float factor) {
 
 void Viewport::wheelEvent(QWheelEvent* event) {
   stopFlight();
-  // Two fingers on a touchpad say how many pixels they went, and when they were lifted; a wheel
-  // knows neither.
+  // A touchpad reports how many pixels two fingers went, and when they were lifted; a wheel reports
+  // neither.
   const bool fingers = event->phase() != Qt::NoScrollPhase && !event->pixelDelta().isNull();
   if (fingers && !event->modifiers().testFlag(Qt::ControlModifier))
     move(panned(m_camera, m_pivot, vec(event->pixelDelta()), size2().y));
@@ -217,7 +217,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 }
 
 void Viewport::contextMenuEvent(QContextMenuEvent* event) {
-  // With the mouse it is the release that asks for it: pressing may begin a drag.
+  // With the mouse the release opens the menu, because a press may begin a drag.
   if (event->reason() == QContextMenuEvent::Keyboard)
     emit menuWanted(mapToGlobal(rect().center()), std::nullopt);
   event->accept();
@@ -314,7 +314,7 @@ bool Viewport::event(QEvent* event) {
   if (event->type() == QEvent::NativeGesture &&
       nativeGesture(*static_cast<QNativeGestureEvent*>(event)))
     return true;
-  // Del and F2 are about structures elsewhere in the window.
+  // Elsewhere in the window Del and F2 act on structures.
   if (event->type() == QEvent::ShortcutOverride &&
       m_labels->wants(*static_cast<QKeyEvent*>(event))) {
     event->accept();

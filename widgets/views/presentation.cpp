@@ -18,7 +18,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// By how many views the key goes on; 0: it is none of these.
+/// Returns by how many views the key goes on; 0 for other keys.
 int stepOf(int key) {
   switch (key) {
     case Qt::Key_Right:
@@ -64,7 +64,7 @@ Presentation::Presentation(QMainWindow& window, Session& session, Viewport& view
 
 Presentation::~Presentation() {
   if (!m_name)
-    return;  // the window itself goes, and the picture has gone before
+    return;  // the window is being destroyed, and the picture before it
   end();
   delete m_name;
 }
@@ -143,7 +143,7 @@ void Presentation::nameView(const model::View& view) {
   placeName();
 }
 
-/// In the corner: in the middle is the letter that says which side is below.
+/// Places the name in the corner, because the middle has the letter of the side that is below.
 void Presentation::placeName() {
   constexpr int margin = 24;
   constexpr int least = 16;  // pixels
@@ -181,7 +181,7 @@ bool Presentation::eventFilter(QObject* watched, QEvent* event) {
   if (!running())
     return false;
   if (watched == &m_window) {
-    // What makes the controls anew, or remembers where they are, must find them as they were.
+    // Controls must be as they were when they are made anew or their places are saved.
     if (event->type() == QEvent::Close || event->type() == QEvent::LanguageChange)
       end();
     return false;
@@ -205,7 +205,7 @@ bool Presentation::eventFilter(QObject* watched, QEvent* event) {
 void Presentation::documentChange() {
   if (!running())
     return;
-  // Something that was under way in the background has come in.
+  // A scene may have come in from the background.
   if (m_session.document().opening != m_before->opening || m_session.scene().views().empty())
     end();
   else

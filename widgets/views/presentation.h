@@ -16,17 +16,17 @@ class QMainWindow;
 
 namespace sline::widgets {
 
-/// The tour on the whole screen: the picture and the view's name, nothing else. Arrow keys, space,
-/// Page Up and Page Down go from view to view, Home and End to the first and last, Escape ends it.
-/// The mouse turns the scene, but nothing of the document can be changed, and it is as it was, and
-/// so are window and camera, when the presentation ends.
+/// Shows the tour on the whole screen: the picture and the view's name, nothing else. Arrow keys,
+/// space, Page Up and Page Down go from view to view, Home and End to the first and last, Escape
+/// ends it. The mouse turns the scene, but nothing of the document can be changed; when the
+/// presentation ends, the document, the window and the camera are as they were.
 class Presentation : public QObject {
   Q_OBJECT
  public:
   Presentation(QMainWindow& window, Session& session, Viewport& viewport, QObject* parent);
   ~Presentation() override;
 
-  /// From that view on; nothing where there are none.
+  /// Begins at that view; does nothing where there are no views.
   void begin(int index);
   void end();
   bool running() const { return m_before.has_value(); }
@@ -35,7 +35,7 @@ class Presentation : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// What the window was like.
+  /// Holds the state of the window before the presentation.
   struct Before {
     QByteArray docks;
     Qt::WindowStates states;
@@ -57,7 +57,7 @@ class Presentation : public QObject {
   QMainWindow& m_window;
   Session& m_session;
   Viewport& m_viewport;
-  QPointer<QLabel> m_name;  ///< the viewport's
+  QPointer<QLabel> m_name;  ///< belongs to the viewport
   std::optional<Before> m_before;
   int m_at = 0;
 };

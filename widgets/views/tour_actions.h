@@ -17,9 +17,9 @@ class Viewport;
 class ViewsPanel;
 class ViewTour;
 
-/// Saved views in the window: their panel along the lower edge of the picture and what the actions
-/// do with them. The panel is there while the scene has views, unless somebody says otherwise of
-/// this document.
+/// Manages saved views in the window: their panel along the lower edge of the picture and the
+/// actions on them. The panel is shown while the scene has views, unless the user has shown or
+/// hidden it for this document.
 class TourActions : public QObject {
   Q_OBJECT
  public:
@@ -48,7 +48,7 @@ class TourActions : public QObject {
   Presentation* m_presentation;
   ViewsPanel& m_panel;
   QDockWidget& m_dock;
-  std::optional<bool> m_wanted;  ///< the panel, as somebody said
+  std::optional<bool> m_wanted;  ///< the user's choice about the panel
 };
 
 }  // namespace sline::widgets

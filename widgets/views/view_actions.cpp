@@ -45,7 +45,7 @@ void ViewActions::listViews() {
   m_savedViews.clear();
   const std::vector<model::View>& views = m_session.scene().views();
   for (int i = 0; i < int(views.size()); ++i) {
-    // An ampersand in a name is no key.
+    // An ampersand in a name must not mark a key.
     const QString name =
         shownName(views[std::size_t(i)]).replace(QLatin1Char('&'), QStringLiteral("&&"));
     m_savedViews.addAction(name, this, [this, i] { emit viewChosen(i); });

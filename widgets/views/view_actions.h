@@ -13,8 +13,8 @@ namespace sline::widgets {
 
 class Viewport;
 
-/// Saved views and the key light: both are of the scene. What the key light was last is remembered
-/// for scenes that say nothing of it.
+/// Runs the actions of saved views and the key light, which both belong to the scene. The last key
+/// light is remembered for scenes that do not set it.
 class ViewActions : public QObject {
   Q_OBJECT
  public:

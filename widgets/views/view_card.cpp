@@ -41,7 +41,7 @@ void paintPicture(QPainter& painter, const QRect& area, const QImage& picture,
   painter.setOpacity(1.0);
 }
 
-/// Amber in light and dark, as warnings are everywhere.
+/// Paints the mark in amber, in light and dark, as warnings are everywhere.
 void paintAbsent(QPainter& painter, const QRect& area) {
   constexpr double side = 15.0;
   const QRectF mark(area.right() - side - 3.0, area.top() + 4.0, side, side);

@@ -6,13 +6,13 @@
 namespace sline::widgets {
 
 /// Draws a view as a card: its small picture, its name below, and a mark where some of what it
-/// speaks of is gone. The name is typed in its place.
+/// refers to is gone. The name is edited in its place.
 class ViewCard : public QStyledItemDelegate {
   Q_OBJECT
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
-  /// In pixels of the window.
+  /// Returns the size in pixels of the window.
   static QSize pictureSize() { return {112, 68}; }
   static QSize cardSize(const QFontMetrics& metrics);
 

@@ -16,7 +16,7 @@ constexpr qsizetype longestName = 200;
 }  // namespace
 
 QString shownName(const model::View& view) {
-  // Line breaks and marks that turn the writing around would reach beyond the name.
+  // Line breaks and marks that reverse the writing direction would affect more than the name.
   QString name = QString::fromStdString(view.name).left(longestName);
   constexpr char16_t nonJoiner = 0x200c;  // spelling in Persian, and the joiner next to it
   constexpr char16_t joiner = 0x200d;
@@ -32,8 +32,8 @@ ViewList::ViewList(Session& session, ViewTour& tour, QObject* parent)
   m_cards = cardsNow(true);
 }
 
-/// Pictures go along with the views that they are of: with those that are as they were, else with
-/// those of the same name, else with what takes their place.
+/// Returns the cards with the pictures of their views: each picture goes to the view that is
+/// unchanged, else to one of the same name, else to one with the same camera.
 std::vector<ViewList::Card> ViewList::cardsNow(bool another) const {
   const std::vector<model::View>& views = m_session.scene().views();
   std::vector<Card> cards;
@@ -68,7 +68,7 @@ void ViewList::documentChange(const Document& before, const Document& now) {
     follow(cardsNow(another));
 }
 
-/// As a move of one row, so that who looks at it keeps its place.
+/// Announces the change as a move of one row, so that attached views keep their place.
 bool ViewList::moveAlone(const std::vector<Card>& cards) {
   const auto same = [](const Card& a, const Card& b) { return a.view == b.view; };
   const auto size = int(cards.size());
@@ -156,7 +156,7 @@ QVariant ViewList::data(const QModelIndex& index, int role) const {
 }
 
 Qt::ItemFlags ViewList::flags(const QModelIndex& index) const {
-  // Between cards something can be dropped, on one not.
+  // Items can be dropped between cards, not on one.
   if (!index.isValid())
     return Qt::ItemIsDropEnabled;
   return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled |

@@ -11,11 +11,11 @@ namespace sline::widgets {
 
 class ViewTour;
 
-/// What a view goes by on screen: on one line, and no longer than anybody reads. Plain text.
+/// Returns the name of a view on screen: plain text on one line, shortened to a readable length.
 QString shownName(const model::View& view);
 
-/// The scene's views as rows, in the tour's order, each with its small picture
-/// (`Qt::DecorationRole`) and how much of what it speaks of is gone (`absentRole`). Names and
+/// Lists the scene's views as rows, in the tour's order, each with its small picture
+/// (`Qt::DecorationRole`) and how much of what it refers to is gone (`absentRole`). Names and
 /// places change through the tour.
 class ViewList : public QAbstractListModel {
   Q_OBJECT
@@ -39,7 +39,7 @@ class ViewList : public QAbstractListModel {
  private:
   struct Card {
     model::View view;
-    QImage picture;  ///< may be of how it was
+    QImage picture;  ///< may be out of date
     std::size_t absent = 0;
   };
   void documentChange(const Document& before, const Document& now);

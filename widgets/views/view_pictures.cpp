@@ -11,15 +11,15 @@ namespace sline::widgets {
 
 namespace {
 
-/// Milliseconds after the last change: while something moves, small pictures can wait.
+/// Milliseconds after the last change, because small pictures can wait while something moves.
 constexpr int restAfter = 300;
-// Drawn twice as large and averaged, with lines as wide as in a print of that size.
+// Pictures are drawn twice as large and averaged, with lines as wide as in a print of that size.
 constexpr int samples = 2;
 constexpr double penWidth = 0.7;
 constexpr std::size_t mostKept = 96;
 
-/// What the picture is of, without what nobody sees: names and the views themselves; labels
-/// neither, whose letters would be a pixel high.
+/// Returns the scene without what cannot be seen: names, the views themselves, and labels, as their
+/// letters would be a pixel high.
 model::Scene seenAlone(model::Scene scene) {
   scene.setViews({});
   scene.setAnnotations({});

@@ -13,22 +13,22 @@
 
 namespace sline::widgets {
 
-/// Small pictures of the views that are on screen, drawn by the picture's renderer when it has
-/// nothing else to do. One is drawn again when what the view shows has changed, and until then
-/// kept, so that undo and another order cost nothing.
+/// Provides small pictures of the views that are on screen, drawn by the picture's renderer when it
+/// has nothing else to do. A picture is kept until what the view shows has changed, so that undo
+/// and reordering cost nothing.
 class ViewPictures : public QObject {
   Q_OBJECT
  public:
   ViewPictures(Session& session, Viewport& viewport, ViewList& list, QObject* parent = nullptr);
 
-  /// Those rows are on screen; `size` in pixels of the screen, of which `ratio` make one of the
-  /// window's.
+  /// Asks for pictures of the rows that are on screen; `size` is in screen pixels, of which `ratio`
+  /// make one pixel of the window.
   void want(std::vector<int> rows, QSize size, double ratio);
-  /// How many were drawn so far.
+  /// Returns how many were drawn so far.
   int drawn() const { return m_drawn; }
 
  private:
-  /// All that a picture depends on.
+  /// Holds everything that a picture depends on.
   struct Key {
     model::Scene scene;
     model::Camera camera;

@@ -11,7 +11,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// Keys that mean something here and something else in the window.
+/// Tells whether the key has another meaning here than in the window.
 bool isOwnKey(const QKeyEvent& event) {
   switch (event.key()) {
     case Qt::Key_F2:

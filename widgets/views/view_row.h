@@ -6,14 +6,14 @@
 
 namespace sline::widgets {
 
-/// Views as cards beside each other: a click or Enter goes there, F2 or a double click renames,
-/// cards are dragged (or moved with Alt and an arrow key) to where they shall stand in the tour.
+/// Shows views as cards beside each other: a click or Enter goes there, F2 or a double click
+/// renames, cards are dragged (or moved with Alt and an arrow key) to their place in the tour.
 class ViewRow : public QListView {
   Q_OBJECT
  public:
   explicit ViewRow(QWidget* parent = nullptr);
 
-  /// Those that are on screen, at least in part.
+  /// Returns the rows that are on screen, at least in part.
   std::vector<int> visibleRows() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -22,7 +22,7 @@ class ViewRow : public QListView {
   void goWanted(int row);
   void removeWanted(int row);
   void moveWanted(int row, int to);
-  /// Other rows are on screen, or in another size.
+  /// Tells that other rows are on screen, or in another size.
   void visibleRowsChanged();
 
  protected:

@@ -25,7 +25,7 @@ void ViewTour::goTo(int index) {
   const model::Scene before = m_session.scene();
   model::Scene after = model::shown(before, *view).scene;
   const bool changed = !(after == before);
-  // First, so that no picture shows the new looks before the transition begins.
+  // The flight begins first, so that no picture shows the new looks before the transition.
   m_viewport.travelTo(camera, before, after);
   m_session.apply(step, {std::move(after), changed});
   emit arrived(index);
@@ -35,7 +35,7 @@ void ViewTour::add() {
   if (m_session.document().opening == 0)
     return;
   m_session.cancelPreview();
-  // A number that none has: after one was deleted the next is not "View 3 2".
+  // The number must be free: after a deletion the next name is not "View 3 2".
   const model::Scene& scene = m_session.scene();
   std::string name;
   for (int number = count() + 1; name.empty(); ++number)

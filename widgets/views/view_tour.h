@@ -8,13 +8,14 @@
 
 namespace sline::widgets {
 
-/// Goes to saved views, and makes them of what is seen; each change of the scene is one undo step.
+/// Goes to saved views, and makes them from what is seen; each change of the scene is one undo
+/// step.
 ///
 /// Going to a view makes the scene look as the view says: tree and sliders always tell the truth
-/// about the picture, and whoever goes on from there edits what is seen, as after "restore scene
-/// view" in 3D Slicer. It is an undo step, as the looks that the scene had are somebody's work and
-/// might be saved in no view. The camera moves along but is no part of the step: turning the scene
-/// is no edit anywhere in the program. Where a view changes no looks there is no step. A
+/// about the picture, and a user who goes on from there edits what is seen, as after "restore scene
+/// view" in 3D Slicer. It is an undo step, because the looks that the scene had are the user's work
+/// and might be saved in no view. The camera moves along but is no part of the step: turning the
+/// scene is no edit anywhere in the program. Where a view changes no looks there is no step. A
 /// presentation is for looking at alone, as that of slides is: it leaves the scene as it is
 /// (`Presentation`).
 class ViewTour : public QObject {
@@ -23,19 +24,19 @@ class ViewTour : public QObject {
   ViewTour(Session& session, Viewport& viewport, QObject* parent = nullptr);
 
   int count() const { return int(m_session.scene().views().size()); }
-  /// With a transition, where flights are wanted.
+  /// Goes to the view, with a transition if flights are wanted.
   void goTo(int index);
   /// Saves what is seen as the last view, by a name of its own ("View 3").
   void add();
-  /// The view shows from now on what is seen.
+  /// Replaces what the view shows by what is seen now.
   void update(int index);
   void remove(int index);
   void rename(int index, const QString& name);
-  /// It stands at `to` afterwards.
+  /// Moves the view so that it stands at `to` afterwards.
   void move(int index, int to);
 
  signals:
-  /// Somebody went there, or made it.
+  /// Tells that the view was gone to, or made.
   void arrived(int index);
 
  private:

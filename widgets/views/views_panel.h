@@ -16,18 +16,18 @@ class ViewPictures;
 class ViewRow;
 class ViewTour;
 
-/// The saved views as a row of cards, and what can be done with them.
+/// Shows the saved views as a row of cards, with buttons for what can be done with them.
 class ViewsPanel : public QWidget {
   Q_OBJECT
  public:
-  /// `add` and `present` are the window's actions.
+  /// Makes the panel; `addButtons` gets the window's actions later.
   ViewsPanel(Session& session, Viewport& viewport, ViewTour& tour, QWidget* parent = nullptr);
-  /// The window's actions get a button each, the others stand between them.
+  /// Gives the window's actions a button each, with the other buttons between them.
   void addButtons(QAction& add, QAction& present);
 
   ViewRow& row() { return *m_row; }
   const ViewPictures& pictures() const { return *m_pictures; }
-  /// −1 where none is chosen.
+  /// Returns the chosen view's index, or −1 where none is chosen.
   int current() const;
   void choose(int index);
 

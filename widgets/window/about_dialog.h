@@ -5,11 +5,11 @@
 
 namespace sline::widgets {
 
-/// What the program is, and on what it runs: text that can be copied into a report of a fault.
+/// Tells what the program is and what it runs on, as text that can be copied into a bug report.
 class AboutDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `driver`: OpenGL's, as it calls itself.
+  /// Makes the dialog; `driver` is OpenGL's own name for itself.
   explicit AboutDialog(const QString& driver, QWidget* parent = nullptr);
 };
 

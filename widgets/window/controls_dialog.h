@@ -10,11 +10,11 @@ class QTreeWidget;
 
 namespace sline::widgets {
 
-/// What the mouse and the keys do, by menus, with a filter.
+/// Lists what the mouse and the keys do, by menus, with a filter.
 class ControlsDialog : public QDialog {
   Q_OBJECT
  public:
-  /// The rows are what mouse and keys do in the picture.
+  /// Makes the dialog; `mouse` holds what mouse and keys do in the picture.
   explicit ControlsDialog(const std::vector<ControlRow>& mouse, QWidget* parent = nullptr);
 
  private:

@@ -27,7 +27,7 @@ constexpr Opener openers[] = {{"preferencesDialog", "preferences"},
                               {"controlsDialog", "controls"},
                               {"exportDialog", "export"}};
 
-/// Boxes whose text is nobody's but theirs: a number's box shows the document's.
+/// Tells whether only the box knows its text; a number's box shows the document's.
 bool keepsItsText(const QLineEdit& box) {
   return !box.objectName().isEmpty() && !box.objectName().startsWith(QLatin1String("qt_"));
 }

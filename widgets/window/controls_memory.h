@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the controls know that nobody else does, kept while they are made anew.
+// Keeps the state that only the controls have while they are made anew.
 #pragma once
 
 #include <QByteArray>
@@ -12,8 +12,8 @@
 
 namespace sline::widgets {
 
-/// Where docks and toolbars lie, what is typed into boxes, how far lists are scrolled, who has the
-/// keyboard, which windows of settings and help are open.
+/// Remembers where docks and toolbars lie, what is typed into boxes, how far lists are scrolled,
+/// which control has the keyboard, and which windows of settings and help are open.
 class ControlsMemory {
  public:
   explicit ControlsMemory(const QMainWindow& window);
@@ -38,7 +38,7 @@ class ControlsMemory {
   std::vector<Opened> m_opened;
 };
 
-/// Docks, toolbars, menus, the status bar and what actions have opened go.
+/// Removes docks, toolbars, menus, the status bar and the windows that actions have opened.
 void clearControls(QMainWindow& window);
 
 }  // namespace sline::widgets

@@ -62,7 +62,7 @@ FileActions::FileActions(const Parts& parts, QMainWindow& window)
       m_recoverable = found;
       m_actions[QStringLiteral("recover")].setEnabled(!found.empty());
       emit recoverableChanged();
-      // On the start page it is seen anyway.
+      // The start page shows it anyway.
       const bool elsewhere = m_session.document().opening != 0 || m_session.busy();
       if (elsewhere && !found.empty())
         offerRecovery();
@@ -108,7 +108,7 @@ void FileActions::connectSaver() {
     m_saving = new QProgressBar;
     m_saving->setObjectName(QStringLiteral("saveProgress"));
     m_saving->setAccessibleName(tr("Saving %1…").arg(name));
-    m_saving->setRange(0, 0);  // how long a disk takes nobody knows
+    m_saving->setRange(0, 0);  // the time that a disk takes is unknown
     m_saving->setFixedWidth(120);
     m_window.statusBar()->addPermanentWidget(m_saving);
   });
@@ -127,7 +127,7 @@ void FileActions::connectSaver() {
           });
   connect(&m_saver, &SceneSaver::ended, this, [this] {
     delete m_saving;
-    // What was edited while it was written is asked about again.
+    // The user is asked again about edits that were made while it was written.
     if (const auto then = std::exchange(m_afterSaving, nullptr))
       whenSafe(then);
   });
@@ -242,7 +242,7 @@ void FileActions::fileChange() {
   const bool any = m_session.document().opening != 0;
   const bool readOnly = file.writable != Writable::yes;
   QString name = m_session.title();
-  // In a window's title "[*]" is where the mark of changes stands.
+  // In a window's title "[*]" is the place for the mark of changes.
   name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
   if (readOnly)
     name = tr("%1 (read-only)").arg(name);

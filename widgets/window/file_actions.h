@@ -26,9 +26,9 @@ struct DemoScene;
 
 using PathsHandler = std::function<void(const QStringList&)>;
 
-/// What the actions of files do: opening, saving, closing, what a crash has left; and the window's
-/// title, which says what is open and whether it is saved. Whatever would let go of unsaved changes
-/// asks first.
+/// Runs the actions of files: opening, saving, closing, recovering what a crash has left; and sets
+/// the window's title, which says what is open and whether it is saved. Every action that would
+/// discard unsaved changes asks first.
 class FileActions : public QObject {
   Q_OBJECT
  public:
@@ -40,14 +40,14 @@ class FileActions : public QObject {
     MessageBar& message;
     Viewport& viewport;
   };
-  /// All parts must outlive it.
+  /// Connects the parts, all of which must outlive it.
   FileActions(const Parts& parts, QMainWindow& window);
 
-  /// The window's actions and menus are others now.
+  /// Connects to the window's new actions and menus after they have been replaced.
   void controlsRemade();
 
-  /// Who decides what becomes of files that are dropped or chosen where there may be a choice; a
-  /// scene file alone is opened, and so is everything until it is said.
+  /// Sets the handler of files that are dropped or chosen where there may be a choice; a lone scene
+  /// file is opened, and so are all files until a handler is set.
   void setDropHandler(PathsHandler handler) { m_dropHandler = std::move(handler); }
   void dropped(const QStringList& paths);
 
@@ -55,18 +55,18 @@ class FileActions : public QObject {
   void openRecent(const QString& path);
   void openDemo(const DemoScene& demo);
   void recover(const model::Recoverable& found);
-  /// The copy is removed for good.
+  /// Removes the copy for good.
   void forget(const model::Recoverable& found);
-  /// Calls it now, or when what is unsaved was saved or given up; or never.
+  /// Calls the function now, or once unsaved changes were saved or discarded, or never.
   void whenSafe(const std::function<void()>& then);
 
   RecentFiles& recent() { return m_recent; }
-  /// What crashes have left, the newest first.
+  /// Returns what crashes have left, the newest first.
   const std::vector<model::Recoverable>& recoverable() const { return m_recoverable; }
 
-  /// False where something is to be asked or written first; the window is closed afterwards.
+  /// Returns false where a question or a save must come first; the window is closed afterwards.
   bool mayClose();
-  /// The window closes.
+  /// Discards the copy of unsaved work, because the window closes.
   void letGo();
 
  signals:
@@ -99,7 +99,7 @@ class FileActions : public QObject {
   PathsHandler m_dropHandler;
   std::function<void()> m_afterSaving;
   QPointer<QProgressBar> m_saving;  ///< in the status bar, while something is written
-  bool m_closing = false;           ///< asked, and answered
+  bool m_closing = false;           ///< the question was asked and answered
 };
 
 }  // namespace sline::widgets

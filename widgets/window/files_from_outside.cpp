@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How files reach the window that it did not ask for: dropped on it, or handed over by another
-// start of the program.
+// Takes files that the window did not ask for: dropped on it, or handed over by another start of
+// the program.
 #include <QApplication>
 #include <QDragEnterEvent>
 #include <QMimeData>
@@ -45,7 +45,7 @@ bool MainWindow::isFree() const {
 }
 
 void MainWindow::take(const HandedFiles& files) {
-  // Qt hands the token on when a window is activated (Wayland).
+  // Qt passes the token on when a window is activated (Wayland).
   if (!files.activationToken.isEmpty())
     qputenv("XDG_ACTIVATION_TOKEN", files.activationToken.toUtf8());
   setWindowState(windowState() & ~Qt::WindowMinimized);

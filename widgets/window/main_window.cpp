@@ -88,7 +88,7 @@ MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  // A name that is being typed is taken over while those who hear of it are still there.
+  // Hiding accepts a name that is being typed while its receivers still exist.
   hide();
 }
 
@@ -105,7 +105,8 @@ void MainWindow::makeCentre() {
   auto* centre = new QWidget;
   auto* layout = new QGridLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
-  // A message lies over the picture's upper edge: pushing it down would draw it anew.
+  // A message lies over the picture's upper edge, because pushing the picture down would draw it
+  // anew.
   layout->addWidget(m_viewport, 0, 0);
   layout->addWidget(m_message, 0, 0, Qt::AlignTop);
   m_message->raise();
@@ -138,7 +139,7 @@ void MainWindow::sizePanels() {
     return findChild<QDockWidget*>(QLatin1String(name));
   };
   resizeDocks({panel("structuresPanel"), panel("gammaPanel")}, {366, 304}, Qt::Horizontal);
-  // The Γ slider is to be seen as a whole on small screens, too.
+  // The Γ slider must be visible as a whole on small screens, too.
   resizeDocks({panel("gammaPanel"), panel("focusPanel")}, {3, 2}, Qt::Vertical);
 }
 
@@ -168,7 +169,7 @@ void MainWindow::makeControls() {
 
 void MainWindow::remakeControls() {
   const ControlsMemory memory(*this);
-  // What outlives the controls must not speak to those that were.
+  // Objects that outlive the controls must not stay connected to the old ones.
   for (QObject* source :
        {static_cast<QObject*>(&m_session), static_cast<QObject*>(&m_preferences),
         static_cast<QObject*>(&m_session.history()), static_cast<QObject*>(m_viewport)})
@@ -232,7 +233,7 @@ void MainWindow::jobShown(bool running) {
   for (QWidget* widget : {static_cast<QWidget*>(m_job), static_cast<QWidget*>(m_progress),
                           static_cast<QWidget*>(m_cancel)})
     widget->setVisible(running);
-  m_progress->setRange(0, 0);  // busy, until the job says how far it is
+  m_progress->setRange(0, 0);  // busy, until the job reports its progress
 }
 
 void MainWindow::makeMenus() {
@@ -333,7 +334,7 @@ void MainWindow::showStart() {
 }
 
 void MainWindow::placeMessage(bool onStartPage) {
-  // What is said must not be said beneath the page.
+  // A message must not lie beneath the page.
   if (onStartPage)
     m_start->messagePlace().addWidget(m_message);
   else

@@ -35,8 +35,8 @@ class Viewport;
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
-  /// The settings remember the window's shape, the background and the last folder; they must
-  /// outlive the window.
+  /// Makes the window. The settings remember its shape, the background and the last folder; they
+  /// must outlive the window.
   MainWindow(Session& session, QSettings& settings, QWidget* parent = nullptr);
   ~MainWindow() override;
 
@@ -46,10 +46,10 @@ class MainWindow : public QMainWindow {
   FileActions& files() { return *m_files; }
   FocusContext& focus() { return *m_focus; }
 
-  /// Whether nothing is asked that must be answered first.
+  /// Tells whether no question is open that must be answered first.
   bool isFree() const;
-  /// Files that another start of the program hands over: as if they were dropped, and the window
-  /// comes to the front.
+  /// Takes files that another start of the program hands over: they are treated as dropped, and the
+  /// window comes to the front.
   void take(const HandedFiles& files);
 
  protected:
@@ -61,13 +61,13 @@ class MainWindow : public QMainWindow {
 
  private:
   void makeCentre();
-  /// All but the centre.
+  /// Makes all controls except the centre.
   void makeControls();
-  /// Again, in the language of now.
+  /// Makes them again, in the current language.
   void remakeControls();
   void nameStructures();
   void makePanels();
-  /// As wide and high as they are at first.
+  /// Gives the panels their initial width and height.
   void sizePanels();
   void makeStatus();
   void makeMenus();
@@ -81,7 +81,7 @@ class MainWindow : public QMainWindow {
   void makeExports();
   void makeStart();
   void makeImports();
-  /// The start page while nothing is open and nothing is on its way.
+  /// Shows the start page while nothing is open or being opened.
   void showStart();
   void placeMessage(bool onStartPage);
   void openDropped(const QStringList& paths, Qt::KeyboardModifiers keys);
@@ -95,7 +95,7 @@ class MainWindow : public QMainWindow {
   WindowActions m_actions;
   std::optional<WindowMenus> m_menus;
   bool m_sized = false;        ///< panels have been given their sizes
-  QObject* m_parts = nullptr;  ///< what belongs to the controls, and goes with them
+  QObject* m_parts = nullptr;  ///< owns what belongs to the controls, and is deleted with them
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;
   FileActions* m_files = nullptr;

@@ -64,7 +64,7 @@ QDockWidget* dockOf(const PanelRow& row, QWidget* content) {
   dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
   dock->setWidget(content);
   if (row.area == Qt::BottomDockWidgetArea) {
-    // Its title stands beside it: the picture needs the height.
+    // Its title stands beside it, because the picture needs the height.
     dock->setFeatures(dock->features() | QDockWidget::DockWidgetVerticalTitleBar);
     dock->setAllowedAreas(Qt::BottomDockWidgetArea | Qt::TopDockWidgetArea);
   }
@@ -76,7 +76,8 @@ QDockWidget* dockOf(const PanelRow& row, QWidget* content) {
 std::vector<PanelRow> panelRows() {
   constexpr Qt::DockWidgetArea left = Qt::LeftDockWidgetArea;
   constexpr Qt::DockWidgetArea right = Qt::RightDockWidgetArea;
-  // The right side has no height for three, and a list of labels is as long as that of structures.
+  // The right side has no height for three panels, and a list of labels is as long as that of
+  // structures.
   return {
       {"structuresPanel", MainWindow::tr("Structures"), left, "", true,
        [](const PanelPlace& place) { return new StructureTree(place.session); }},
@@ -90,7 +91,7 @@ std::vector<PanelRow> panelRows() {
 }
 
 void addPanels(QMainWindow& window, const PanelPlace& place) {
-  // Below the picture alone: what stands at the sides needs its height.
+  // The views lie below the picture alone, because the panels at the sides need their height.
   window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   for (const PanelRow& row : panelRows()) {

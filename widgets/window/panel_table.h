@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panels around the picture as a table: docks, the menu of panels and their help are made from
-// it.
+// Lists the panels around the picture as a table, from which docks, the menu of panels and their
+// help are made.
 #pragma once
 
 #include <QString>
@@ -20,7 +20,7 @@ class Viewport;
 class ViewTour;
 class WindowActions;
 
-/// What a panel may need of the window.
+/// Holds what a panel may need of the window.
 struct PanelPlace {
   Session& session;
   QSettings& settings;
@@ -32,15 +32,15 @@ struct PanelPlace {
 };
 
 struct PanelRow {
-  const char* id;  ///< the dock's objectName: settings and help know it by that
+  const char* id;  ///< the dock's objectName, by which settings and help know it
   QString title;
   Qt::DockWidgetArea area;
-  const char* beside;  ///< the panel whose tab it is behind; empty: it stands for itself
-  bool shown;          ///< until somebody says otherwise
+  const char* beside;  ///< the panel behind which it is a tab; empty if it stands alone
+  bool shown;          ///< until the user shows or hides it
   std::function<QWidget*(const PanelPlace&)> make;
 };
 
-/// In the order in which they stand.
+/// Returns the panels in the order in which they stand.
 std::vector<PanelRow> panelRows();
 
 /// Gives the window a dock for each row.

@@ -12,7 +12,7 @@ namespace sline::widgets {
 
 class Viewport;
 
-/// The picture as the preferences want it: background, marks over it, mouse buttons, flights
+/// Keeps the picture as the preferences want it: background, marks over it, mouse buttons, flights
 /// between views. The marks' actions and the entries of the backgrounds' menu set the same
 /// preferences.
 class PictureHabits : public QObject {

@@ -12,7 +12,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// As a menu's entry: an ampersand in a name is no mark of a key.
+/// Escapes a name for a menu's entry, in which an ampersand must not mark a key.
 QString plain(QString name) {
   return name.replace(QLatin1Char('&'), QLatin1String("&&"));
 }

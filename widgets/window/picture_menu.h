@@ -16,8 +16,8 @@ namespace sline::widgets {
 class SectionActions;
 class Viewport;
 
-/// The menu of a right click in the picture: what the tree's menu has for the structure there, and
-/// sections through the place; where there is none, what can be done with the picture.
+/// Opens the menu of a right click in the picture: the tree's menu for the structure there, and
+/// sections through the place; where there is no structure, what can be done with the picture.
 class PictureMenu : public QObject {
   Q_OBJECT
  public:

@@ -8,10 +8,11 @@
 
 namespace sline::widgets {
 
-/// Where a scene was looked at from when it was saved. It is no part of the scene, as turning it is
-/// no edit; it goes along as a member of its own, "workspace.json", which other programs keep.
+/// Returns the camera from which a scene was last seen, as a member for its file. It is no part of
+/// the scene, as turning it is no edit; it is saved as a member of its own, "workspace.json", which
+/// other programs keep.
 model::ZipMember memberFor(const model::Camera& camera);
-/// Nothing where the file says none that a picture can be taken from.
+/// Returns the camera; none where the file has no camera that a picture can be taken from.
 std::optional<model::Camera> cameraIn(const DocumentFile& file);
 
 }  // namespace sline::widgets

@@ -7,7 +7,7 @@ namespace sline::cli {
 
 namespace {
 
-/// On one line, and what a terminal would obey left out.
+/// Returns the text on one line, without characters that a terminal would obey.
 std::string plain(const std::string& text) {
   constexpr std::size_t longest = 80;
   std::string line = text;
@@ -21,7 +21,7 @@ std::string plain(const std::string& text) {
   return line.substr(0, end) + "…";
 }
 
-/// `"liver", "spleen" and 4 more`.
+/// Returns `"liver", "spleen" and 4 more`.
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 8;
   std::string list;

@@ -7,8 +7,8 @@
 
 namespace sline::cli {
 
-/// What it is and what to do about it, in flags of `sline export`: "3 labels found no room:
-/// \"liver\" … Take a larger page …". One line, whatever the names are.
+/// Returns the note and what to do about it, in flags of `sline export`: "3 labels found no room:
+/// \"liver\" … Take a larger page …". It is one line, whatever the names are.
 std::string textOf(const render::ExportNote& note);
 
 }  // namespace sline::cli

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
 
-/// All that a handler may touch is a global.
+/// A handler may touch nothing but this global.
 volatile std::sig_atomic_t received = 0;
 
 void receive(int signal) {
@@ -22,11 +22,11 @@ Interruption::Interruption() : m_before{} {
   received = 0;
   struct sigaction action {};
   action.sa_handler = receive;
-  // Once. Calls that wait, for a pipe's reader perhaps, do not go on.
+  // The handler acts once. Calls that wait, for a pipe's reader perhaps, do not go on.
   action.sa_flags = int(SA_RESETHAND);
   for (std::size_t i = 0; i < signals.size(); ++i) {
     sigaction(signals[i], nullptr, &m_before[i]);
-    // What whoever started the program wants ignored stays so (nohup).
+    // Signals that the program was started to ignore stay ignored (nohup).
     if (m_before[i].sa_handler != SIG_IGN)
       sigaction(signals[i], &action, nullptr);
   }

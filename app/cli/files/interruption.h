@@ -6,13 +6,14 @@
 
 namespace sline::cli {
 
-/// While there is one, Ctrl+C and the signals that end a program only say that it is to end: what
-/// is being written can be given up, so that no half file stays. Then the program ends as it would
-/// have at once. A second such signal ends it without waiting. At most one at a time.
+/// While an Interruption exists, Ctrl+C and the signals that end a program only record that it is
+/// to end: a file being written can then be given up, so that no half file stays. Afterwards the
+/// program ends as it would have at once. A second such signal ends it without waiting. At most one
+/// may exist at a time.
 class Interruption {
  public:
   Interruption();
-  /// Ends the program where that was asked for.
+  /// Ends the program if a signal asked for that.
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;

@@ -12,9 +12,9 @@ using Json = nlohmann::ordered_json;
 
 using model::jsonNumber;
 using model::jsonPoint;
-/// [[x, y, z], [x, y, z]]: low and high corner; null for an empty box.
+/// Returns [[x, y, z], [x, y, z]], the low and the high corner; null for an empty box.
 Json jsonBox(const model::Box& box);
-/// The text; bytes that are no UTF-8 become U+FFFD.
+/// Returns the text; bytes that are no UTF-8 become U+FFFD.
 std::string jsonText(const Json& json, int indent = -1);
 
 }  // namespace sline::cli

@@ -25,7 +25,7 @@ std::string fileName(std::string name) {
   return name.empty() || name.front() == '.' ? "_" + name : name;
 }
 
-/// Below the folder written to: "Veins/portal vein.ply".
+/// Returns the file's path below the folder written to: "Veins/portal vein.ply".
 fs::path placeOf(const model::Scene& scene, const model::Node& node) {
   fs::path place = fileName(node.name) + ".ply";
   for (const model::Node* up = scene.find(node.parent); up; up = scene.find(up->parent))
@@ -42,7 +42,7 @@ bool leadsOutside(const fs::path& place) {
          std::find(place.begin(), place.end(), fs::path("..")) != place.end();
 }
 
-/// What an earlier run wrote there; empty for a new or empty folder.
+/// Returns the files that an earlier run wrote there; none for a new or empty folder.
 Result<std::set<fs::path>> writtenBefore(const fs::path& folder) {
   std::error_code failure;
   if (!fs::exists(folder, failure))
@@ -73,7 +73,7 @@ Result<std::set<fs::path>> writtenBefore(const fs::path& folder) {
   return places;
 }
 
-/// The list comes first: it names what is there even where the writing stops half way.
+/// Writes the list, which comes first: it names what is there even if the writing stops half way.
 Status writeList(const fs::path& folder, const std::set<fs::path>& places) {
   std::string list = std::string(listTitle) + "\n";
   for (const fs::path& place : places)
@@ -85,7 +85,7 @@ void removeFiles(const fs::path& folder, const std::set<fs::path>& places) {
   std::error_code ignored;
   for (const fs::path& place : places) {
     fs::remove(folder / place, ignored);
-    // Only what is left empty goes.
+    // Only folders that are left empty are removed.
     for (fs::path up = place.parent_path(); !up.empty(); up = up.parent_path())
       fs::remove(folder / up, ignored);
   }

@@ -9,9 +9,9 @@
 namespace sline::cli {
 
 /// Writes each structure as a binary PLY file, exact and marked as LPS, in sub-folders named like
-/// its groups, so that importing the folder gives names and groups back; and a list of what was
-/// written. The folder must be new or empty, or hold such a list: then the files it names are
-/// replaced, and nothing else is touched. Names become file names as they are but for '/'.
+/// its groups, so that importing the folder gives names and groups back; and writes a list of the
+/// files. The folder must be new or empty, or hold such a list: then the files it names are
+/// replaced, and nothing else is touched. Names become file names unchanged except for '/'.
 Status writeMeshFolder(const model::Scene& scene, const std::filesystem::path& folder);
 
 }  // namespace sline::cli

@@ -9,7 +9,8 @@ namespace sline::cli {
 
 namespace {
 
-/// Levenshtein's distance: the fewest insertions, deletions and replacements of single characters.
+/// Returns Levenshtein's distance: the fewest insertions, deletions and replacements of single
+/// characters.
 std::size_t typingErrors(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t(0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names as people type them on a command line, and as they are shown there.
+// Handles names as people type them on a command line, and as they are shown there.
 #pragma once
 
 #include <span>
@@ -12,17 +12,19 @@
 
 namespace sline::cli {
 
-/// Up to five of the names that are most like the wanted one, best first: those that contain it or
-/// that it contains, then those a few typing errors away.
+/// Returns up to five of the names that are most like the wanted one, best first: those that
+/// contain it or are contained in it, then those a few typing errors away.
 std::vector<std::string> nearNames(std::string_view wanted, std::span<const std::string> names);
 
-/// The structures and groups of that name, at least one; the error lists names that are near.
+/// Returns the structures and groups of that name, at least one; the error lists names that are
+/// near.
 Result<std::vector<model::NodeId>> nodesNamed(const model::Scene& scene, std::string_view name);
 
-/// "no <what> is named X" and the near names, as a wrong use.
+/// Returns "no <what> is named X" with the near names, as an error of wrong use.
 Error unknownName(std::string_view what, std::string_view name, std::span<const std::string> names);
 
-/// Words come from files: what would move the terminal's cursor is left out.
+/// Returns the text on one line. Words come from files, so characters that would move the
+/// terminal's cursor are left out.
 std::string onOneLine(std::string text);
 
 }  // namespace sline::cli

@@ -7,8 +7,8 @@
 
 namespace sline::cli {
 
-/// One line on standard error that is written over as work goes on – on a terminal; in a pipe it
-/// stays silent. May be told from any thread.
+/// Shows one line on standard error that is overwritten as work goes on – on a terminal; in a pipe
+/// it stays silent. May be called from any thread.
 class Progress {
  public:
   Progress();
@@ -17,7 +17,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` in [0, 1].
+  /// Shows how far the work is; `done` is in [0, 1].
   void show(double done, std::string_view what);
   /// Wipes the line and leaves a message that stays (on a terminal).
   void note(std::string_view message);
@@ -29,9 +29,9 @@ class Progress {
   std::string m_shown;
 };
 
-/// "sline: warning: …" on standard error, in a pipe too.
+/// Prints "sline: warning: …" on standard error, in a pipe too.
 void warn(std::string_view message);
-/// The same for what is good to know.
+/// Prints information on standard error in the same way.
 void tell(std::string_view message);
 
 }  // namespace sline::cli

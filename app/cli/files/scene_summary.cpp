@@ -101,7 +101,7 @@ Json summaryJson(const SceneSummary& summary, const std::string& frame) {
 }
 
 namespace {
-/// "scan" and what of it, a line each.
+/// Prints "scan" and a description of it, a line for each.
 void printScans(const SceneSummary& summary) {
   for (const model::Scan& scan : summary.scans) {
     const auto [least, greatest] = intensitiesOf(scan);

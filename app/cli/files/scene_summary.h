@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is in a scene, for people and for programs.
+// Summarises what is in a scene, for people and for programs.
 #pragma once
 
 #include <string>
@@ -37,11 +37,11 @@ struct SceneSummary {
 
 SceneSummary summaryOf(const model::Scene& scene);
 
-/// "triangles", "vertices", "bounds_mm", "frame", "structures", "views", "annotations",
+/// Returns "triangles", "vertices", "bounds_mm", "frame", "structures", "views", "annotations" and
 /// "scans".
 Json summaryJson(const SceneSummary& summary, const std::string& frame);
-/// One line per structure and one for all, then saved views, annotations and scans; `frame` as it
-/// shall be read there.
+/// Prints one line per structure and one for all, then saved views, annotations and scans; `frame`
+/// is printed as given.
 void printSummary(const SceneSummary& summary, const std::string& frame);
 
 }  // namespace sline::cli

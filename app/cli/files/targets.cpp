@@ -19,12 +19,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of files that no export writes, and that would be taken for what they are not.
+/// Lists endings of kinds that no export writes; a file named so would be taken for what it is not.
 constexpr std::array<std::string_view, 26> foreignEndings{
     "ai",  "avi", "bmp", "csv",  "doc", "docx", "eps", "fcsv", "htm", "html", "json", "md",   "mkv",
     "mov", "mpg", "mrb", "mrml", "odp", "odt",  "ppt", "pptx", "ps",  "svgz", "txt",  "webm", "gz"};
 
-/// Without the dot.
+/// Returns the name's ending without the dot.
 std::string endingOf(const fs::path& name) {
   const std::string ending = lowerExtension(name);
   return ending.empty() ? ending : ending.substr(1);
@@ -45,7 +45,7 @@ bool isKnown(const std::string& ending) {
          std::find(foreignEndings.begin(), foreignEndings.end(), ending) != foreignEndings.end();
 }
 
-/// As the target should be called.
+/// Returns the name that the target should have.
 std::string rightName(const Target& target) {
   fs::path name(target.name);
   name.replace_extension(target.endings.empty() ? std::string() : target.endings.front());
@@ -110,7 +110,7 @@ Status checkAgainst(const Target& target, const std::string& read) {
   return Unit{};
 }
 
-/// As it is named where its links cannot be followed, as to a pipe.
+/// Returns the path with its links followed, or as it is named if they cannot be, as to a pipe.
 fs::path placeOf(const std::string& name) {
   std::error_code failure;
   const fs::path named = fs::absolute(name, failure).lexically_normal();

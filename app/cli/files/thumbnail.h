@@ -7,8 +7,8 @@
 
 namespace sline::cli {
 
-/// The scene's first view, else its front, as a small square PNG for its scene file. Empty, with a
-/// warning, where there is no OpenGL to draw it with.
+/// Returns the scene's first view, else its front, as a small square PNG for its scene file. Empty,
+/// with a warning, if there is no OpenGL to draw it with.
 std::string thumbnailOf(const model::Scene& scene);
 
 }  // namespace sline::cli

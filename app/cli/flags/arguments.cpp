@@ -4,7 +4,7 @@
 namespace sline::cli {
 
 namespace {
-/// A dash and something that is no number.
+/// Tells whether it is a dash followed by something that is not a number.
 bool isOption(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-' && argument[1] != '.' &&
          (argument[1] < '0' || argument[1] > '9');

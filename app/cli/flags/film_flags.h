@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flags of films that are no options of theirs: where one goes, and whose Γ a sweep changes.
+// Declares the flags of films that are no export options: the file that a film goes to, and the
+// structures that have their Γ changed by a sweep.
 #pragma once
 
 #include <map>
@@ -17,17 +18,17 @@ class App;
 
 namespace sline::cli {
 
-/// As typed.
+/// Holds the flags as typed.
 struct FilmFlags {
-  std::optional<std::string> file;  ///< of a kind that its extension tells
+  std::optional<std::string> file;  ///< its extension tells its kind
   std::vector<std::string> swept;
 };
 
 void declareFilm(CLI::App& command, FilmFlags& flags);
-/// Looks up in the scene whose Γ changes. An error is a wrong use.
+/// Looks up the structures of a Γ sweep in the scene. An error counts as wrong use.
 Status understoodSweep(const FilmFlags& flags, const model::Scene& scene,
                        render::FilmOptions& options);
-/// `--video FILE` as one of the kinds that have a flag of their own; fails where that kind has a
+/// Adds `--video FILE` as one of the kinds that have a flag of their own; fails if that kind has a
 /// target already.
 Status addFilmTarget(const FilmFlags& flags, std::map<std::string, std::string>& targets);
 

@@ -8,7 +8,7 @@ namespace sline::cli {
 
 namespace {
 
-/// "liver,left kidney" as two, unless that is a name.
+/// Splits "liver,left kidney" in two, unless that is a name.
 std::vector<std::string> split(const model::Scene& scene, const std::string& text) {
   if (!scene.named(text).empty())
     return {text};

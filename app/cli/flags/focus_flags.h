@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flags that put structures in focus and everything else in its place around them.
+// Declares the flags that put structures in focus and arrange everything else around them.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace sline::cli {
 
-/// As typed.
+/// Holds the flags as typed.
 struct FocusFlags {
   std::vector<std::string> names;
   double context = 0.5;
@@ -20,15 +20,15 @@ struct FocusFlags {
 };
 
 struct FocusOrder {
-  std::vector<std::string> names;  ///< none: no focus
+  std::vector<std::string> names;  ///< empty: no focus
   model::ContextAmount context;
   bool fromCamera = false;
 };
 
-/// An error is a wrong use, here and in the next one.
+/// Reads the flags. An error counts as wrong use, here and in `focused`.
 Result<FocusOrder> understood(const FocusFlags& flags);
-/// The scene with the focus that was ordered, as `camera` sees it where the order says so. `cut` is
-/// the same scene with its sections: what they take away hides nothing.
+/// Returns the scene with the focus that was ordered, as seen by `camera` if the order says so.
+/// `cut` is the same scene with its sections: what they take away hides nothing.
 Result<model::Scene> focused(const model::Scene& scene, const FocusOrder& order,
                              const model::Scene& cut, const model::Camera& camera);
 

@@ -13,7 +13,7 @@ namespace sline::cli {
 
 namespace {
 
-/// The options of what stands at the picture's edges.
+/// Returns the options of the marks at the picture's edges.
 std::vector<const render::ExportOption*> markOptions() {
   std::vector<const render::ExportOption*> marks;
   for (const render::ExportOption* option : render::pictureOptions())
@@ -22,7 +22,7 @@ std::vector<const render::ExportOption*> markOptions() {
   return marks;
 }
 
-/// "on", "off" or those that are wanted, as in "sides,scale".
+/// Reads "on", "off" or a list of the marks that are wanted, as in "sides,scale".
 Result<render::ExportMarks> parseMarks(const std::string& text) {
   if (text == "on")
     return render::ExportMarks();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flags that write labels and marks into pictures.
+// Declares the flags that write labels and marks into pictures.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,17 @@
 
 namespace sline::cli {
 
-/// As typed.
+/// Holds the flags as typed.
 struct LabelFlags {
   TypedOptions options;  ///< --labels, --language, --label-size
   std::string marks = "off";
 };
 
-/// Understood; what text needs is made before anything is drawn.
+/// Holds the flags as understood; the typesetting is made before anything is drawn.
 struct LabelOrder {
   render::LabelStyle style{.mode = render::LabelMode::off, .language = {}};
   render::ExportMarks marks = render::ExportMarks::none();
-  std::string viewName;  ///< of the camera; empty: none
+  std::string viewName;  ///< of the camera; may be empty
   std::shared_ptr<const render::Typesetting> typesetting;
   model::FreeSides sides;  ///< of the picture, for views that are fitted
 
@@ -33,14 +33,13 @@ struct LabelOrder {
 
 /// Declares the flags on a sub-command.
 void declareLabels(CLI::App& command, LabelFlags& flags);
-/// An error is a wrong use.
+/// Reads the flags. An error counts as wrong use.
 Result<LabelOrder> understood(const LabelFlags& flags);
-/// Makes the order ready for the scene, shown as it is drawn, on a page of that size.
+/// Makes the order ready for the scene, given as it is drawn, on a page of that size.
 Status prepareLabels(LabelOrder& order, const model::Scene& scene, const glm::vec2& pageMm);
-/// Number and text of each label in the picture, a line each.
+/// Prints the number and text of each label in the picture, one per line.
 void printKey(const render::LabelReport& report);
-/// Draws labels and marks, prints the key of numbers and warns of labels for which there is no
-/// room.
+/// Draws labels and marks, prints the key of numbers and warns of labels that find no room.
 void drawLabels(render::Image& image, const model::Scene& scene, const model::Camera& camera,
                 const LabelOrder& order, render::Background background);
 

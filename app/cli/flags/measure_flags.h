@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the measuring sub-commands share: which structures of which scene, seen from where.
+// Declares what the measuring sub-commands share: which structures of which scene, seen from where.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace sline::cli {
 
-/// As typed.
+/// Holds the flags as typed.
 struct MeasureFlags {
   InputFlags input;
   std::vector<std::string> structures;
@@ -25,18 +25,18 @@ struct MeasureFlags {
   bool check = false;
 };
 
-/// What was asked for and read.
+/// Holds the scene that was read and what was asked about it.
 struct MeasureOrder {
   model::Scene scene;
   std::vector<model::NodeId> structures;  ///< at least one
   PictureOrder picture;                   ///< camera or view, and size
 };
 
-/// `wrongUse` tells the kinds of errors apart.
+/// Reads the flags and the scene. `wrongUse` tells the kinds of errors apart.
 Result<MeasureOrder> measureOrder(const MeasureFlags& flags, Progress& progress, bool& wrongUse);
 
-/// The structure alone from the order's camera; an anatomical view is fitted to it. The error is a
-/// wrong use.
+/// Returns the structure alone, seen from the order's camera; an anatomical view is fitted to it.
+/// An error counts as wrong use.
 Result<render::Subject> subjectOf(const MeasureOrder& order, model::NodeId structure);
 
 }  // namespace sline::cli

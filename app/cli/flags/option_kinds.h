@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is alike in options of all sub-commands: how many values they take, and within what range.
+// Holds what options of all sub-commands have in common: how many values they take, and within what
+// range.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,13 +12,13 @@
 
 namespace sline::cli {
 
-/// An option that takes several values and may be given again.
+/// Declares that an option takes several values and may be given again.
 inline CLI::Option* many(CLI::Option* option) {
   return option->take_all()->type_size(1)->expected(1, CLI::detail::expected_max_vector_size);
 }
 
-/// How many values the sub-command's option takes as it was declared; its type's name tells
-/// assignments. One that it does not have takes one.
+/// Returns how many values the sub-command's option takes as it was declared; its type's name marks
+/// assignments. An unknown option takes one.
 inline Values valuesOf(const CLI::App& command, const std::string& option) {
   const CLI::Option* declared = command.get_option_no_throw(option);
   if (!declared || declared->get_items_expected_max() <= 1)
@@ -26,7 +27,7 @@ inline Values valuesOf(const CLI::App& command, const std::string& option) {
                                                                   : Values::assignments;
 }
 
-/// Checks for a number from `low` to `high`; "nan" is none.
+/// Checks for a number from `low` to `high`; "nan" is refused.
 template <class Number>
 CLI::Validator within(Number low, Number high) {
   std::ostringstream limits;
@@ -40,7 +41,7 @@ CLI::Validator within(Number low, Number high) {
           CLI::Range(low, high).get_description()};
 }
 
-/// The same for numbers that are typed as plain ones, whatever the field's type.
+/// Checks numbers the same way, typed as plain numbers whatever the field's type.
 template <class Number>
 CLI::Validator within(const Limits<Number>& limits) {
   return within(double(limits.low), double(limits.high));

@@ -12,7 +12,7 @@ namespace sline::cli {
 
 namespace {
 
-/// "160x90", each side within what a page may have.
+/// Reads "160x90", each side within the limits of a page.
 Result<glm::vec2> parsePage(std::string_view text) {
   const auto side = [](std::string_view part) -> std::optional<float> {
     float value = 0.0f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flags of the page that an export fills.
+// Declares the flags of the page that an export fills.
 #pragma once
 
 #include <string>
@@ -13,15 +13,15 @@ class App;
 
 namespace sline::cli {
 
-/// As typed.
+/// Holds the flags as typed.
 struct PageFlags {
   std::string sizeMm = "160x90";
-  std::string sizePx;  ///< instead
+  std::string sizePx;  ///< in place of `sizeMm`
   double dpi = 300.0;
 };
 
 void declarePage(CLI::App& command, PageFlags& flags);
-/// An error is a wrong use.
+/// Reads the flags. An error counts as wrong use.
 Result<render::ExportPage> understood(const PageFlags& flags);
 
 }  // namespace sline::cli

@@ -19,7 +19,7 @@ namespace sline::cli {
 
 namespace {
 
-/// "VALUE" or "NAME=VALUE" for each text.
+/// Reads "VALUE" or "NAME=VALUE" from each text.
 template <class T, class Parse>
 Status parseAssignments(const std::vector<std::string>& texts, const Parse& parse,
                         std::vector<Assignment<T>>& assignments) {
@@ -43,7 +43,7 @@ std::size_t depthOf(const model::Scene& scene, model::NodeId id) {
   return depth;
 }
 
-/// One patch for one node and all below it.
+/// Holds one patch for one node and all below it.
 struct Patch {
   model::NodeId node;
   std::size_t depth = 0;  ///< 0: the root
@@ -77,7 +77,7 @@ Status collect(const model::Scene& scene, const std::vector<Assignment<T>>& assi
   return collect(scene, styles, patches);
 }
 
-/// Flags that set one field of a style each.
+/// Describes a flag that sets a single field of a style.
 struct LookFlag {
   std::vector<std::string> PictureFlags::*typed;
   Result<model::Style> (*parse)(std::string_view);
@@ -142,7 +142,7 @@ Result<int> understoodSamples(const std::string& text, const Size& size) {
   return number;
 }
 
-/// The kind of hatching, and the light that it stands for.
+/// Reads the kind of hatching and the light that it is drawn for.
 Status understoodHatching(const PictureFlags& flags, PictureOrder& order) {
   const Result<render::HatchingMethod> hatching = parseHatching(flags.hatching);
   if (!hatching.ok())

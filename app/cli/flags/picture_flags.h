@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flags that say how a scene is drawn, shared by `render` and `demo`.
+// Declares the flags that say how a scene is drawn, shared by `render` and `demo`.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@
 
 namespace sline::cli {
 
-/// As typed.
+/// Holds the flags as typed.
 struct PictureFlags {
   std::string output;
   std::string size = "1280x720";
@@ -42,14 +42,14 @@ struct PictureFlags {
   LabelFlags labels;
 };
 
-/// A value for all structures (no name) or for those of that name.
+/// Holds a value for all structures (no name) or for those of that name.
 template <class T>
 struct Assignment {
   std::optional<std::string> name;
   T value;
 };
 
-/// Understood, but not yet held against a scene.
+/// Holds the flags as understood, but not yet checked against a scene.
 struct PictureOrder {
   std::string output;
   Size size;
@@ -63,35 +63,35 @@ struct PictureOrder {
   std::vector<Assignment<Gamma>> gammas;
   std::vector<Assignment<Colour>> colours;
   std::vector<Assignment<Colour>> inkColours;
-  std::vector<Assignment<model::Style>> looks;  ///< each of one field
+  std::vector<Assignment<model::Style>> looks;  ///< each sets one field
   std::vector<std::string> only;
   SectionsOrder sections;
   FocusOrder focus;
   LabelOrder labels;
 };
 
-/// An error is a wrong use, here and below.
+/// Reads the flags. An error counts as wrong use, here and below.
 Result<PictureOrder> understood(const PictureFlags& flags);
-/// The same where no picture is to be written.
+/// Reads the flags in the same way when no picture is to be written.
 Result<PictureOrder> understoodLook(const PictureFlags& flags);
-/// The scene as the saved view that the order names shows it; unchanged where there is none. What
-/// is absent is warned of.
+/// Returns the scene as shown by the saved view that the order names; unchanged if there is none.
+/// Warns of what is absent.
 model::Scene asSaved(const model::Scene& scene, const PictureOrder& order);
-/// What the picture's camera is called: as the saved view is, "anterior" and so on where it looks
-/// along an axis of the body, else nothing.
+/// Returns the name of the picture's camera: that of the saved view, "anterior" and so on where it
+/// looks along an axis of the body, else nothing.
 std::string shownViewName(const model::Scene& scene, const PictureOrder& order);
-/// The scene with styles and visibility as ordered. A group's value holds for all in it; what is
-/// said of a structure or an inner group wins over what is said of a group around it, whatever the
-/// order of the flags.
+/// Returns the scene with styles and visibility as ordered. A group's value holds for all in it; a
+/// value for a structure or an inner group wins over one for a group around it, whatever the order
+/// of the flags.
 Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order);
-/// The scene with the focus of the order, where it has one; sections of the order count.
+/// Returns the scene with the focus of the order, if it has one; sections of the order count.
 Result<model::Scene> inFocus(const model::Scene& scene, const PictureOrder& order);
-/// The scene with the sections of the order, where it has any.
+/// Returns the scene with the sections of the order, if it has any.
 Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order);
-/// Null where no saved view has that name.
+/// Returns the saved view of that name, or null if there is none.
 const model::View* savedView(const model::Scene& scene, const std::string& name);
-/// The camera of the file; else the saved view of that name, else the anatomical view fitted to
-/// what sections leave of the visible structures, beside the room that labels need.
+/// Returns the camera of the file; else that of the saved view of that name, else the anatomical
+/// view fitted to what sections leave of the visible structures, beside the room that labels need.
 Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& order);
 
 /// Draws without a display and writes the file.

@@ -11,7 +11,7 @@
 
 namespace sline::cli {
 
-/// Declares those flags of `PictureFlags` that are about colours and pens; that of inks.
+/// Declares those flags of `PictureFlags` that are about colours and pens; returns the one of inks.
 inline CLI::Option* addStyleOptions(CLI::App& command, PictureFlags& flags) {
   many(command.add_option("--color,--colour", flags.colours,
                           "The colour of a structure, or of all in a group"))
@@ -40,7 +40,7 @@ inline CLI::Option* addStyleOptions(CLI::App& command, PictureFlags& flags) {
   return ink;
 }
 
-/// Declares those that say in what colours and manner all is drawn.
+/// Declares the flags that set the colours and manner in which all is drawn.
 inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
   CLI::Option* ink = addStyleOptions(command, flags);
   CLI::Option* background =
@@ -68,7 +68,7 @@ inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
       ->excludes(ink);
 }
 
-/// Declares those that say which structures are drawn, and how detailed each is.
+/// Declares the flags that say which structures are drawn, and how detailed each is.
 inline void addDetailOptions(CLI::App& command, PictureFlags& flags) {
   many(command.add_option("--gamma", flags.gammas,
                           "0 silhouette … 5 shaded surface, for all (--gamma 2) or for a structure "
@@ -80,7 +80,7 @@ inline void addDetailOptions(CLI::App& command, PictureFlags& flags) {
   addFocusOptions(command, flags.focus);
 }
 
-/// Declares that of the camera; `view` names the same otherwise.
+/// Declares the flag of a camera file; it excludes `view`, which names a camera otherwise.
 inline void addCameraOption(CLI::App& command, PictureFlags& flags, CLI::Option* view) {
   command
       .add_option("--camera", flags.cameraFile,
@@ -91,7 +91,7 @@ inline void addCameraOption(CLI::App& command, PictureFlags& flags, CLI::Option*
       ->excludes(view);
 }
 
-/// Declares the flags of `PictureFlags` on a sub-command but for where the picture goes.
+/// Declares the flags of `PictureFlags` on a sub-command, except where the picture goes.
 inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   command.add_option("--size", flags.size, "Width and height in pixels, 16 to 20000 each")
       ->type_name("WxH")
@@ -116,7 +116,7 @@ inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   addSectionOptions(command, flags.sections);
 }
 
-/// The same with the file, which is needed.
+/// Declares the same flags and the output file, which is needed.
 inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
   command
       .add_option("-o,--output", flags.output,

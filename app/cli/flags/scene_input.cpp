@@ -6,7 +6,7 @@
 namespace sline::cli {
 
 namespace {
-/// Tells the notes of an import and, where asked for, of each surface that was repaired.
+/// Prints the notes of an import and, if asked for, each surface that was repaired.
 void tellNotes(const model::ImportReport& report, bool verbose) {
   for (const std::string& note : report.notes)
     tell(note);

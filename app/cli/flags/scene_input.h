@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading what a sub-command works on: the same flags and the same messages everywhere.
+// Reads what a sub-command works on, with the same flags and the same messages everywhere.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace sline::cli {
 
-/// As typed; empty texts leave the importer's own choice.
+/// Holds the flags as typed; empty texts leave the importer's own choice.
 struct InputFlags {
   std::vector<std::string> inputs;
   std::string frame;
@@ -23,17 +23,17 @@ struct InputFlags {
   std::string assembly;
   std::vector<std::string> thresholds;
   bool keepScans = false;
-  bool verbose = false;  ///< tell of each surface that was repaired
+  bool verbose = false;  ///< report each surface that was repaired
 };
 
-/// The importer's options; an error is a wrong use.
+/// Returns the importer's options; an error counts as wrong use.
 Result<model::ImportOptions> importOptions(const InputFlags& flags);
 
 /// Imports with progress on a terminal and passes each warning and note on to standard error.
 Result<model::Imported> readInputs(const InputFlags& flags, const model::ImportOptions& options,
                                    Progress& progress);
 
-/// A scene file to be looked at or changed; what it warns of is passed on likewise.
+/// Opens a scene file to look at or change it; passes its warnings on likewise.
 Result<model::SceneDocument> openedScene(const std::string& file);
 
 }  // namespace sline::cli

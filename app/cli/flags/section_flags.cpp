@@ -43,7 +43,7 @@ std::optional<float> number(std::string_view text) {
   return value;
 }
 
-/// Four numbers between commas: the plane nx·x + ny·y + nz·z = d.
+/// Reads four numbers between commas: the plane nx·x + ny·y + nz·z = d.
 std::optional<model::Plane> planeOf(std::string_view text) {
   std::array<double, 4> values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -61,7 +61,7 @@ std::optional<model::Plane> planeOf(std::string_view text) {
   return model::Plane{glm::vec3(normal / length), float(values[3] / length)};
 }
 
-/// The half towards the camera goes; `middle` is a point of the cut.
+/// Returns the half away from the camera, which is kept; `middle` is a point of the cut.
 AnatomicalView keptSide(int axis, const glm::vec3& middle, const model::Camera& camera) {
   constexpr float edgeOn = 0.2588f;  // sin 15°
   const PlaneName& plane = planeNames[std::size_t(axis)];
@@ -148,7 +148,7 @@ Result<model::Scene> sectioned(const model::Scene& scene, const SectionsOrder& o
   model::Scene result = scene;
   for (const SectionText& wanted : order.sections) {
     bool met = false;
-    // Left open, the place is the middle of all that is cut, so that the cut is one plane.
+    // A place left open is the middle of all that is cut, so that the cut is one plane.
     model::Box bounds;
     for (const model::NodeId scope : scopes)
       bounds.add(scene.visibleBounds(scope));

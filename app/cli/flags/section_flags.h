@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flags that cut a scene open, shared by `render`, `demo` and `lines`.
+// Declares the flags that cut a scene open, shared by `render`, `demo` and `lines`.
 #pragma once
 
 #include <optional>
@@ -12,35 +12,35 @@
 
 namespace sline::cli {
 
-/// As typed.
+/// Holds the flags as typed.
 struct SectionFlags {
   std::vector<std::string> sections;
   std::vector<std::string> groups;
   bool hatched = false;
 };
 
-/// An anatomical plane whose place or kept side may be left open, or any plane.
+/// Holds an anatomical plane with its place or kept side possibly left open, or any plane.
 struct SectionText {
   std::string text;
-  int axis = 0;  ///< of LPS
+  int axis = 0;  ///< in LPS
   std::optional<float> mm;
   std::optional<model::AnatomicalView> kept;
-  std::optional<model::Plane> plane;  ///< where present, all there is to say
+  std::optional<model::Plane> plane;  ///< where present, it says everything
 };
 
 struct SectionsOrder {
   std::vector<SectionText> sections;
-  std::vector<std::string> groups;  ///< none: the whole scene
+  std::vector<std::string> groups;  ///< empty: the whole scene
   bool hatched = false;
 };
 
-/// "sagittal", "axial=12", "coronal=-30:anterior" or "nx,ny,nz,d". A side names what is kept.
+/// Reads "sagittal", "axial=12", "coronal=-30:anterior" or "nx,ny,nz,d". A side names what is kept.
 Result<SectionText> parseSection(std::string_view text);
-/// An error is a wrong use, here and in the next.
+/// Reads the flags. An error counts as wrong use, here and in `sectioned`.
 Result<SectionsOrder> understood(const SectionFlags& flags);
 
-/// The scene with the sections added. Where none of its sides is named, a section keeps the side
-/// away from the camera, so that the cut face is seen; seen within 15° of edge-on it keeps left,
+/// Returns the scene with the sections added. A section without a named side keeps the side away
+/// from the camera, so that the cut face is seen; seen within 15° of edge-on it keeps left,
 /// posterior or superior. Warns of sections that meet nothing.
 Result<model::Scene> sectioned(const model::Scene& scene, const SectionsOrder& order,
                                const model::Camera& camera);

@@ -11,16 +11,17 @@ namespace sline::cli {
 
 namespace {
 
-/// Enough for a book; what is longer is no leaflet's text.
+/// This is enough for a book; anything longer is not a leaflet's text.
 constexpr std::size_t mostBytes = 1'000'000;
 
-/// "--grey" of "--grey,--gray".
+/// Returns "--grey" for "--grey,--gray".
 std::string flagOf(const render::ExportOption& option) {
   const std::string flag = option.flag;
   return flag.substr(0, flag.find(','));
 }
 
-/// A single word with a folder or an ending, as in "leaflets/bladder.txt"; no address of a page.
+/// Tells whether the text is a single word with a folder or an ending, as in
+/// "leaflets/bladder.txt", but not a page's address.
 bool looksLikeFile(const std::string& text) {
   if (text.empty() || text.find_first_of(" \t\r\n") != std::string::npos ||
       text.find("://") != std::string::npos)
@@ -29,7 +30,7 @@ bool looksLikeFile(const std::string& text) {
          std::filesystem::path(text).extension().string().size() > 1;
 }
 
-/// The text of the file of that name, where there is one.
+/// Returns the text of the file of that name if there is one, else the text itself.
 Result<std::string> textOrFile(const std::string& text) {
   namespace fs = std::filesystem;
   std::error_code fault;
@@ -67,7 +68,7 @@ CLI::Option* TypedOptions::declare(CLI::App& command, const render::ExportOption
         option.flag,
         [this, &option](std::int64_t count) { m_texts[&option] = count > 0 ? "true" : "false"; },
         help);
-    // Where there is a flag against it, what holds without either is worth a word.
+    // A flag that can be negated shows in its help what holds without it.
     if (std::string_view(option.flag).find('!') != std::string_view::npos)
       flag->default_str(standard);
     return flag;
@@ -78,7 +79,7 @@ CLI::Option* TypedOptions::declare(CLI::App& command, const render::ExportOption
   const auto* number = std::get_if<render::NumberOption>(&option.kind);
   if (number)
     made->check(within(number->low, number->high));
-  // What the writer decides where nothing is said has no standard.
+  // A number that the writer decides when it is left out has no default.
   const bool open = number && standard.starts_with('-');
   if (!standard.empty() && !open)
     made->default_str(standard);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of exports as flags of the command line, made from the renderer's table.
+// Makes the options of exports into flags of the command line, from the renderer's table.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ class Option;
 
 namespace sline::cli {
 
-/// What was typed behind the flags of options, not yet understood.
+/// Holds what was typed behind the flags of options, not yet understood.
 class TypedOptions {
  public:
   /// Declares the option's flag on the sub-command, with the help and the default that the table
@@ -24,9 +24,10 @@ class TypedOptions {
                        const std::string& kinds = {});
   /// Takes the text as if it had been typed.
   void set(const render::ExportOption& option, const std::string& text) { m_texts[&option] = text; }
-  /// Returns what was typed; an empty text where nothing was.
+  /// Returns what was typed; an empty text if nothing was.
   std::string typed(const render::ExportOption& option) const;
-  /// Writes what was typed into the order. An error is a wrong use, or a file that cannot be read.
+  /// Writes what was typed into the order. An error counts as wrong use, or means a file that
+  /// cannot be read.
   Status applyTo(render::ExportOrder& order) const;
 
  private:

@@ -55,7 +55,7 @@ Result<T> parseChoice(const std::array<Choice<T>, N>& choices, std::string_view 
   return wrong(what, text, names);
 }
 
-/// The whole text as a number, in any locale.
+/// Reads the whole text as a number, in any locale.
 template <class T>
 std::optional<T> number(std::string_view text) {
   T value{};

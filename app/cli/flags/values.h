@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values that flags take, parsed with messages that say what would have been right.
+// Parses the values that flags take, with messages that say what would have been right.
 #pragma once
 
 #include <optional>
@@ -16,41 +16,41 @@
 
 namespace sline::cli {
 
-/// A picture's width and height in pixels.
+/// Holds a picture's width and height in pixels.
 struct Size {
   int width = 1280;
   int height = 720;
   float aspect() const { return float(width) / float(height); }
 };
 
-/// "1920x1080"; both sides within `render::pixelSideLimits`.
+/// Reads "1920x1080"; both sides within `render::pixelSideLimits`.
 Result<Size> parseSize(std::string_view text);
-/// "auto" (nothing) or a number from 1 to `render::mostSamples`.
+/// Reads "auto" (nothing) or a number from 1 to `render::mostSamples`.
 Result<std::optional<int>> parseSamples(const std::string& text);
-/// "2.5", within [0, 5].
+/// Reads "2.5", within [0, 5].
 Result<Gamma> parseGamma(std::string_view text);
-/// Styles that say this one thing: a number within its range.
+/// Each reads a number within its range and returns a style that sets this one field.
 Result<model::Style> parsePen(std::string_view text);
 Result<model::Style> parseHatchDensity(std::string_view text);
 Result<model::Style> parseHatchTone(std::string_view text);
-/// "#rrggbb".
+/// Reads "#rrggbb".
 Result<Colour> parseColour(std::string_view text);
-/// "LPS", "RAS" or "file"; case is ignored.
+/// Reads "LPS", "RAS" or "file"; case is ignored.
 Result<model::Frame> parseFrame(std::string_view text);
-/// "mm", "cm", "m" or "inch": how many millimetres it is long.
+/// Reads "mm", "cm", "m" or "inch" and returns its length in millimetres.
 Result<float> parseUnit(std::string_view text);
-/// "auto", "off" or a number of steps from 1 to 1000.
+/// Reads "auto", "off" or a number of steps from 1 to 1000.
 Result<model::Smoothing> parseSmoothing(std::string_view text);
-/// "NAME=VALUE", "NAME=LO..HI" (either may be left out) or the name of a preset.
+/// Reads "NAME=VALUE", "NAME=LO..HI" (either may be left out) or the name of a preset.
 Result<model::Threshold> parseThreshold(std::string_view text);
 Result<model::Fill> parseFill(std::string_view text);
 Result<render::Background> parseBackground(const std::string& text);
-/// "strokes" or "as-printed".
+/// Reads "strokes" or "as-printed".
 Result<render::HatchingMethod> parseHatching(std::string_view text);
-/// A direction as `PictureSettings::light`.
+/// Reads a direction as `PictureSettings::light`.
 Result<glm::vec3> parseLight(std::string_view text);
 
-/// "NAME=VALUE", cut at the last '='; nothing where there is none.
+/// Holds "NAME=VALUE", cut at the last '='; a text without one gives nothing.
 struct NamedValue {
   std::string name;
   std::string value;

@@ -29,7 +29,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
 }
 
-/// A line of a table; a quoted cell may go over several.
+/// Holds a line of a table; a quoted cell may span several.
 struct Row {
   std::size_t line = 1;
   std::vector<std::string> cells;
@@ -49,7 +49,7 @@ class TableReader {
       }
   }
 
-  /// Nothing at the end.
+  /// Returns the next row, or nothing at the end.
   Result<std::optional<Row>> next() {
     if (m_at >= m_text.size())
       return std::optional<Row>();
@@ -117,7 +117,7 @@ class TableReader {
   char m_separator = ',';
 };
 
-/// As people head columns: "--png" and "PNG" are "png".
+/// Returns the flag that a heading names: people write "--png" and "PNG" for "png".
 std::string flagOf(const std::string& heading) {
   std::string flag = trimmed(heading);
   flag.erase(0, std::min(flag.find_first_not_of('-'), flag.size()));
@@ -138,7 +138,7 @@ Status checkHeading(const Row& heading) {
   return Unit{};
 }
 
-/// The values of a JSON value; nothing where it is none of a flag.
+/// Returns the texts of a JSON value; nothing if no flag can have such a value.
 std::optional<std::vector<std::string>> valuesOf(const Json& value) {
   if (value.is_string())
     return std::vector<std::string>{value.get<std::string>()};
@@ -157,7 +157,7 @@ std::optional<std::vector<std::string>> valuesOf(const Json& value) {
   return all;
 }
 
-/// The places of an object's keys by their names; a fault where one is there twice.
+/// Returns the places of an object's keys by their names; a fault if one is there twice.
 Result<std::map<std::string, TextPlace>> keyPlaces(const ElementPlace& place,
                                                    const std::string& job) {
   std::map<std::string, TextPlace> places;
@@ -172,7 +172,7 @@ Result<std::map<std::string, TextPlace>> keyPlaces(const ElementPlace& place,
   return places;
 }
 
-/// `name` is "job 4".
+/// Reads one job; `name` is "job 4".
 Result<Job> jobOf(const Json& object, const std::string& name, const ElementPlace& place) {
   const std::string where = name + ", " + place.at.text();
   if (!object.is_object())
@@ -256,7 +256,7 @@ Result<std::vector<Job>> jobsOfJson(std::string_view text) {
   try {
     list = Json::parse(text);
   } catch (const Json::parse_error& failure) {
-    // It counts what it has read, the byte at fault too.
+    // The parser counts what it has read, the byte at fault too.
     const std::size_t at = std::max<std::size_t>(failure.byte, 1) - 1;
     return fault(placeOf(text, at).text(), "it is no JSON", "Write a list of objects, [{…}, …]");
   } catch (const Json::exception&) {

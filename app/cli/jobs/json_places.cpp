@@ -28,7 +28,7 @@ class Scan {
     else
       m_place.column += m_at < m_text.size() && isWithin(m_text[m_at]) ? 0 : 1;
   }
-  /// A byte of a character that began before it.
+  /// Tells whether the byte belongs to a character that began before it.
   static bool isWithin(char byte) { return (static_cast<unsigned char>(byte) & 0xC0u) == 0x80u; }
 
   void take() {
@@ -69,7 +69,7 @@ class Scan {
     }
     if (m_at < m_text.size())
       step();
-    // A list within the list has commas at that depth, too, but nobody asks for its keys.
+    // A list within the list has commas at that depth, too, but its keys are never asked for.
     if (m_depth != 2 || !m_keyNext || m_elements.empty())
       return;
     m_keyNext = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where in a JSON text its values are: parsers say what they read, not where.
+// Finds where in a JSON text its values are: parsers report what they read, not where it is.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace sline::cli {
 
-/// From 1; columns count characters.
+/// Holds a place counted from 1; columns count characters.
 struct TextPlace {
   std::size_t line = 1;
   std::size_t column = 1;
-  /// "line 3, column 8".
+  /// Returns "line 3, column 8".
   std::string text() const;
 };
 
-/// A byte of the text, or its end.
+/// Returns the place of a byte of the text, or of its end.
 TextPlace placeOf(std::string_view text, std::size_t byte);
 
-/// An element of the list, and the keys of one that is an object, in the text's order.
+/// Holds the place of one element of the list and, for an object, of its keys in the text's order.
 struct ElementPlace {
   TextPlace at;
   struct Key {
@@ -28,7 +28,7 @@ struct ElementPlace {
   };
   std::vector<Key> keys;
 };
-/// Of a text that is a list and was parsed without fault.
+/// Returns the places of the elements of a text that is a list and was parsed without fault.
 std::vector<ElementPlace> placesOfList(std::string_view text);
 
 }  // namespace sline::cli

@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* licenceLine = "# SPDX-License-Identifier: Apache-2.0\n";
 
-/// Text with a backslash before each sign that is one of `signs`.
+/// Returns the text with a backslash before each character that is one of `signs`.
 std::string backslashed(const std::string& text, const std::string& signs) {
   std::string out;
   for (const char sign : text) {
@@ -18,7 +18,7 @@ std::string backslashed(const std::string& text, const std::string& signs) {
   return out;
 }
 
-/// Text as one word of bash and zsh.
+/// Returns the text as one word of bash and zsh.
 std::string inQuotes(const std::string& text) {
   std::string out = "'";
   for (const char sign : text)
@@ -26,7 +26,7 @@ std::string inQuotes(const std::string& text) {
   return out + "'";
 }
 
-/// Text as one word of fish, where a backslash means something within quotes too.
+/// Returns the text as one word of fish, where a backslash has a meaning within quotes too.
 std::string inFishQuotes(const std::string& text) {
   return "'" + backslashed(text, "\\'") + "'";
 }
@@ -53,7 +53,7 @@ std::vector<std::string> commandNames(const ProgramTable& table) {
   return names;
 }
 
-/// What a value may be, as an assignment to the variables of `_sline` below.
+/// Returns the possible values as an assignment to the variables of `_sline` below.
 std::string bashValues(const TableOption& option) {
   switch (option.completes) {
     case Completes::choices:
@@ -68,7 +68,8 @@ std::string bashValues(const TableOption& option) {
   return ":";
 }
 
-/// Cases of "COMMAND OPTION", for options with a value, and of "COMMAND", for what stands alone.
+/// Appends cases of "COMMAND OPTION" for options with a value, and of "COMMAND" for its options and
+/// positional arguments.
 void appendBashCases(const CommandTable& command, std::string& values, std::string& rest) {
   std::string alone = ":";
   for (const TableOption& option : command.options) {
@@ -87,7 +88,7 @@ void appendBashCases(const CommandTable& command, std::string& values, std::stri
           alone + " ;;\n";
 }
 
-/// What `_arguments` of zsh appends to an option that takes a value.
+/// Returns what `_arguments` of zsh appends to an option that takes a value.
 std::string zshValue(const TableOption& option) {
   if (!option.takesValue)
     return {};

@@ -8,14 +8,14 @@
 
 namespace sline::cli {
 
-/// The program's own options and those of its commands.
+/// Holds the program's own options and those of its commands.
 struct ProgramTable {
   CommandTable program;
   std::vector<CommandTable> commands;
 };
 
 /// Each returns a script that completes `sline` in that shell: commands, options, the words that an
-/// option takes, files and folders where it takes those.
+/// option takes, and files and folders for options that take those.
 std::string bashCompletion(const ProgramTable& table);
 std::string zshCompletion(const ProgramTable& table);
 std::string fishCompletion(const ProgramTable& table);

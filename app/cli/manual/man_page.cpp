@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Man pages in the macros of man(7), as Debian's man and mandoc read them.
+// Writes man pages in the macros of man(7), as Debian's man and mandoc read them.
 #include "app/cli/manual/man_page.h"
 
 #include <algorithm>
@@ -14,7 +14,8 @@ namespace sline::cli {
 
 namespace {
 
-/// The code point at `at`, which moves to its last byte. The texts are our own, so they are UTF-8.
+/// Returns the code point at `at`, which moves to its last byte. The texts are our own, so they are
+/// UTF-8.
 unsigned codePoint(const std::string& text, std::size_t& at) {
   const auto lead = static_cast<unsigned char>(text[at]);
   const int more = lead >= 0xf0 ? 3 : lead >= 0xe0 ? 2 : 1;
@@ -24,7 +25,7 @@ unsigned codePoint(const std::string& text, std::size_t& at) {
   return code;
 }
 
-/// What troff would take for something else: a hyphen for a dash, quotes for typographic ones.
+/// Escapes a character that troff would change: a hyphen into a dash, quotes into typographic ones.
 std::string troffSign(char sign) {
   switch (sign) {
     case '\\':
@@ -46,12 +47,13 @@ std::string troffSign(char sign) {
   }
 }
 
-/// A line of text; at its beginning a dot would call a macro.
+/// Returns a line of text; at its beginning a dot would call a macro.
 std::string troffLine(const std::string& text) {
   return (text.starts_with('.') ? "\\&" : "") + troffEscaped(text) + "\n";
 }
 
-/// Prose is filled; indented lines are examples and stay as they are; an empty line parts.
+/// Returns prose, which is filled; indented lines are examples and stay as they are, and an empty
+/// line separates paragraphs.
 std::string troffProse(const std::string& text) {
   std::string out;
   bool example = false;

@@ -23,14 +23,14 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \n") + 1 - first);
 }
 
-/// Words such as "N" in "auto|N" stand for values instead of being one.
+/// Tells whether the word, such as "N" in "auto|N", stands for values instead of being one.
 bool standsForValues(const std::string& word) {
   static const std::vector<std::string> names{"N", "LIST", "IDS", "FILE", "FOLDER"};
   return std::find(names.begin(), names.end(), word) != names.end();
 }
 
-/// The words that an option takes: those of a check for membership ("TEXT:{a,b}"), else those
-/// between the bars of its type's name.
+/// Returns the words that an option takes: those of a check for membership ("TEXT:{a,b}"), else
+/// those between the bars of its type's name.
 std::vector<std::string> choicesOf(const std::string& type) {
   const std::size_t open = type.find(":{");
   if (open != std::string::npos)
@@ -73,7 +73,8 @@ TableOption rowOf(const CLI::Option& declared) {
   return row;
 }
 
-/// An option group is a sub-command without a name; it has a --help of its own, which counts once.
+/// Collects a command's options and those of its option groups. An option group is a sub-command
+/// without a name; it has a --help of its own, which counts once.
 void collect(const CLI::App& command, const std::string& group, std::vector<TableOption>& rows) {
   for (const CLI::Option* declared : command.get_options()) {
     const bool helpAgain = !group.empty() && declared == command.get_help_ptr();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a command says of itself in `--help`, as a value from which man pages and completions are
+// Describes a command as its `--help` does, as a value from which man pages and completions are
 // written.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace sline::cli {
 enum class Completes { nothing, choices, files, folders };
 
 struct TableOption {
-  std::vector<std::string> names;  ///< with their dashes, short ones first; of a positional its own
+  std::vector<std::string> names;  ///< with their dashes, short ones first; a positional's own name
   std::string value;  ///< the type's name, for a person: "FILE.png", "auto|off|N"; may be empty
   std::string about;  ///< what `--help` says after the names: type, default, needs, excludes
   std::string help;
@@ -25,15 +25,15 @@ struct TableOption {
 };
 
 struct CommandTable {
-  std::string name;   ///< "render"; of the program itself "sline"
+  std::string name;   ///< "render"; "sline" for the program itself
   std::string usage;  ///< "sline render [OPTIONS] INPUT..."
   std::string description;
   std::string footer;
   std::vector<TableOption> options;  ///< as they were declared; hidden ones are left out
 };
 
-/// Reads the declared options of a command, those in its option groups too. `title` is how the
-/// command is called.
+/// Reads the declared options of a command, those in its option groups too. `title` is the
+/// command's name.
 CommandTable tableOf(const CLI::App& command, const std::string& title);
 
 /// Returns the sub-commands that `--help` lists, as they were declared.

@@ -35,7 +35,8 @@ std::size_t placeOf(const DemoStructure& s) {
   return std::size_t(at - groupOrder.begin());
 }
 
-/// Vessels, ureters, gullet, rectum and muscles go on beyond the scene and end in a clean cut.
+/// Cuts vessels, ureters, gullet, rectum and muscles off cleanly where they continue beyond the
+/// scene.
 void cutOff(DemoStructure& s) {
   constexpr float top = 121.0f;
   constexpr float bottom = -226.0f;
@@ -48,8 +49,8 @@ void cutOff(DemoStructure& s) {
   s.box.low.z = std::max(s.box.low.z, bottom - 4.0f);
 }
 
-/// Whether two structures come near each other, looked at every centimetre: most whose boxes meet
-/// do not, and need not be asked about each other again.
+/// Tells whether two structures come near each other, checked every centimetre: most structures
+/// whose boxes meet do not come near, and need not give way to each other.
 bool touch(const DemoStructure& a, const DemoStructure& b) {
   constexpr float step = 10.0f;
   constexpr float near = 0.87f * step + 3.0f;
@@ -65,7 +66,8 @@ bool touch(const DemoStructure& a, const DemoStructure& b) {
   return false;
 }
 
-/// What comes first keeps its shape; what comes later is pressed in by it.
+/// Returns the structures in order of firmness: earlier ones keep their shape and press into later
+/// ones.
 std::vector<DemoStructure> inOrderOfFirmness() {
   std::vector<DemoStructure> all = abdomenBones();
   const auto append = [&all](std::vector<DemoStructure> more) {
@@ -124,7 +126,8 @@ struct Aim {
   glm::vec3 up{0, 0, 1};
 };
 
-/// Orthographic-like: from far away with a narrow opening, `height` mm at the target.
+/// Returns a nearly orthographic view, from far away with a narrow opening that shows `height` mm
+/// at the target.
 View viewFrom(const char* name, const Aim& aim, float height) {
   constexpr float distance = 1100.0f;
   const float opening = 2.0f * std::atan(0.5f * height / distance) * 57.29578f;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Jejunum and ileum: one tube laid by hand from the duodenum's end to the caecum, then left to
-// settle between colon, stomach and the back of the cavity.
+// Models jejunum and ileum: one tube laid by hand from the duodenum's end to the caecum, then left
+// to settle between colon, stomach and the back of the cavity.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +20,8 @@ namespace sline::model {
 namespace {
 constexpr float bowelRadius = 9.4f;
 
-/// Back and front of the peritoneal cavity, low down its narrowing, and the mesentery's vessels.
+/// Returns the distance within the peritoneal cavity to its back, which bulges in the middle around
+/// the mesentery's vessels, to its front, to its narrowing low down and to its sides.
 float cavityWall(const glm::vec3& p) {
   const float aside = std::clamp((std::abs(p.x) - 26.0f) / 40.0f, 0.0f, 1.0f);
   const float back = -31.0f + 32.0f * aside * aside * (3.0f - 2.0f * aside);
@@ -103,7 +104,7 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
   };
   s.rounding = 2.0f;
   s.wall = 1.8f;
-  // Circular folds, closer together in the jejunum.
+  // The circular folds are closer together in the jejunum.
   s.folds = [=](const glm::vec3& p) {
     const SweptPlace at = tube->place(p);
     return first ? 0.9f + 0.9f * std::sin(at.along * 2.0f * std::numbers::pi_v<float> / 7.5f +
@@ -113,7 +114,8 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
   return s;
 }
 
-/// Where the bowel may not be, read quickly: it is asked for each point of the tube many times.
+/// Returns the region closed to the bowel as samples, which are quick to read, since it is read
+/// many times for each point of the tube.
 Field sampledKeepOut(const Field& keepOut) {
   const Box cavity{{-110, -124, -234}, {112, -4, 0}};
   const auto samples = std::make_shared<const SampledField>(
@@ -137,7 +139,7 @@ std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& there)
                                                                .stages = 15,
                                                                .settling = 6,
                                                                .growth = 1.13f});
-  // Narrower towards its end, and with slow waves of narrower and wider places.
+  // The tube narrows towards its end, with slow waves of narrower and wider places.
   std::vector<SweptPoint> points;
   for (std::size_t i = 0; i < line.size(); i += 2) {
     const float share = float(i) / float(line.size());

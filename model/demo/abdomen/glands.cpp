@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Liver, gallbladder and bile ducts, pancreas, spleen, adrenal glands.
+// Models liver, gallbladder and bile ducts, pancreas, spleen and adrenal glands.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -113,7 +113,7 @@ DemoStructure bileDucts() {
   return s;
 }
 
-/// Lobules: hills and furrows some 7 mm wide.
+/// Returns the height of the lobules: hills and furrows some 7 mm wide.
 float lobules(const glm::vec3& p) {
   const glm::vec3 q = 0.50f * p + 0.9f * glm::vec3(std::sin(0.21f * p.z + 1.0f),
                                                    std::sin(0.19f * p.x), std::sin(0.23f * p.y));
@@ -152,7 +152,8 @@ DemoStructure pancreas() {
   return s;
 }
 
-/// Columns: where the spleen's length, width and thickness point. It lies along the tenth rib.
+/// Returns the directions of the spleen's length, width and thickness as columns. It lies along the
+/// tenth rib.
 glm::mat3 spleenAxes() {
   const glm::vec3 length = glm::normalize(glm::vec3(0.30f, -0.75f, -0.45f));
   const glm::vec3 outward = glm::normalize(glm::vec3(0.80f, 0.60f, 0.0f));
@@ -164,18 +165,19 @@ DemoStructure spleen() {
   const glm::vec3 middle(103, 38, 69);
   const glm::mat3 axes = spleenAxes();
   const Field field = [=](const glm::vec3& p) {
-    // x along its length (down and forward), y across (down and back), z out towards the ribs.
+    // In the spleen's frame x runs along its length (down and forward), y across (down and back), z
+    // out towards the ribs.
     const glm::vec3 q = (p - middle) * axes;
     glm::vec3 bent = q;
     bent.z += 0.0045f * q.x * q.x + 0.0060f * q.y * q.y;
     float d = ellipsoid(bent, {58.0f, 37.0f, 19.0f});
-    // Gastric and renal faces are hollow; the hilum is a groove on the ridge between them.
+    // The gastric and renal faces are hollow; the hilum is a groove on the ridge between them.
     const float gastric = glm::length(q - glm::vec3(4, -30, -74)) - 64.0f;
     const float renal = glm::length(q - glm::vec3(-8, 36, -72)) - 60.0f;
     d = blendedDifference(d, gastric, 9.0f);
     d = blendedDifference(d, renal, 9.0f);
     d = blendedDifference(d, ellipsoid(q - glm::vec3(0, 1, -17), {26.0f, 4.0f, 7.0f}), 4.0f);
-    // Notches of the upper border.
+    // The upper border has notches.
     for (const auto& [along, size] : {std::pair{10.0f, 2.6f}, {25.0f, 4.4f}, {38.0f, 2.2f}}) {
       const glm::vec3 n = q - glm::vec3(along, 0.011f * along * along - 41.0f, -8.0f);
       d = blendedDifference(d, ellipsoid(n, {size * 0.7f, 2.6f * size, 22.0f}), 5.0f);
@@ -190,7 +192,7 @@ DemoStructure spleen() {
   return s;
 }
 
-/// A thin cap on the kidney's upper pole: a ridge with two or three wings.
+/// Models a thin cap on the kidney's upper pole: a ridge with two or three wings.
 DemoStructure adrenal(const char* name, const glm::vec3& apex, float side, bool crescent) {
   const auto wing = [&](std::array<glm::vec3, 3> at) {
     std::array<SweptPoint, 3> points{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The alimentary canal: swept walls, folded where the organ is.
+// Models the alimentary canal: swept walls, folded where the organ is.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,7 +28,7 @@ DemoStructure organ(std::string name, Colour colour, float gamma, Field field, B
           .box = box};
 }
 
-/// Folds along the cavity, the rugae: how much thicker they make the wall, mm. They fade towards
+/// Returns how much thicker the rugae, folds along the cavity, make the wall, mm. They fade towards
 /// the pylorus.
 float rugae(const SweptPlace& at, float length) {
   const float phase = 7.0f * at.angle + 1.1f * std::sin(at.along / 17.0f) +
@@ -99,7 +99,7 @@ DemoStructure duodenum() {
   DemoStructure s = organ(
       "duodenum", bowelColour, 3.0f,
       [tube](const glm::vec3& p) {
-        // The jejunum goes on where it ends.
+        // The jejunum continues where the duodenum ends.
         const SweptPlace at = tube->place(p);
         return -blendedUnion(-at.distance, -tube->beyond(tube->length(), p, at), 3.0f);
       },
@@ -120,14 +120,15 @@ DemoStructure duodenum() {
   return s;
 }
 
-/// Three bands of muscle, the taeniae, gather the wall into sacs.
+/// Returns the distance to the colon's wall, which three bands of muscle, the taeniae, gather into
+/// sacs.
 float haustrated(const SweptPlace& at) {
   if (at.distance > 10.0f)
     return at.distance - 2.0f;
   const float across = std::sin(1.5f * at.angle);
   const float band = across * across;
   const float sac = std::sqrt(std::sqrt(band + 0.004f));
-  // Folds are a little longer here, shorter there, and staggered between the bands.
+  // The folds vary a little in length and are staggered between the bands.
   const float phase =
       2.75f * at.widths + 0.5f * std::sin(0.83f * at.widths) + 0.9f * std::sin(at.angle + 0.6f);
   const float wave = std::sin(phase);
@@ -138,7 +139,7 @@ float haustrated(const SweptPlace& at) {
   return at.distance + at.radius * (hollow * (0.3f + 0.7f * end) - taenia * end);
 }
 
-/// The whole colon; its parts are cut from it.
+/// Returns the whole colon, from which its parts are cut.
 std::shared_ptr<const Swept> colonTube() {
   return std::make_shared<Swept>(
       std::array<SweptPoint, 32>{
@@ -156,13 +157,13 @@ std::shared_ptr<const Swept> colonTube() {
       glm::vec3(0, -1, 0));
 }
 
-/// A stretch of a tube: where it begins and ends along it, absent where the tube itself does.
+/// Holds where a stretch of a tube begins and ends; absent where the tube itself begins or ends.
 struct Stretch {
   std::optional<float> from;
   std::optional<float> to;
 };
 
-/// The wall closed where the stretch begins and ends, its rims slightly rounded.
+/// Closes the wall where the stretch begins and ends, with slightly rounded rims.
 float within(const Swept& tube, const Stretch& stretch, const glm::vec3& p, const SweptPlace& at,
              float wall) {
   float d = wall;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The liver as a wedge: a dome that fits under the diaphragm, cut from below by the visceral
+// Models the liver as a wedge: a dome that fits under the diaphragm, cut from below by the visceral
 // surface, a height field over the horizontal plane that falls to a sharp margin in front and is
 // marked by the fissures around the quadrate and caudate lobes. Neighbours press in later.
 #include <cmath>
@@ -13,7 +13,8 @@ namespace sline::model {
 
 namespace {
 
-/// A smooth hill of height 1 with the given half widths, turned by `angle` about the vertical.
+/// Returns a smooth hill of height 1 with the given half widths, turned by `angle` about the
+/// vertical.
 float hill(const glm::vec2& p, const glm::vec2& centre, const glm::vec2& width,
            float angle = 0.0f) {
   const glm::vec2 d = p - centre;
@@ -27,17 +28,17 @@ float ramp(float low, float high, float x) {
   return t * t * t * (10.0f + t * (6.0f * t - 15.0f));
 }
 
-/// What the diaphragm moulds: a high right dome, a flat left lobe that thins to its tip, and the
-/// hollow behind where the spine and the crura stand.
+/// Returns the field of the part that the diaphragm moulds: a high right dome, a flat left lobe
+/// that thins to its tip, and behind them the hollow for the spine and the crura.
 float domeField(const glm::vec3& p) {
-  // Fuller below than an ellipsoid: the flank falls steeply to the inferior margin.
+  // The dome is fuller below than an ellipsoid: the flank falls steeply to the inferior margin.
   glm::vec3 r = p - glm::vec3(-66, -10, 20);
   r.z *= 0.86f + 0.14f * std::tanh(r.z / 45.0f);
   const float right = cushion(r, {76.0f, 84.0f, 89.0f}, 0.3f);
   glm::vec3 l = p - glm::vec3(4, -40, 62);
   l.z += 0.0012f * l.x * l.x - 0.10f * l.x;
   l.y -= 0.0016f * l.x * l.x;
-  // Thinner towards its tip.
+  // The lobe thins towards its tip.
   const float taper = 1.0f - 0.12f * std::tanh(l.x / 70.0f);
   const float left = ellipsoid(l / glm::vec3(1, taper, taper), {90.0f, 47.0f, 41.0f}) * taper;
   float d = blendedUnion(right, left, 46.0f);
@@ -47,8 +48,8 @@ float domeField(const glm::vec3& p) {
   return blendedDifference(d, heart, 24.0f);
 }
 
-/// How far the left lobe's surface lies below the right one's: along the falciform ligament, from
-/// the notch of the round ligament over the dome, by a step that fades to the left.
+/// Returns how far the left lobe's surface lies below the right one's: along the falciform
+/// ligament, from the notch of the round ligament over the dome, by a step that fades to the left.
 float leftLobeStep(const glm::vec3& p) {
   const float ligament = -3.0f + 6.0f * std::sin((p.z - 20.0f) / 42.0f);
   const float beyond = p.x - ligament;
@@ -56,10 +57,10 @@ float leftLobeStep(const glm::vec3& p) {
   return step * ramp(20.0f, -40.0f, p.y) * (1.0f - 0.75f * ramp(70.0f, 100.0f, p.z));
 }
 
-/// Height of the visceral surface above (x, y).
+/// Returns the height of the visceral surface above (x, y).
 float visceralHeight(const glm::vec2& p) {
-  // The inferior margin climbs from the right flank to the left; from it the surface rises to the
-  // porta and stays high behind.
+  // The inferior margin climbs from the right flank to the left; from there the surface rises to
+  // the porta and stays high behind.
   const float flank = std::max(-104.0f - p.x, 0.0f);
   const float margin = -58.0f + 0.54f * (p.x + 120.0f) + 0.016f * flank * flank;
   float z = margin + (24.0f + 26.0f * ramp(-120.0f, -30.0f, p.x)) * ramp(-95.0f, -18.0f, p.y);

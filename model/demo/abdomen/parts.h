@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The organs of the demo abdomen, by system. Their frame is LPS in millimetres: x = 0 is the
-// midline, z = 0 the transpyloric plane (lower border of the first lumbar vertebra), y = 0 about
-// the middle of the body's depth, just behind the front of the vertebral bodies. Sizes are those
-// that textbooks of anatomy give for an adult.
+// Declares the organs of the demo abdomen, by system. Their frame is LPS in millimetres: x = 0 is
+// the midline, z = 0 the transpyloric plane (lower border of the first lumbar vertebra), y = 0
+// about the middle of the body's depth, just behind the front of the vertebral bodies. Sizes are
+// those that textbooks of anatomy give for an adult.
 #pragma once
 
 #include <vector>
@@ -13,18 +13,18 @@ namespace sline::model {
 
 std::vector<DemoStructure> abdomenBones();
 std::vector<DemoStructure> abdomenMuscles();
-/// Gallbladder and bile ducts, adrenal glands, pancreas.
+/// Models gallbladder and bile ducts, adrenal glands, pancreas.
 std::vector<DemoStructure> abdomenGlands();
 std::vector<DemoStructure> abdomenSpleenAndLiver();
-/// Duodenum, stomach, colon.
+/// Models duodenum, stomach, colon.
 std::vector<DemoStructure> abdomenGut();
-/// Jejunum and ileum in the room that what is there leaves.
+/// Models jejunum and ileum in the room that the given structures leave.
 std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& there);
 std::vector<DemoStructure> abdomenUrinary();
 std::vector<DemoStructure> abdomenArteries();
 std::vector<DemoStructure> abdomenVeins();
 
-/// The liver before its neighbours press into it.
+/// Returns the liver before its neighbours press into it.
 Field liverField();
 
 }  // namespace sline::model

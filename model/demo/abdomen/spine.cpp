@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lumbar column with the last thoracic vertebra and its ribs, and the psoas muscles beside it.
-// One vertebra is modelled and set up six times, growing downwards and tilted along the lordosis.
+// Models the lumbar column with the last thoracic vertebra and its ribs, and the psoas muscles
+// beside it. One vertebra is modelled and set up six times, growing downwards and tilted along the
+// lordosis.
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
@@ -19,8 +20,8 @@ constexpr Colour boneColour{248, 234, 214};
 constexpr Colour discColour{169, 199, 214};
 constexpr Colour muscleColour{100, 42, 36};
 
-/// Where a vertebral body stands: its middle, the tilt of its upper face to the front (radians) and
-/// its size against the third lumbar vertebra's.
+/// Says where a vertebral body stands: its middle, the tilt of its upper face to the front
+/// (radians) and its size relative to the third lumbar vertebra.
 struct Level {
   const char* name;
   glm::vec3 middle;
@@ -36,7 +37,8 @@ constexpr std::array<Level, 6> levels{{{"T12 vertebra", {0, 24, 49}, -0.10f, 0.8
                                        {"L5 vertebra", {0, 24, -136}, 0.30f, 1.04f, 23}}};
 constexpr float bodyHalfHeight = 13.6f;
 
-/// Into the frame of a vertebra the size of the third lumbar: middle of its body, z up.
+/// Converts a point into the frame of a vertebra the size of the third lumbar: middle of its body,
+/// z up.
 glm::vec3 intoLevel(const Level& level, const glm::vec3& p) {
   const glm::vec3 d = (p - level.middle) / level.size;
   const float c = std::cos(level.tilt);
@@ -50,7 +52,7 @@ glm::vec3 outOfLevel(const Level& level, const glm::vec3& q) {
   return level.middle + level.size * glm::vec3(q.x, c * q.y + s * q.z, -s * q.y + c * q.z);
 }
 
-/// Distance to the kidney-shaped outline of body and disc in the horizontal plane.
+/// Returns the distance to the kidney-shaped outline of body and disc in the horizontal plane.
 float outline(const glm::vec2& p, float halfWidth, float halfDepth) {
   const glm::vec2 a(halfWidth, halfDepth);
   const float k0 = glm::length(p / a);
@@ -60,7 +62,7 @@ float outline(const glm::vec2& p, float halfWidth, float halfDepth) {
   return blendedDifference(oval, canal, 4.0f);
 }
 
-/// Processes on the right side; the left ones are their mirror.
+/// Holds the processes of the right side; the left ones are their mirror image.
 struct Arch {
   explicit Arch(float transverseLength)
       : pedicle(std::array<SweptPoint, 3>{{{{11, 10, 5}, 5.5f, 1.4f},
@@ -106,7 +108,7 @@ float bodyField(const glm::vec3& q) {
   const float height = q.z / bodyHalfHeight;
   const float waist = 2.6f * (1.0f - std::min(height * height, 1.0f));
   const float wall = outline({q.x, q.y}, 25.0f - waist, 17.5f - waist);
-  // End plates are hollowed a little within their rims.
+  // The end plates are slightly hollow within their rims.
   const float plate = 1.4f * std::exp(-0.5f * (q.x * q.x / 130.0f + q.y * q.y / 60.0f));
   return blendedIntersection(wall, std::abs(q.z) - bodyHalfHeight + plate, 4.0f);
 }
@@ -200,7 +202,7 @@ DemoStructure psoas(const char* name, float side) {
   DemoStructure s = swept(name, "Muscles", muscleColour, shape);
   s.gamma = Gamma::clamped(1.4f);
   s.field = [shape](const glm::vec3& p) {
-    // Bundles of fibres that run its length.
+    // Bundles of fibres run along the muscle.
     const SweptPlace at = shape->place(p);
     const float bundles = std::sin(7.0f * at.angle + 0.9f * std::sin(at.along / 40.0f));
     return at.distance + 0.35f * bundles * std::min(at.radius / 12.0f, 1.0f);
@@ -215,7 +217,7 @@ DemoStructure psoas(const char* name, float side) {
 
 std::vector<DemoStructure> abdomenBones() {
   std::vector<DemoStructure> bones;
-  bones.reserve(2 * levels.size() + 1);  // between two vertebrae a disc, and two ribs
+  bones.reserve(2 * levels.size() + 1);  // a disc between each two vertebrae, and two ribs
   for (const Level& level : levels)
     bones.push_back(vertebra(level));
   for (std::size_t i = 0; i + 1 < levels.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kidneys (the bean of the kidney demo, set against the psoas) and ureters.
+// Models the kidneys (the bean of the kidney demo, set against the psoas) and the ureters.
 #include <array>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -18,7 +18,7 @@ constexpr Colour kidneyColour{168, 87, 60};
 constexpr Colour ureterColour{216, 155, 84};
 
 DemoStructure kidney(const char* name, float side, const glm::vec3& middle) {
-  // Its upper pole leans to the midline and back, and its hilum turns forward.
+  // The kidney's upper pole leans to the midline and back, and its hilum turns forward.
   const glm::vec3 up = glm::normalize(glm::vec3(-0.22f, 0.20f, 1.0f));
   const glm::vec3 lateral = glm::normalize(glm::vec3(0.86f, 0.50f, 0.1f));
   const glm::vec3 x = glm::normalize(lateral - glm::dot(lateral, up) * up);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Aorta, inferior vena cava and the portal system: trees of tubes, blended where they branch.
+// Models aorta, inferior vena cava and the portal system: trees of tubes, blended where they
+// branch.
 #include <algorithm>
 #include <glm/common.hpp>
 #include <initializer_list>
@@ -24,7 +25,7 @@ struct Kind {
   const char* group;
   Colour colour;
   Colour ink;
-  float wall;  ///< mm
+  float wall;  ///< thickness in mm
 };
 constexpr Kind arterial{"Arteries", arteryColour, arteryInk, 1.4f};
 constexpr Kind venous{"Veins", veinColour, veinInk, 1.0f};
@@ -72,7 +73,7 @@ float blended(const SweptTubes& tubes, const glm::vec3& p, float blend) {
   return d;
 }
 
-/// Edges short enough for the thinnest branch to be round.
+/// Returns edges short enough for the thinnest branch to be round.
 float edgeFor(float radius) {
   return std::clamp(0.5f * radius, 0.9f, 2.0f);
 }
@@ -89,12 +90,13 @@ DemoStructure vessel(std::string name, const Kind& kind, const std::vector<Cours
   return s;
 }
 
-/// A vessel and those it parts into: one smooth tree, cut across each branch at a place on its
-/// centre line. Walls run on from one to the other without a step.
+/// Describes a branch of a vessel. Vessel and branches form one smooth tree, which is cut across
+/// each branch at a place on its centre line, so walls continue from one to the other without a
+/// step.
 struct Branch {
   std::string name;
   std::vector<Course> courses;  ///< the first begins within the trunk
-  glm::vec3 from;               ///< on the first course, where the branch's own body begins
+  glm::vec3 from;               ///< place on the first course where the branch's own body begins
 };
 
 std::vector<DemoStructure> vesselTree(std::string trunk, const Kind& kind,
@@ -111,7 +113,7 @@ std::vector<DemoStructure> vesselTree(std::string trunk, const Kind& kind,
   Field rest = tree;
   std::size_t first = courses.size();
   for (const Branch& branch : branches) {
-    // Of the tree what lies beyond the cut and nearer the branch than the blend reaches.
+    // The branch owns the part of the tree that lies beyond the cut and close enough to it.
     const std::size_t last = first + branch.courses.size();
     const float along = (*tubes)[first].alongNearest(branch.from);
     const Field own = [=](const glm::vec3& p) {
@@ -156,8 +158,8 @@ DemoStructure vein(std::string name, const std::vector<Course>& courses) {
   return vessel(std::move(name), venous, courses);
 }
 
-/// The aorta parts in front of the fourth lumbar vertebra into the common iliac arteries, each of
-/// these before the sacroiliac joint.
+/// Models the aorta, which divides in front of the fourth lumbar vertebra into the common iliac
+/// arteries; each of these divides before the sacroiliac joint.
 std::vector<DemoStructure> aortaAndIliacArteries() {
   std::vector<Branch> iliacs;
   for (const float side : {-1.0f, 1.0f}) {
@@ -261,7 +263,7 @@ std::vector<DemoStructure> renalArteries() {
                   {{{34, 11, -2}, 2.4f}, {{45, 22, -5}, 2.1f}, {{56, 28, -12}, 1.5f}}})};
 }
 
-/// The common iliac veins join behind the right common iliac artery.
+/// Models the vena cava; the common iliac veins join behind the right common iliac artery.
 std::vector<DemoStructure> cavaAndIliacVeins() {
   std::vector<Branch> iliacs;
   for (const float side : {-1.0f, 1.0f}) {
@@ -313,7 +315,8 @@ std::vector<DemoStructure> renalVeins() {
                 {{{36, 0, -1}, 3.2f}, {{47, 14, -5}, 3.0f}, {{57, 20, -14}, 2.0f}}})};
 }
 
-/// Behind the neck of the pancreas the superior mesenteric and the splenic vein join.
+/// Models the portal vein; the superior mesenteric and the splenic vein join behind the neck of the
+/// pancreas.
 std::vector<DemoStructure> portalVeins() {
   return vesselTree("portal vein", ofPortal,
                     {{{{-10, -36, 2}, 6.4f},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures after common anatomy textbooks: a kidney of 11 × 5.5 × 4 cm whose hilum faces medially
-// and a little to the front; the vein in front of the artery, the renal pelvis behind both.
+// Models a kidney with measures from common anatomy textbooks: it has 11 × 5.5 × 4 cm, and its
+// hilum faces medially and a little to the front; the vein lies in front of the artery, the renal
+// pelvis behind both.
 #include "model/demo/kidney/kidney.h"
 
 #include <algorithm>
@@ -14,8 +15,8 @@
 
 namespace sline::model {
 
-/// A bean: an ellipsoid bent around the hilum, fuller towards its poles, the upper one broader,
-/// with a slit between two lips that opens into the sinus.
+/// Returns the field of a bean: an ellipsoid bent around the hilum, fuller towards its poles, the
+/// upper one broader, with a slit between two lips that opens into the sinus.
 float kidneyField(const glm::vec3& p) {
   glm::vec3 q = p;
   q.x += 0.0052f * q.z * q.z - 2.0f;
@@ -30,7 +31,7 @@ float kidneyField(const glm::vec3& p) {
 namespace {
 using Tubes = std::vector<Tube>;
 
-/// Branches of one vessel, blended where they part.
+/// Returns the distance to the branches of one vessel, blended where they part.
 float branched(const Tubes& tubes, const glm::vec3& p, float blend) {
   float d = tubes.front().distance(p);
   for (std::size_t i = 1; i < tubes.size(); ++i)
@@ -65,7 +66,7 @@ Tubes veinTubes() {
                                          {{-8, -9, -15}, 1.9f}}})};
 }
 
-/// The renal pelvis gathers two calyces and narrows into the ureter.
+/// Returns the renal pelvis, which gathers two calyces and narrows into the ureter.
 Tubes ureterTubes() {
   return {Tube(std::array<TubePoint, 7>{{{{-8, 6, 12}, 3.2f},
                                          {{-20, 8, 3}, 6.2f},
@@ -87,9 +88,9 @@ Box around(const Tubes& tubes, float margin) {
   return grown(box, margin);
 }
 
-/// Branching tubes with a thin wall, fine enough for the smaller branches.
+/// Makes branching tubes with a thin wall, with a mesh fine enough for the smaller branches.
 DemoStructure vessel(const char* name, const char* group, Colour colour, const Tubes& tubes) {
-  // Vessels and ureter go on beyond the scene and end in a clean cut.
+  // Vessels and ureter continue beyond the scene and end in a clean cut.
   constexpr float cutX = -58.0f;
   constexpr float cutZ = -106.0f;
   DemoStructure s{
@@ -104,14 +105,15 @@ DemoStructure vessel(const char* name, const char* group, Colour colour, const T
       .box = around(tubes, 3.0f),
   };
   s.edge = 0.65f;
-  // Vessels keep clear of each other and of the kidney by a hair, so no two structures overlap.
+  // Vessels keep a small distance from each other and from the kidney, so no two structures
+  // overlap.
   s.gap = 0.6f;
   s.smoothing = 0.5f;
   s.wall = 0.7f;
   return s;
 }
 
-/// What comes first keeps its shape.
+/// Returns the structures; earlier ones keep their shape.
 std::vector<DemoStructure> kidneyStructures() {
   DemoStructure kidney{.name = "left kidney",
                        .groups = {"Urinary organs"},

@@ -22,7 +22,7 @@ Shape reflected(const Shape& shape) {
   return {mirrored(shape.field, pelvisMiddle), mirrored(shape.box, pelvisMiddle)};
 }
 
-/// The fibrous plate between the pubic bones.
+/// Models the fibrous plate between the pubic bones.
 Sculpture pubicSymphysis() {
   constexpr float x = pelvisMiddle;
   Sculpture disc;
@@ -57,10 +57,10 @@ DemoStructure female(DemoStructure s) {
 }  // namespace
 
 glm::vec3 fromFemalePelvis(const glm::vec3& p) {
-  // Everything is lower, measured from the hip joints, and moved aside by up to `wider`, the more
-  // the lower it lies, so that the pubic arch opens.
+  // Everything lies lower, measured from the hip joints, and is moved aside by up to `wider`, the
+  // more the lower it lies, so that the pubic arch opens.
   constexpr float lower = 1.06f;
-  constexpr float arch = 40.0f;  // mm from the midline where most of the way aside is reached
+  constexpr float arch = 40.0f;  // mm from the midline where most of the sideways shift is reached
   const float aside = p.x - pelvisMiddle;
   const float wider = 5.0f + 6.5f * glm::smoothstep(0.0f, 1.0f, (885.0f - p.z) / 60.0f);
   const float hipLevel = leftHipJoint.z;
@@ -68,7 +68,7 @@ glm::vec3 fromFemalePelvis(const glm::vec3& p) {
 }
 
 glm::vec3 toFemalePelvis(const glm::vec3& p) {
-  // What the map adds changes less than the place does: repeated putting in converges.
+  // The map's shift changes less than the place does, so substituting repeatedly converges.
   glm::vec3 q = p;
   for (int step = 0; step < 12; ++step)
     q += p - fromFemalePelvis(q);
@@ -84,7 +84,8 @@ std::vector<DemoStructure> pelvisBones(Sex sex, const std::stop_token& stop) {
   std::vector<DemoStructure> bones;
   bones.push_back(structure("left hip bone", hipBone, dryBoneColour, 2.3f));
   bones.push_back(structure("right hip bone", reflected(hipBone), dryBoneColour, 2.3f));
-  // The sacroiliac joints are as narrow as the cut is: the wings are modelled into the hip bones.
+  // The sacroiliac joints are as narrow as the cut, since the wings are modelled into the hip
+  // bones.
   DemoStructure wedge = structure("sacrum", shapeOf(sacrum(), {1.3f, 1.8f}), dryBoneColour, 1.8f);
   wedge.givesWayTo = {"left hip bone", "right hip bone"};
   wedge.gap = 1.0f;

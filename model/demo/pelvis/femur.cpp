@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Set by hand from the measures of one body (BodyParts3D); names of ridges after textbooks.
+// Models the femur by hand from the measures of one body (BodyParts3D); names of ridges after
+// textbooks.
 #include "model/demo/pelvis/femur.h"
 
 #include <glm/geometric.hpp>
@@ -20,7 +21,7 @@ void addShaft(Sculpture& bone) {
                 {{121, -93, 767}, 15.2f},
                 {{119, -97, 750}, 14.8f}},
                6.0f);
-  // The neck, taller than it is thick: two strands, the lower one the calcar.
+  // The neck is taller than it is thick and has two strands, the lower one the calcar.
   bone.addTube({{{97, -87, 879}, 14.5f}, {{111, -86, 865}, 12.0f}, {{126, -85, 853}, 13.0f}}, 8.0f);
   bone.addTube({{{95, -88, 872}, 13.0f},
                 {{105, -86, 856}, 12.5f},
@@ -43,7 +44,7 @@ void addTrochanters(Sculpture& bone) {
                 6.0f);
   bone.addTube({{{144, -79, 846}, 14.0f}, {{140, -79, 830}, 15.0f}, {{133, -81, 808}, 14.0f}},
                8.0f);
-  // Intertrochanteric crest behind, down to the lesser trochanter.
+  // The intertrochanteric crest runs behind, down to the lesser trochanter.
   bone.addTube({{{136, -63, 862}, 5.0f},
                 {{132, -63, 845}, 5.5f},
                 {{123, -67, 827}, 6.0f},
@@ -54,13 +55,13 @@ void addTrochanters(Sculpture& bone) {
                 {{107, -76, 804}, 7.0f},
                 {{113, -82, 790}, 7.0f}},
                8.0f);
-  // Intertrochanteric line in front.
+  // The intertrochanteric line lies in front.
   bone.addTube({{{142, -93, 862}, 5.0f},
                 {{134, -96, 851}, 3.0f},
                 {{122, -95, 834}, 2.5f},
                 {{112, -90, 818}, 2.5f}},
                8.0f);
-  // The fossa behind the neck, under the tip of the greater trochanter.
+  // The fossa lies behind the neck, under the tip of the greater trochanter.
   bone.carveTube({{{124, -60, 879}, 8.0f}, {{131, -70, 866}, 5.0f}}, 9.0f);
 }
 }  // namespace
@@ -71,12 +72,12 @@ Sculpture leftFemur() {
   addTrochanters(bone);
   const auto head = [](const glm::vec3& p) { return glm::distance(p, leftHipJoint) - headRadius; };
   bone.add(head, {leftHipJoint - headRadius, leftHipJoint + headRadius}, 5.0f);
-  // The fovea, for the ligament of the head.
+  // The fovea holds the ligament of the head.
   const glm::vec3 fovea =
       leftHipJoint + headRadius * glm::normalize(glm::vec3(-0.93f, 0.3f, -0.1f));
   bone.carve([fovea](const glm::vec3& p) { return glm::distance(p, fovea) - 3.5f; }, 4.0f);
   bone.cut({0, 0, 770}, {0, 0, -1}, 3.0f);
-  // The marrow cavity, open at the cut.
+  // The marrow cavity is open at the cut.
   bone.carveTube({{{119, -97, 752}, 7.0f}, {{121, -93, 768}, 7.0f}, {{122, -91, 776}, 5.0f}}, 2.5f);
   return bone;
 }

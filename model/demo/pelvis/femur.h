@@ -5,8 +5,8 @@
 
 namespace sline::model {
 
-/// The upper end of a man's left femur, cut across below the lesser trochanter; its head fills the
-/// hip joint (see leftHipJoint). Pelvis demo's frame, LPS, mm.
+/// Models the upper end of a man's left femur, cut across below the lesser trochanter; its head
+/// fills the hip joint (see leftHipJoint). Pelvis demo's frame, LPS, mm.
 Sculpture leftFemur();
 
 }  // namespace sline::model

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What differs: the genital organs and the urethra of a man and of a woman.
+// Models the organs that differ: the genital organs and the urethra of a man and of a woman.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -27,7 +27,8 @@ Palette genital(Colour colour, float edge) {
   return palette;
 }
 
-/// A chestnut: base up under the bladder, apex down, a furrow behind between the two lobes.
+/// The prostate is a chestnut: base up under the bladder, apex down, a furrow behind between the
+/// two lobes.
 Shape prostate() {
   const std::vector<Blob> parts{Blob({x0 - 6, -88.5f, 849.5f}, {12.5f, 15, 9.6f}, {-15, 0, 0}),
                                 Blob({x0 + 6, -88.5f, 849.5f}, {12.5f, 15, 9.6f}, {-15, 0, 0}),
@@ -39,7 +40,7 @@ Shape prostate() {
       22.0f, 0.35f, 0.3f);
 }
 
-/// One tube, coiled upon itself: bulges left and right of a slanting line.
+/// The seminal vesicle is one coiled tube: bulges left and right of a slanting line.
 Shape seminalVesicle() {
   std::vector<TubePoint> coil{{{4.4f, -80.8f, 858.5f}, 2.3f}};
   for (int i = 1; i < 12; ++i) {
@@ -53,8 +54,8 @@ Shape seminalVesicle() {
   return shapeOf(Tube(coil));
 }
 
-/// From the tail of the epididymis up through the inguinal canal, over the ureter and medially
-/// behind the bladder, where it widens.
+/// The duct runs from the tail of the epididymis up through the inguinal canal, over the ureter and
+/// medially behind the bladder, where it widens.
 Shape deferentDuct() {
   return shapeOf(
       Tube{{{20, -151, 734.5f}, 1.9f},   {{17.8f, -147.5f, 741}, 2}, {{17, -146.5f, 752}, 2},
@@ -68,7 +69,8 @@ Shape deferentDuct() {
            {{12.5f, -63, 884}, 2.9f},    {{7, -66.5f, 873}, 2.9f},   {{4.8f, -72.5f, 862}, 2}});
 }
 
-/// Through the prostate and the pelvic floor, forward under the symphysis, then down.
+/// The urethra runs through the prostate and the pelvic floor, forward under the symphysis, then
+/// down.
 Shape maleUrethra() {
   return shapeOf(Tube{{{x0, -90, 860}, 1.08f},
                       {{x0, -94, 848}, 1.08f},
@@ -82,7 +84,7 @@ Shape maleUrethra() {
                       {{x0, -197.5f, 796}, 1.08f},
                       {{x0, -201, 770}, 1.08f}});
 }
-/// The spongy body around the urethra: bulb, shaft and glans.
+/// The spongy body surrounds the urethra: bulb, shaft and glans.
 Shape corpusSpongiosum() {
   Shape shaft = shapeOf(Tube{{{x0, -89, 829}, 6},
                              {{x0, -100, 829.5f}, 8.8f},
@@ -101,7 +103,8 @@ Shape corpusSpongiosum() {
   return merged(std::move(shaft), std::move(tip), 4.0f);
 }
 
-/// From the rami of the pubis, joined under the symphysis, along the back of the penis.
+/// The cavernous bodies run from the rami of the pubis, joined under the symphysis, along the back
+/// of the penis.
 Shape corporaCavernosa() {
   const auto half = [](float side) {
     const auto at = [side](float x, float y, float z) { return glm::vec3(x0 + side * x, y, z); };
@@ -119,7 +122,8 @@ Shape testis() {
                  0.7f);
 }
 
-/// A comma along the back of the testis: head above, body, tail below, where the duct begins.
+/// The epididymis is a comma along the back of the testis: head above, body, tail below, where the
+/// duct begins.
 Shape epididymis() {
   return shapeOf(Tube{{{22.5f, -166, 769}, 4.5f},
                       {{22.5f, -158, 769}, 5.2f},
@@ -137,7 +141,7 @@ std::vector<DemoStructure> maleOrgans() {
   list.push_back(structure(genital(prostateColour, 1.2f), "prostate", prostate()));
   addPair(list, genital(seminalColour, 1.0f), "seminal vesicle", seminalVesicle());
   addPair(list, genital(seminalColour, 1.2f), "deferent duct", deferentDuct());
-  // Outside the pelvis, and so context.
+  // The following structures lie outside the pelvis, and so are context.
   const std::size_t outer = list.size();
   list.push_back(
       structure(genital(penisColour, 1.8f), "corpus spongiosum of penis", corpusSpongiosum()));
@@ -153,7 +157,8 @@ std::vector<DemoStructure> maleOrgans() {
 }
 
 namespace {
-/// Bent forward over the bladder: neck, isthmus, body, and the fundus between the tubes.
+/// The uterus is bent forward over the bladder: neck, isthmus, body, and the fundus between the
+/// tubes.
 Shape uterus() {
   Shape body = shapeOf(Band{{{x0, -72.2f, 869}, 9.6f, 8, {1, 0, 0}},
                             {{x0, -73.2f, 873}, 10.8f, 9, {1, 0, 0}},
@@ -169,8 +174,8 @@ Shape uterus() {
   return merged(std::move(body), std::move(horns), 8.0f);
 }
 
-/// A slit between front and back wall, wide between the tubes, drawn together at the isthmus, wider
-/// again in the neck; open into the vagina.
+/// The cavity is a slit between front and back wall, wide between the tubes, narrow at the isthmus,
+/// wider again in the neck; open into the vagina.
 Field uterineCavity() {
   return shapeOf(Band{{{x0, -70.9f, 852}, 4, 1.5f, {1, 0, 0}},
                       {{x0, -71.3f, 861}, 3.6f, 1.5f, {1, 0, 0}},
@@ -183,8 +188,8 @@ Field uterineCavity() {
       .field;
 }
 
-/// The axis of the vagina from its opening to the neck of the uterus, flat from front to back: a
-/// sheet that thick.
+/// Returns a sheet of that thickness along the axis of the vagina, from its opening to the neck of
+/// the uterus, flat from front to back.
 Shape vaginalTube(float widthLess, float thickness) {
   const auto at = [&](float y, float z, float width) {
     return BandPoint{{x0, y, z}, width - widthLess, thickness, {1, 0, 0}};
@@ -195,7 +200,7 @@ Shape vaginalTube(float widthLess, float thickness) {
   return shapeOf(Band(through));
 }
 
-/// Around the neck of the uterus it widens to a vault, deeper behind.
+/// Returns the vault to which the vagina widens around the neck of the uterus, deeper behind.
 Blob vault(float less) {
   return Blob({x0, -71.8f, 866}, {16.5f - less, 12.9f - less, 11.5f - less}, {-14, 0, 0});
 }
@@ -206,12 +211,13 @@ DemoStructure vagina() {
   DemoStructure body = structure(
       genital(vaginaColour, 1.4f), "vagina",
       cutOff(merged(vaginalTube(0, 4.2f), shapeOf(vault(0)), 7.0f), introitus, {0, -0.3f, -0.95f}));
-  // The uterus keeps a wider berth than its wall does: the vault is a moat around its mouth.
+  // The cavity keeps more room around the uterus than the wall requires: the vault is a moat around
+  // its mouth.
   const Shape slit = merged(vaginalTube(wall, 1.5f), shapeOf(vault(wall)), 5.0f);
   return withCavity(std::move(body), slit.field);
 }
 
-/// Short and straight, from the neck of the bladder to in front of the vagina.
+/// The urethra is short and straight, from the neck of the bladder to in front of the vagina.
 DemoStructure femaleUrethra() {
   const auto along = [](float radius, float flare) {
     return shapeOf(Tube{{{x0, -101.7f, 858}, radius + flare},
@@ -225,7 +231,8 @@ DemoStructure femaleUrethra() {
                     along(1.25f, 1.4f).field);
 }
 
-/// An almond with scars of past follicles, hung by its ligament from the horn of the uterus.
+/// The ovary is an almond with scars of past follicles; its ligament hangs from the horn of the
+/// uterus.
 Shape ovary() {
   Shape body =
       rippled(shapeOf(Blob({35.5f, -93, 911}, {7.5f, 10, 14}, {24, 12, -8})), 9.0f, 0.75f, 1.9f);
@@ -236,7 +243,8 @@ Shape ovary() {
   return merged(std::move(body), std::move(ligament), 3.0f);
 }
 
-/// From the horn outward and back over the ovary; the funnel's fringes hang around its mouth.
+/// The tube runs from the horn outward and back over the ovary; the funnel's fringes hang around
+/// its mouth.
 Shape uterineTube() {
   std::vector<Tube> parts{Tube{{{23, -109, 913}, 1.9f},
                                {{31, -112, 917}, 1.6f},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Landmarks, radii and half-thicknesses in millimetres, set by hand from the measures of one body
-// (BodyParts3D) and from what anatomy textbooks say of the hip bone.
+// Models the hip bone by hand: landmarks, radii and half-thicknesses in millimetres come from the
+// measures of one body (BodyParts3D) and from anatomy textbooks.
 #include "model/demo/pelvis/hip_bone.h"
 
 #include <cmath>
@@ -9,7 +9,8 @@
 namespace sline::model {
 
 namespace {
-/// The wing: from the crest down to the body, columns from the anterior to the posterior border.
+/// Adds the wing: from the crest down to the body, columns from the anterior to the posterior
+/// border.
 void addWing(Sculpture& bone) {
   bone.addPlate({{
                      // the crest, from the anterior superior to the posterior superior spine
@@ -57,9 +58,9 @@ void addWing(Sculpture& bone) {
                 1.0f);
 }
 
-/// The crest and its spines; the sciatic notches' borders come with the body.
+/// Adds the crest and its spines; the sciatic notches' borders come with the body.
 void addCrest(Sculpture& bone) {
-  // The crest, thickest at its tubercle.
+  // The crest is thickest at its tubercle.
   bone.addTube({{{141, -147, 972}, 4.5f},
                 {{145.5f, -135, 985}, 5.2f},
                 {{148, -121, 999}, 6.1f},
@@ -71,14 +72,14 @@ void addCrest(Sculpture& bone) {
                 {{52, -17, 994}, 7.5f},
                 {{50, -14, 982}, 7.0f}},
                8.0f);
-  // Anterior superior and anterior inferior iliac spines.
+  // These are the anterior superior and anterior inferior iliac spines.
   bone.addTube({{{142.5f, -142, 978}, 4.8f}, {{140.5f, -146, 971}, 5.4f}, {{137, -143, 962}, 4.6f}},
                10.0f);
   bone.addTube({{{120, -120, 933}, 4.5f}, {{118, -120, 925}, 6.8f}, {{113, -115, 916}, 6.0f}},
                8.0f);
 }
 
-/// The medial wall between the pelvic inlet and the foramen, and the sciatic border.
+/// Adds the medial wall between the pelvic inlet and the foramen, and the sciatic border.
 void addBody(Sculpture& bone) {
   bone.addPlate({{
                      {{79, -110, 906}, 7.0f},
@@ -107,12 +108,12 @@ void addBody(Sculpture& bone) {
                 {{64, -50, 873}, 5.5f},
                 {{68, -50, 860}, 5.5f}},
                4.0f);
-  // The ischial spine, between the greater and the lesser sciatic notch.
+  // The ischial spine lies between the greater and the lesser sciatic notch.
   bone.addTube({{{63, -57, 897}, 7.0f}, {{57, -48.5f, 890}, 5.4f}, {{50.5f, -41.5f, 887.5f}, 3.3f}},
                5.0f);
-  // The posterior inferior spine, above the greater sciatic notch.
+  // The posterior inferior spine lies above the greater sciatic notch.
   bone.addTube({{{54, -27, 955}, 4.5f}, {{53, -37, 942}, 4.8f}, {{58, -46, 942}, 4.2f}}, 5.0f);
-  // The arcuate line.
+  // This is the arcuate line.
   bone.addTube({{{76, -55, 1008}, 1.5f},
                 {{71.5f, -58, 990}, 3.4f},
                 {{71, -67, 968}, 5.2f},
@@ -131,7 +132,7 @@ void addPubis(Sculpture& bone) {
                 {{34, -131, 872}, 7.0f},
                 {{20, -137, 866}, 8.0f}},
                6.0f);
-  // The pecten, from the arcuate line to the pubic tubercle.
+  // The pecten runs from the arcuate line to the pubic tubercle.
   bone.addTube({{{66, -107, 906}, 4.5f},
                 {{57, -116, 894}, 4.0f},
                 {{45, -126, 884}, 3.5f},
@@ -151,7 +152,7 @@ void addPubis(Sculpture& bone) {
                  },
                  3},
                 6.0f);
-  // The inferior rami, a band: its lower border first, the border of the foramen second.
+  // The inferior rami are a band: its lower border first, the border of the foramen second.
   bone.addPlate({{
                      {{13, -123, 850}, 6.0f},
                      {{19, -109, 838}, 5.2f},
@@ -177,7 +178,7 @@ void addIschium(Sculpture& bone) {
                 {{67, -54, 845}, 14.0f},
                 {{62, -56, 834}, 13.0f}},
                6.0f);
-  // Behind the cup.
+  // This plate lies behind the cup.
   bone.addPlate({{{{63, -53, 903}, 5.0f},
                   {{80, -62, 903}, 7.0f},
                   {{97, -70, 903}, 7.0f},
@@ -189,9 +190,9 @@ void addIschium(Sculpture& bone) {
                   {{86, -62, 873}, 6.0f}},
                  3},
                 10.0f);
-  // Below the cup, the groove over which the obturator externus turns.
+  // Below the cup is the groove over which the obturator externus turns.
   bone.addTube({{{85, -68, 873}, 5.0f}, {{79, -67, 863}, 7.5f}, {{72, -62, 852}, 10.0f}}, 8.0f);
-  // The tuberosity: what one sits on.
+  // The tuberosity is the part one sits on.
   bone.addTube({{{73, -53, 872}, 8.0f},
                 {{73, -47, 858}, 9.5f},
                 {{70, -46, 843}, 10.5f},
@@ -200,11 +201,11 @@ void addIschium(Sculpture& bone) {
                10.0f);
 }
 
-/// Radius of the cup's articular surface: the femoral head and two layers of cartilage.
+/// The radius of the cup's articular surface: the femoral head and two layers of cartilage.
 constexpr float cupRadius = 27.5f;
 
-/// The cup opens outwards, downwards and a little forwards; below it opens through the notch into
-/// the obturator foramen.
+/// Adds the cup, which opens outwards, downwards and a little forwards; below it opens through the
+/// notch into the obturator foramen.
 void addCup(Sculpture& bone) {
   const glm::vec3 axis = glm::normalize(glm::vec3(0.79f, -0.22f, -0.57f));
   const glm::vec3 below(0.0f, -0.55f, -0.85f);
@@ -220,7 +221,7 @@ void addCup(Sculpture& bone) {
   bone.carve([=](const glm::vec3& p) { return glm::length(p - centre) - cupRadius; }, 2.0f);
   // The roof does not overhang the opening.
   bone.carveTube({{centre + 4.0f * axis, 26.5f}, {centre + 30.0f * axis, 31.0f}}, 4.0f);
-  // The fossa in the floor of the cup, from which the notch leads out.
+  // The fossa lies in the floor of the cup; the notch leads out of it.
 
   bone.carveTube({{centre - 21.0f * axis - 2.0f * down, 13.0f},
                   {centre - 18.5f * axis + 9.0f * down, 12.5f},
@@ -228,7 +229,7 @@ void addCup(Sculpture& bone) {
                  1.5f);
 }
 
-/// The face that looks at the other pubic bone is flat; the obturator foramen has a sharp border.
+/// Flattens the face towards the other pubic bone and gives the obturator foramen a sharp border.
 void finish(Sculpture& bone) {
   bone.cut({3.0f, 0, 0}, {-1, 0, 0.0f}, 2.5f);
 }

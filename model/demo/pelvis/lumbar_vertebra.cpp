@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Set by hand from the measures of one body (BodyParts3D) and from anatomy textbooks.
+// Models the vertebra by hand from the measures of one body (BodyParts3D) and from anatomy
+// textbooks.
 #include "model/demo/pelvis/lumbar_vertebra.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ float VertebralBody::distance(const glm::vec3& p) const {
   const float w = glm::dot(q, axis);
   const float narrower = waist * std::max(0.0f, 1.0f - w * w / (halfHeight * halfHeight));
   const float outline = ellipsoid({u, v, 0.0f}, {halfWidth - narrower, halfDepth - narrower, 1e3f});
-  // Behind it is a little hollow, for the vertebral canal.
+  // The body is slightly hollow behind, for the vertebral canal.
   const float behind = v - 0.95f * halfDepth - 0.004f * u * u;
   const float side = blendedDifference(outline, -behind, 10.0f);
   const float height = halfHeight - 0.5f * wedge * v / (2.0f * halfDepth) +
@@ -37,11 +38,11 @@ Box VertebralBody::bounds() const {
 namespace {
 void addArch(Sculpture& bone) {
   constexpr float x = pelvisMiddle;
-  // Pedicles.
+  // These are the pedicles.
   bone.addTubePair(
       {{{x + 18, -78, 1011}, 7.0f}, {{x + 21, -68, 1014}, 6.5f}, {{x + 23, -60, 1014}, 6.0f}},
       5.0f);
-  // Laminae, from the isthmus to the root of the spinous process.
+  // The laminae run from the isthmus to the root of the spinous process.
   bone.addPlatePair({{{{x + 22, -58, 1018}, 3.5f},
                       {{x + 12, -51, 1017}, 3.0f},
                       {{x, -44, 1016}, 2.8f},
@@ -68,7 +69,7 @@ void addArch(Sculpture& bone) {
 
 void addProcesses(Sculpture& bone) {
   constexpr float x = pelvisMiddle;
-  // Transverse processes: stout, as they carry the iliolumbar ligaments.
+  // The transverse processes are stout, as they carry the iliolumbar ligaments.
   bone.addPlatePair({{{{x + 24, -68, 1018}, 5.0f},
                       {{x + 37, -66, 1020}, 4.0f},
                       {{x + 49, -64, 1025}, 3.6f},
@@ -77,7 +78,8 @@ void addProcesses(Sculpture& bone) {
                       {{x + 49, -65, 1021}, 3.6f}},
                      3},
                     6.0f);
-  // Superior articular processes look back and inwards, inferior ones forwards and out.
+  // The superior articular processes face back and inwards, the inferior ones forwards and
+  // outwards.
   bone.addPlatePair({{{{x + 19, -64, 1030}, 2.2f},
                       {{x + 24, -62, 1032}, 2.6f},
                       {{x + 28, -57, 1030}, 2.4f},

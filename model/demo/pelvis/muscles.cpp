@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Left muscles, mirrored to the right. Nets of the flat ones run from origin to insertion row by
-// row, from front to back within a row.
+// Models the left muscles, which are mirrored to the right. Nets of the flat ones run from origin
+// to insertion row by row, from front to back within a row.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,8 +12,8 @@
 namespace sline::model {
 
 namespace {
-/// A fan on the inner face of the obturator membrane; its tendon turns around the lesser sciatic
-/// notch to the greater trochanter.
+/// The muscle is a fan on the inner face of the obturator membrane; its tendon turns around the
+/// lesser sciatic notch to the greater trochanter.
 Shape obturatorInternus() {
   Shape fan = smoothed(Lamina({{{30, -114, 857}, 2},
                                {{35, -115, 868}, 2.5f},
@@ -46,7 +46,8 @@ Shape obturatorInternus() {
   return merged(std::move(fan), std::move(tendon), 6.0f);
 }
 
-/// From the ischial spine to the side of the last sacral and the coccygeal vertebrae.
+/// The muscle runs from the ischial spine to the side of the last sacral and the coccygeal
+/// vertebrae.
 Shape coccygeus() {
   return shapeOf(Lamina({{{49, -41, 894}, 2},
                          {{49.5f, -41, 891}, 2.2f},
@@ -63,7 +64,8 @@ Shape coccygeus() {
                         3));
 }
 
-/// From the tendinous arch of the obturator fascia to the raphe behind the anus and the coccyx.
+/// The muscle runs from the tendinous arch of the obturator fascia to the raphe behind the anus and
+/// the coccyx.
 Shape iliococcygeus() {
   return shapeOf(Lamina({{{37, -94, 859}, 1.2f},
                          {{42, -79, 865}, 1.4f},
@@ -86,8 +88,8 @@ Shape iliococcygeus() {
                         6));
 }
 
-/// From the back of the pubis past the prostate or vagina and the rectum to the coccyx; it lies on
-/// the iliococcygeus from above.
+/// The muscle runs from the back of the pubis past the prostate or vagina and the rectum to the
+/// coccyx; it lies on the iliococcygeus from above.
 Shape pubococcygeus() {
   return shapeOf(Lamina(
       {{{28, -109, 858}, 1.1f},   {{32, -96, 860}, 1.2f},       {{35, -80, 863}, 1.2f},
@@ -100,7 +102,8 @@ Shape pubococcygeus() {
       7));
 }
 
-/// The lowest sling: from the pubis around the anorectal junction, met by its fellow behind it.
+/// The muscle is the lowest sling: from the pubis around the anorectal junction, where it meets its
+/// counterpart behind.
 Shape puborectalis() {
   return shapeOf(Band{{{21, -111.5f, 844.5f}, 8, 1.2f, {0.66f, 0, 0.75f}},
                       {{24, -98, 845.5f}, 13.5f, 1.3f, {0.65f, 0, 0.76f}},
@@ -111,7 +114,8 @@ Shape puborectalis() {
                       {{5, -28, 838}, 8.5f, 2, {0, -0.2f, 1}}});
 }
 
-/// From the front of the sacrum through the greater sciatic foramen to the greater trochanter.
+/// The muscle runs from the front of the sacrum through the greater sciatic foramen to the greater
+/// trochanter.
 Shape piriformis() {
   Shape belly = shapeOf(Band{{{14, -24, 930}, 9, 2.2f, {0.3f, 0.1f, 1}},
                              {{32, -27, 926}, 13, 3.8f, {0.35f, 0.1f, 1}},
@@ -139,7 +143,7 @@ Shape psoasMajor() {
                 {42, -78, 1044}, {0, 0, 1}, 3.0f);
 }
 
-/// The fan in the iliac fossa, narrowing beside the psoas over the hip joint.
+/// The muscle is the fan in the iliac fossa; beside the psoas it narrows over the hip joint.
 Shape iliacus() {
   return smoothed(
       Lamina({{{78, -65, 1013}, 3.2f},     {{96, -77, 1025}, 3.2f},   {{115, -95, 1024}, 3.2f},
@@ -157,12 +161,12 @@ Shape iliacus() {
       3.0f);
 }
 
-/// An oval ring around the anal canal, drawn out to the coccyx behind.
+/// The sphincter is an oval ring around the anal canal, drawn out to the coccyx behind.
 Shape analSphincter() {
   const glm::vec3 centre(pelvisMiddle, -44, 823);
   const Field ring = [centre](const glm::vec3& p) {
     const glm::vec3 q = p - centre;
-    // An egg with its point to the back: narrower there, wider in front.
+    // The ring is an egg with its point to the back: narrower there, wider in front.
     const float tail = std::max(q.y, 0.0f);
     const glm::vec3 oval(q.x * (1.0f + 0.012f * tail), q.y * 0.78f, q.z + 0.12f * q.y);
     const float around = std::hypot(oval.x, oval.y) - 13.5f;

@@ -5,7 +5,7 @@ namespace sline::model {
 
 namespace {
 /// The lumbosacral trunk over the sacral ala and the roots out of the anterior sacral foramina
-/// gather in front of the piriformis; below it the sciatic nerve leaves, a flat cord.
+/// gather in front of the piriformis; below it the sciatic nerve leaves as a flat cord.
 Shape sacralPlexus() {
   Shape roots = branching({Tube{{{31, -72, 992}, 2.2f},
                                 {{34, -65, 976}, 2.2f},
@@ -39,8 +39,8 @@ Shape sacralPlexus() {
   return cutOff(merged(std::move(roots), std::move(sciatic), 4.0f), {86.6f, -43.4f, 802},
                 {0, 0.1f, -1});
 }
-/// In the groove between psoas and iliacus, under the inguinal ligament into the thigh, where it
-/// breaks up into branches that run out.
+/// The nerve runs in the groove between psoas and iliacus, under the inguinal ligament into the
+/// thigh, where it divides into branches that end.
 Shape femoralNerve() {
   return cutOff(branching({Tube{{{57, -80, 1020}, 1.8f},
                                 {{60.5f, -84.5f, 1011}, 1.8f},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a man's and a woman's pelvis share.
+// Models the organs that a man's and a woman's pelvis share.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -22,25 +22,26 @@ DemoStructure organ(const char* name, Colour colour, Shape shape, float edge) {
   return structure(palette, name, std::move(shape));
 }
 
-/// Hollow, with that opening.
+/// Makes the structure hollow, with that wall and opening.
 DemoStructure hollow(DemoStructure s, float wall, Field opening) {
   s.wall = wall;
   s.opening = std::move(opening);
   return s;
 }
 
-/// A fold across the wall: the valley that it draws on the outside, on the side of `towards`.
+/// Describes a fold across the wall by the valley that it draws on the outside, on the side of
+/// `towards`.
 struct Fold {
   glm::vec3 position;
   glm::vec3 towards;
 };
 
-/// The middle of the tumour, in the wall of the upper rectum in front.
+/// Returns the middle of the tumour, in the front wall of the upper rectum.
 glm::vec3 tumourMiddle(Sex sex) {
   return sex == Sex::female ? glm::vec3(-8, -62, 919) : glm::vec3(-7, -72.5f, 914);
 }
 
-/// A cauliflower that has grown through the wall.
+/// The tumour is a cauliflower that has grown through the wall.
 Shape tumour(Sex sex) {
   const glm::vec3 m = tumourMiddle(sex);
   const std::vector<Blob> lobes{Blob(m, {12, 10, 11}),
@@ -58,8 +59,8 @@ Shape tumour(Sex sex) {
   return rippled(std::move(body), 9.0f, 0.5f, 0.9f);
 }
 
-/// The tumour does not lift the wall off: around it the lumen is as wide as it was, so that it lies
-/// open in the bowel.
+/// Returns the lumen around the tumour, as wide as without it: the tumour does not push the wall
+/// outwards, so it lies open in the bowel.
 Field lumenAtTumour(Sex sex, Field lumen) {
   return [m = tumourMiddle(sex), lumen = std::move(lumen)](const glm::vec3& p) {
     const float away = glm::distance(p, m) - 23.0f;
@@ -67,7 +68,7 @@ Field lumenAtTumour(Sex sex, Field lumen) {
   };
 }
 
-/// The anus, drawn together by the sphincter.
+/// Returns the anus, which the sphincter draws together.
 Field anus() {
   return shapeOf(Tube{{{-1, -46.5f, 806}, 4},
                       {{-1, -46, 815}, 2.6f},
@@ -76,7 +77,7 @@ Field anus() {
       .field;
 }
 
-/// Where the sigmoid colon goes over into the rectum, and the way on.
+/// Holds where the sigmoid colon continues as the rectum, and the direction onward.
 struct Junction {
   glm::vec3 point;
   glm::vec3 onward;
@@ -86,13 +87,14 @@ Junction rectosigmoid(Sex sex) {
   return {{5, -68 + back, 929.5f}, {0.12f, -0.76f, 0.64f}};
 }
 
-/// From the sigmoid colon along the sacrum (sacral flexure), over the pelvic floor (anorectal
-/// flexure) to the anus; wider than deep, with three transverse folds on alternate sides. Goes on
-/// beyond the junction and the anus.
+/// The rectum runs from the sigmoid colon along the sacrum (sacral flexure), over the pelvic floor
+/// (anorectal flexure) to the anus; it is wider than deep, with three transverse folds on alternate
+/// sides. It continues beyond the junction and the anus.
 Shape rectalCourse(Sex sex) {
   const float back = sex == Sex::female ? 7.0f : 0.0f;
   const float slim = sex == Sex::female ? 0.82f : 1.0f;
-  // In a space pressed together from side to side by a factor, so that round tubes come out wide.
+  // The tube lies in a space compressed from side to side by this factor, so that round tubes come
+  // out wide.
   constexpr float wide = 1.2f;
   constexpr float x = 1.0f / wide;
   const Tube tube{{{-1 * x, -46.8f, 806}, 7},
@@ -150,7 +152,8 @@ DemoStructure rectum(Sex sex) {
   return body;
 }
 
-/// Haustra between creases that three bands of muscle interrupt. Goes on beyond both its ends.
+/// The sigmoid colon has haustra between creases that three bands of muscle interrupt. It continues
+/// beyond both its ends.
 Shape sigmoidCourse(Sex sex) {
   const Junction from = rectosigmoid(sex);
   const float back = sex == Sex::female ? 7.0f : 0.0f;
@@ -187,7 +190,7 @@ Shape sigmoidCourse(Sex sex) {
     const glm::vec3 side = glm::normalize(glm::cross(place.tangent, {0.3f, 0.5f, 0.8f}));
     const float angle =
         std::atan2(glm::dot(away, glm::cross(place.tangent, side)), glm::dot(away, side));
-    // Creases are no rings: each third of the wall has its own, a little shifted. Towards the
+    // The creases are no rings: each third of the wall has its own, a little shifted. Towards the
     // rectum both creases and bands fade.
     const float third = std::cos(1.5f * (angle + 0.015f * place.more.x));
     const float phase = place.more.x / 19.0f + 0.2f * std::sin(2.0f * angle + 1.0f);
@@ -223,7 +226,8 @@ DemoStructure sigmoidColon(Sex sex) {
   return body;
 }
 
-/// Half full: a rounded body, the apex forward over the pubis, the neck down to the urethra.
+/// The bladder is half full: a rounded body, the apex forward over the pubis, the neck down to the
+/// urethra.
 Shape bladder(Sex sex) {
   const float x = pelvisMiddle - 0.6f;
   const bool male = sex == Sex::male;
@@ -240,7 +244,7 @@ Shape bladder(Sex sex) {
       48.0f, 0.7f, 2.2f);
 }
 
-/// Of the urethra, from inside.
+/// Returns the inner orifice of the urethra, seen from inside the bladder.
 Field innerOrifice(Sex sex) {
   const float x = pelvisMiddle - 0.6f;
   const glm::vec3 neck =
@@ -251,7 +255,8 @@ Field innerOrifice(Sex sex) {
       .field;
 }
 
-/// Over the iliac vessels, down the side wall of the pelvis, forward and inward to the bladder.
+/// The ureter runs over the iliac vessels, down the side wall of the pelvis, forward and inward to
+/// the bladder.
 Shape leftUreter(Sex sex) {
   const glm::vec3 end = sex == Sex::male ? glm::vec3(21, -82, 879) : glm::vec3(21, -96, 868);
   return cutOff(shapeOf(Tube{{{31.5f, -122, 1060}, 2.3f},

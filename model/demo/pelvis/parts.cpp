@@ -12,7 +12,7 @@
 
 namespace sline::model {
 
-// What is in focus is shaded, vessels and nerves are hatched in the ink of their kind, muscles
+// Structures in focus are shaded, vessels and nerves are hatched in the ink of their kind, muscles
 // are contours over a wash of their colour.
 const Palette musclePalette{"Muscles", {158, 70, 58}, 1.4f, Fill::tint, 2.6f, 0.8f, muscleInk};
 const Palette organPalette{"Organs", {214, 160, 128}, 4.5f, Fill::paper, 2, 0.6f};
@@ -98,7 +98,7 @@ Field anyOf(std::vector<Field> fields) {
 Shape rippled(Shape shape, float wavelength, float height, float phase) {
   return {[field = std::move(shape.field), wavelength, height, phase](const glm::vec3& p) {
             const float d = field(p);
-            // Far from the surface a wave is not worth its price.
+            // Far from the surface a wave is not worth its cost.
             return std::abs(d) > 4.0f * height + 4.0f ? d : d - height * wave(p, wavelength, phase);
           },
           grown(shape.box, height)};

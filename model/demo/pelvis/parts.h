@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The soft parts of the demo pelvis, by system, and what their makers share. Frame LPS in
-// millimetres; modelled in a man's pelvis whose midline is x = pelvisMiddle.
+// Declares the soft parts of the demo pelvis, by system, and the tools shared by the code that
+// models them. Frame LPS in millimetres; modelled in a man's pelvis whose midline is x =
+// pelvisMiddle.
 #pragma once
 
 #include <optional>
@@ -12,7 +13,7 @@
 
 namespace sline::model {
 
-/// A field and the box that holds its surface.
+/// Holds a field and the box that contains its surface.
 struct Shape {
   Field field;
   Box box;
@@ -22,31 +23,31 @@ Shape shapeOf(Tube tube);
 Shape shapeOf(Band band);
 Shape shapeOf(Lamina lamina);
 Shape shapeOf(Blob blob);
-/// A thick sheet whose small unevenness is smoothed away, over about that many mm.
+/// Returns a thick sheet whose small unevenness is smoothed away, over about that many mm.
 Shape smoothed(Lamina lamina, float smoothing);
-/// Tubes that branch off each other, blended where they meet.
+/// Returns tubes that branch off each other, blended where they meet.
 Shape branching(std::vector<Tube> tubes, float blend);
 Shape merged(Shape a, Shape b, float blend);
-/// The body less what lies beyond the plane through `point`, on the side its normal points to; the
-/// edge is rounded over that many mm.
+/// Returns the shape without the part beyond the plane through `point`, on the side its normal
+/// points to; the edge is rounded over that many mm.
 Shape cutOff(Shape shape, const glm::vec3& point, const glm::vec3& normal, float rounding = 0.8f);
-/// What lies within `reach` mm of the point, beyond the plane there on the side its normal points
-/// to.
+/// Returns the region within `reach` mm of the point, beyond the plane there on the side its normal
+/// points to.
 Field beyondPlane(const glm::vec3& point, const glm::vec3& normal, float reach);
-/// In any of the fields.
+/// Returns the union of the fields.
 Field anyOf(std::vector<Field> fields);
-/// The surface raised and lowered by up to `height` mm in waves.
+/// Returns the shape with its surface raised and lowered by up to `height` mm in waves.
 Shape rippled(Shape shape, float wavelength, float height, float phase);
 Shape mirrored(const Shape& shape);
 
-/// How one group of structures looks unless told otherwise.
+/// Says how the structures of one group look by default.
 struct Palette {
   const char* group;
   Colour colour;
   float gamma;
   std::optional<Fill> fill;
   float edge;  ///< mm
-  float gap;   ///< mm kept clear of what it gives way to
+  float gap;   ///< mm kept clear of the structures it gives way to
   std::optional<Colour> inkColour = std::nullopt;
 };
 extern const Palette musclePalette;
@@ -56,14 +57,14 @@ extern const Palette veinPalette;
 extern const Palette nervePalette;
 
 DemoStructure structure(const Palette& palette, std::string name, Shape shape);
-/// The body with that cavity, which must reach the outside.
+/// Returns the body with that cavity, which must reach the outside.
 DemoStructure withCavity(DemoStructure body, Field cavity);
-/// "left NAME" and its mirror image "right NAME".
+/// Adds "left NAME" and its mirror image "right NAME".
 void addPair(std::vector<DemoStructure>& list, const Palette& palette, const std::string& name,
              const Shape& left);
 
 std::vector<DemoStructure> pelvisMuscles();
-/// Bladder, rectum, sigmoid colon, ureters; the tumour of the rectum.
+/// Models bladder, rectum, sigmoid colon, ureters, and the tumour of the rectum.
 std::vector<DemoStructure> pelvisOrgans(Sex sex);
 std::vector<DemoStructure> maleOrgans();
 std::vector<DemoStructure> femaleOrgans();

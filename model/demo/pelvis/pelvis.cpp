@@ -16,7 +16,8 @@ namespace sline::model {
 namespace {
 constexpr float femaleShift = 16.0f;  // mm; no point of the pelvis moves farther
 
-/// Who keeps his shape where two meet: the lower number. Within one class, list order.
+/// Returns the rank of a structure: where two meet, the one with the lower number keeps its shape.
+/// Within one class list order decides.
 int precedence(const DemoStructure& s) {
   static constexpr std::array<std::string_view, 4> thinMuscles{"puborectalis", "pubococcygeus",
                                                                "iliococcygeus", "sphincter"};
@@ -37,12 +38,13 @@ int precedence(const DemoStructure& s) {
   return group == "Organs" ? 6 : 7;
 }
 
-/// Cut in one plane, they go over into each other without a gap.
+/// Tells whether the two are cut in one plane and so join without a gap.
 bool isSeam(const DemoStructure& own, const DemoStructure& other) {
   return own.name == "sigmoid colon" && other.name == "rectum";
 }
 
-/// Bones keep the rules their makers gave them; every other structure gives way to all before it.
+/// Makes every structure give way to all before it, except bones, which keep the rules they came
+/// with.
 void settle(std::vector<DemoStructure>& structures) {
   for (std::size_t i = 0; i < structures.size(); ++i) {
     DemoStructure& own = structures[i];
@@ -64,8 +66,8 @@ void append(std::vector<DemoStructure>& list, std::vector<DemoStructure> more) {
               std::make_move_iterator(more.end()));
 }
 
-/// Thin plates that lie one behind the other hide each other, since from behind their outlines
-/// would cross.
+/// Makes thin plates that lie one behind the other hide each other, since from behind their
+/// outlines would cross.
 void backPlates(std::vector<DemoStructure>& structures) {
   static constexpr std::array<std::string_view, 7> plates{
       "puborectalis", "pubococcygeus", "iliococcygeus", "coccygeus",
@@ -77,7 +79,7 @@ void backPlates(std::vector<DemoStructure>& structures) {
   }
 }
 
-/// Into a woman's pelvis.
+/// Moves a man's structure into a woman's pelvis.
 void widen(DemoStructure& s) {
   s.field = [inMan = std::move(s.field)](const glm::vec3& p) { return inMan(fromFemalePelvis(p)); };
   if (s.opening)
@@ -94,7 +96,7 @@ std::vector<View> savedViews(Sex sex) {
   const auto view = [](const char* name, const glm::vec3& eye, const glm::vec3& target) {
     return View{name, {.eye = eye, .target = target, .fovyDegrees = 28.0f}};
   };
-  // What a man has outside the pelvis hangs lower.
+  // The male organs outside the pelvis hang lower.
   const bool man = sex == Sex::male;
   return {view("Overview", man ? glm::vec3(-1, -890, 1108) : glm::vec3(-1, -720, 1130),
                man ? glm::vec3(-1, -75, 882) : glm::vec3(-1, -75, 915)),

@@ -8,12 +8,12 @@
 
 namespace sline::model {
 
-/// Bones, muscles, organs, vessels and nerves of a pelvis and a tumour of its rectum, no patient's
-/// but modelled; where two would meet, one has been told to give way to the other.
+/// Models the bones, muscles, organs, vessels and nerves of a pelvis and a tumour of its rectum;
+/// they are no patient's. Where two would meet, one of them gives way to the other.
 std::vector<DemoStructure> pelvisStructures(Sex sex, const std::stop_token& stop = {});
 
-/// These as a scene, with saved views; takes some seconds. Both throw ModellingStopped where `stop`
-/// is asked for on the way.
+/// Returns these structures as a scene with saved views; it takes some seconds. Both functions
+/// throw ModellingStopped if `stop` is requested on the way.
 Scene pelvisDemo(Sex sex, const std::stop_token& stop = {});
 
 }  // namespace sline::model

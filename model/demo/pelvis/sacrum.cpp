@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Set by hand from the measures of one body (BodyParts3D) and from anatomy textbooks.
+// Models the sacrum by hand from the measures of one body (BodyParts3D) and from anatomy textbooks.
 #include "model/demo/pelvis/sacrum.h"
 
 #include "model/demo/pelvis/bones.h"
@@ -10,7 +10,7 @@ namespace sline::model {
 namespace {
 constexpr float x = pelvisMiddle;
 
-/// The fused bodies and what joins them to the lateral parts; rows from S1 down to S5.
+/// Adds the fused bodies and their connection to the lateral parts; rows from S1 down to S5.
 void addBodies(Sculpture& bone) {
   bone.addPlate(
       {{{{x - 34, -58, 975}, 10.0f}, {{x - 18, -66, 976}, 11.0f}, {{x, -69, 977}, 12.0f},
@@ -27,7 +27,7 @@ void addBodies(Sculpture& bone) {
         {{x + 6, -11, 892}, 4.2f},   {{x + 11, -12, 893}, 3.6f}},
        5},
       1.0f);
-  // The end plate of S1, whose front edge is the promontory.
+  // This is the end plate of S1, whose front edge is the promontory.
   const VertebralBody top{.centre = {x, -70.8f, 974.0f},
                           .tilt = 26.6f,
                           .halfWidth = 25.5f,
@@ -45,7 +45,7 @@ void addBodies(Sculpture& bone) {
                   {{x + 17, -60, 957}, 7.5f}},
                  3},
                 9.0f);
-  // Where the bodies have grown together.
+  // The bodies have grown together here.
   bone.addTube({{{x - 17, -40.5f, 946.5f}, 1.0f},
                 {{x, -41, 946.5f}, 2.0f},
                 {{x + 17, -40.5f, 946.5f}, 1.0f}},
@@ -57,7 +57,7 @@ void addBodies(Sculpture& bone) {
                5.0f);
 }
 
-/// The wings, and behind them the face for the hip bone.
+/// Adds the wings, and behind them the face for the hip bone.
 void addLateralParts(Sculpture& bone) {
   bone.addPlatePair({{{{x + 28, -58, 984}, 6.0f},
                       {{x + 41, -54, 987}, 7.0f},
@@ -90,7 +90,7 @@ void addLateralParts(Sculpture& bone) {
                     {{x + 19, -15, 899}, 4.5f},
                     {{x + 8, -11, 891}, 4.5f}},
                    6.0f);
-  // Superior articular processes, hollow towards the back and the middle.
+  // The superior articular processes are hollow towards the back and the middle.
   bone.addPlatePair({{{{x + 19, -57, 1001}, 1.9f},
                       {{x + 25, -57, 1003}, 2.3f},
                       {{x + 29, -50, 1001}, 1.9f},
@@ -104,7 +104,7 @@ void addLateralParts(Sculpture& bone) {
                     5.0f);
 }
 
-/// The roof of the canal with its crests.
+/// Adds the roof of the canal with its crests.
 void addBack(Sculpture& bone) {
   bone.addPlate({{{{x - 17, -43, 978}, 3.0f},
                   {{x, -31, 981}, 4.0f},
@@ -142,7 +142,7 @@ void addBack(Sculpture& bone) {
                     {{x + 34, -14, 920}, 4.0f},
                     {{x + 26, -14, 906}, 4.0f}},
                    10.0f);
-  // The horns beside the hiatus.
+  // These are the horns beside the hiatus.
   bone.addTubePair(
       {{{x + 9, -3, 912}, 3.0f}, {{x + 9.5f, -1, 903}, 2.8f}, {{x + 10, -2, 896}, 2.0f}}, 3.0f);
 }
@@ -168,7 +168,8 @@ void carveForamina(Sculpture& bone) {
 }
 
 void addCoccyx(Sculpture& bone) {
-  // Four pieces, each smaller than the one above, the first with transverse processes and horns.
+  // The coccyx has four pieces, each smaller than the one above, the first with transverse
+  // processes and horns.
   const auto piece = [&bone](const glm::vec3& centre, const glm::vec3& semiAxes) {
     const Blob blob(centre, semiAxes, {-14, 0, 0});
     bone.add([blob](const glm::vec3& p) { return blob.distance(p); }, blob.bounds(), 5.5f);

@@ -5,8 +5,8 @@
 
 namespace sline::model {
 
-/// A man's sacrum with the coccyx (pelvis demo's frame, LPS, mm): wings, promontory, four pairs of
-/// foramina that pass through, median and lateral crests, canal and hiatus.
+/// Models a man's sacrum with the coccyx (pelvis demo's frame, LPS, mm): wings, promontory, four
+/// pairs of foramina that pass through, median and lateral crests, canal and hiatus.
 Sculpture sacrum();
 
 }  // namespace sline::model

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The aorta parts left of the midline and the caval confluence lies right of it, so left and right
-// iliac vessels are no mirror images; their branches in the lesser pelvis are.
+// Models the vessels. The aorta divides left of the midline and the caval confluence lies right of
+// it, so left and right iliac vessels are no mirror images; their branches in the lesser pelvis
+// are.
 #include <algorithm>
 #include <array>
 
@@ -21,7 +22,7 @@ PipeEnd opposite(const PipeEnd& end) {
   return {end.point, -end.normal};
 }
 
-/// What of the box lies on the near side of a plane that looks mostly along z.
+/// Returns the part of the box on the near side of a plane that faces mostly along z.
 Box upTo(const PipeEnd& end, Box box) {
   constexpr float slant = 8.0f;  // mm that the plane rises and falls within a vessel
   float& face = end.normal.z > 0.0f ? box.high.z : box.low.z;
@@ -34,8 +35,8 @@ float wallOf(const Palette& palette) {
   return &palette == &arteryPalette ? 1.8f : 1.6f;
 }
 
-/// A piece of a vessel's course, hollow: the lumen is that of the whole course, so that it goes on
-/// from vessel to vessel and shows where one is cut.
+/// Cuts a hollow piece out of a vessel's course. The lumen is that of the whole course, so that it
+/// continues from vessel to vessel and shows where one is cut.
 DemoStructure pieceOf(const Shape& course, const Palette& palette, const char* name,
                       std::initializer_list<PipeEnd> ends) {
   Shape piece = course;
@@ -49,14 +50,14 @@ DemoStructure pieceOf(const Shape& course, const Palette& palette, const char* n
                     });
 }
 
-/// For clean rims where it is cut.
+/// Gives the vessel a finer mesh, for clean rims where it is cut.
 DemoStructure fine(DemoStructure vessel) {
   vessel.edge = 1.05f;
   vessel.rounding = 1.0f;
   return vessel;
 }
 
-/// A piece where nothing branches off.
+/// Cuts out a piece without branches.
 DemoStructure pieceOf(const Tube& course, const Palette& palette, const char* name,
                       const std::array<PipeEnd, 2>& ends) {
   DemoStructure piece = pieceOf(shapeOf(course), palette, name, {ends[0], ends[1]});
@@ -65,7 +66,7 @@ DemoStructure pieceOf(const Tube& course, const Palette& palette, const char* na
   return piece;
 }
 
-/// From within the aorta to below the inguinal ligament.
+/// The course runs from within the aorta to below the inguinal ligament.
 const std::initializer_list<TubePoint> leftArteryCourse{
     {{5.2f, -138, 1057}, 4.2f},   {{6, -137.5f, 1045}, 5.2f},   {{9, -134.5f, 1033}, 5.6f},
     {{13, -130, 1023}, 5.5f},     {{17.5f, -125, 1013}, 5.5f},  {{22.5f, -119, 1003}, 5.5f},
@@ -110,7 +111,8 @@ void addMainArteries(std::vector<DemoStructure>& list) {
               {{opposite(rightArteryFork), {{-55.5f, -153.5f, 875}, {0.12f, -0.75f, -0.65f}}}}));
 }
 
-/// Its continuation to the greater sciatic foramen is the superior gluteal artery.
+/// Models the internal iliac artery, whose continuation to the greater sciatic foramen is the
+/// superior gluteal artery.
 Shape leftInternalArtery() {
   return shapeOf(Tube{{{34.5f, -106, 984}, 4},
                       {{31, -104.5f, 974}, 3.1f},
@@ -143,7 +145,8 @@ void addArteryBranches(std::vector<DemoStructure>& list) {
                        {{52, -98, 897}, 1.4f},
                        {{47.5f, -112, 884}, 1.3f},
                        {{43, -118, 875}, 1.2f}}));
-  // The part of the umbilical artery that stays open, and its branches to the bladder's top.
+  // This is the part of the umbilical artery that stays open, and its branches to the bladder's
+  // top.
   addPair(list, thin, "superior vesical artery",
           branching({Tube{{{27.5f, -77, 948}, 1.6f},
                           {{38.5f, -70.5f, 939}, 1.5f},
@@ -181,7 +184,7 @@ std::vector<DemoStructure> pelvisArteries() {
 }
 
 namespace {
-/// From within the vena cava to below the inguinal ligament.
+/// The course runs from within the vena cava to below the inguinal ligament.
 const std::initializer_list<TubePoint> leftVeinCourse{
     {{-11.3f, -132.5f, 1061}, 4.6f}, {{-9, -130.5f, 1049}, 6},      {{-4.3f, -127.5f, 1038}, 7.1f},
     {{1.2f, -123.5f, 1027}, 7.1f},   {{5.4f, -120, 1016}, 7.2f},    {{9.4f, -116.2f, 1005}, 7.2f},

@@ -15,7 +15,7 @@ namespace {
 constexpr unsigned char firstKana = 0xa1;
 constexpr unsigned char lastKana = 0xdf;
 
-/// How many bytes the UTF-8 character at `at` has; 0 where there is none.
+/// Returns the number of bytes of the UTF-8 character at `at`; 0 where there is none.
 std::size_t characterAt(std::string_view text, std::size_t at) {
   const auto first = static_cast<unsigned char>(text[at]);
   const std::size_t size = first >= 0xf5   ? 0
@@ -32,7 +32,7 @@ std::size_t characterAt(std::string_view text, std::size_t at) {
   return size;
 }
 
-/// Sound UTF-8 without control characters.
+/// Returns sound UTF-8 without control characters.
 std::string cleaned(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
@@ -52,7 +52,8 @@ std::string cleaned(std::string_view text) {
   return result;
 }
 
-/// Japanese with escape sequences. DCMTK asks glibc for sets that it knows by other names only.
+/// Converts Japanese with escape sequences. DCMTK asks glibc for sets that it knows by other names
+/// only.
 class Japanese {
  public:
   Japanese() : m_state(iconv_open("UTF-8", "ISO-2022-JP-2")) {}
@@ -66,7 +67,7 @@ class Japanese {
   std::optional<std::string> converted(std::string_view text) {
     if (!isOpen())
       return std::nullopt;
-    // Katakana of half width stand in the upper half (ISO-IR 13) and need no escape there.
+    // Half-width katakana stand in the upper half (ISO-IR 13) and need no escape there.
     constexpr std::string_view katakanaAbove = "\x1b)I";
     std::string result;
     std::string run;
@@ -125,7 +126,7 @@ std::optional<std::string> converted(std::string_view text, const std::string& c
 }  // namespace
 
 std::string inUtf8(std::string_view text, const std::string& charset) {
-  // Most names are ASCII, and what is broken UTF-8 is mended letter by letter.
+  // Most names are ASCII, and broken UTF-8 is mended letter by letter.
   if (!charset.empty() && !charset.ends_with("ISO_IR 192"))
     if (const std::optional<std::string> known = converted(text, charset))
       return cleaned(*known);

@@ -13,13 +13,13 @@ namespace sline::model {
 
 namespace {
 
-/// Slices this many spacings apart are still one body: two in a row may be missing.
+/// Slices up to this many spacings apart still belong to one body: two in a row may be missing.
 constexpr double farthestGap = 3.5;
-/// Contours whose planes differ by less are in one slice, mm.
+/// Contours in planes that differ by less are in one slice, mm.
 constexpr double samePlane = 0.05;
 constexpr std::size_t planesTried = 8;
 
-/// Twice the area vector (Newell).
+/// Returns twice the area vector (Newell).
 glm::dvec3 areaVector(const Contour& contour) {
   glm::dvec3 sum(0.0);
   const glm::dvec3 origin = contour.front();
@@ -43,13 +43,14 @@ Span along(const Contour& contour, const glm::dvec3& normal) {
   return span;
 }
 
-/// A contour counts as drawn in planes of this normal: coordinates are often rounded to 0.01 mm.
+/// Tells whether a contour counts as drawn in planes of this normal: coordinates are often rounded
+/// to 0.01 mm.
 bool liesIn(const Contour& contour, const glm::dvec3& normal) {
   return along(contour, normal).size() <= 0.3;
 }
 
-/// The normal that most contours agree on, pointing so that its largest component is positive;
-/// nothing where no contour has an area.
+/// Returns the normal that most contours agree on, pointing so that its largest component is
+/// positive; nothing where no contour has an area.
 std::optional<glm::dvec3> commonNormal(std::span<const Contour> contours) {
   std::vector<glm::dvec3> areas;
   areas.reserve(contours.size());
@@ -102,7 +103,7 @@ glm::dmat3 axesFor(const glm::dvec3& normal) {
   return {u, glm::cross(normal, u), normal};
 }
 
-/// The middle of the distances between neighbours that are not one plane; 0 without any.
+/// Returns the middle of the distances between neighbours that are not one plane; 0 without any.
 double middleGap(const std::vector<double>& offsets) {
   std::vector<double> gaps;
   for (std::size_t i = 1; i < offsets.size(); ++i)
@@ -130,7 +131,8 @@ Place placeOf(const glm::dvec2& p) {
   return {std::llround(p.x * 1000.0), std::llround(p.y * 1000.0)};
 }
 
-/// The same polygon, wherever and in whichever direction it begins.
+/// Returns the polygon's corners sorted, so that they are the same wherever and in whichever
+/// direction it begins.
 std::vector<Place> canonical(const std::vector<glm::dvec2>& polygon) {
   std::vector<Place> places;
   places.reserve(polygon.size());
@@ -140,7 +142,8 @@ std::vector<Place> canonical(const std::vector<glm::dvec2>& polygon) {
   return places;
 }
 
-/// Polygons of one slice → its edges, those that occur an even number of times left out.
+/// Collects the polygons of one slice and makes its edges; those that occur an even number of times
+/// are left out.
 class OutlineBuilder {
  public:
   bool add(const std::vector<glm::dvec2>& polygon) {
@@ -153,7 +156,8 @@ class OutlineBuilder {
       Place to = placeOf(b);
       if (from == to)
         continue;
-      // Always written the same way round, so that the order of contours changes no bit.
+      // The edge is always written the same way round, so that the order of contours changes no
+      // bit.
       if (to < from) {
         std::swap(from, to);
         std::swap(a, b);

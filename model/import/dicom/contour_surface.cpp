@@ -18,17 +18,17 @@ namespace sline::model {
 namespace {
 
 constexpr int iterations = 40;
-/// Waves shorter than this many spacings of slices are their jitter, not the organ's form.
+/// Waves shorter than this many spacings of slices are the slices' jitter, not the organ's form.
 constexpr double shortestWave = 8.0;
-constexpr double farthestMove = 0.75;  ///< times the spacing
+constexpr double farthestMove = 0.75;  ///< as a multiple of the spacing
 
-/// The pass band 1 − cos(2π·edge/wave) that keeps longer waves.
+/// Returns the filter with the pass band 1 − cos(2π·edge/wave), which keeps longer waves.
 SincFilter filterFor(float edge, double spacing) {
   const double share = std::clamp(double(edge) / (shortestWave * spacing), 0.02, 0.075);
   return {iterations, float(1.0 - std::cos(2.0 * std::numbers::pi * share))};
 }
 
-/// The surface 0 in (u, v, n), about the middle of the box.
+/// Makes the surface where the values are 0, in (u, v, n) about the middle of the box.
 void isosurface(const FieldBox& box, RawMesh& mesh) {
   const glm::dvec3 half = 0.5 * box.step * glm::dvec3(box.size - 1);
   ZeroSurface surface =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stack of contours → one closed surface.
+// Turns a stack of contours into one closed surface.
 #pragma once
 
 #include "model/import/dicom/contour_stack.h"
@@ -8,11 +8,12 @@
 
 namespace sline::model {
 
-/// Positions (mm, LPS), triangles, `smooth` and `displacement`; closed, manifold, outward. Slices
-/// drawn by hand differ a little from each other; as `options.smoothing` asks, that is smoothed,
-/// moving no vertex by more than three quarters of the slices' spacing. Empty where the contours
-/// enclose nothing that the samples can show, or `goesOn` said no. `samples` is the most the stack
-/// may have (samplesFor).
+/// Returns positions (mm, LPS), triangles, `smooth` and `displacement` of a closed, manifold
+/// surface that is oriented outward. Slices drawn by hand differ a little from each other; as
+/// `options.smoothing` asks, these differences are smoothed, moving no vertex by more than three
+/// quarters of the slices' spacing. The surface is empty where the contours enclose nothing that
+/// the samples can show, or `goesOn` said no. `samples` is the most samples the stack may have
+/// (samplesFor).
 RawMesh surfaceOf(const ContourStack& stack, double samples, const ReadOptions& options);
 
 }  // namespace sline::model

@@ -31,7 +31,8 @@ DcmSequenceOfItems* sequenceIn(DcmItem* item, Tag tag) {
                                                : nullptr;
 }
 
-/// Text as it stands in the file. What a writer called of unknown kind comes as bytes.
+/// Returns text as it stands in the file. A value of a kind that the writer called unknown comes as
+/// bytes.
 std::string_view bytesOf(DcmElement* element) {
   if (!element)
     return {};

@@ -17,7 +17,7 @@ namespace sline::model {
 
 namespace {
 
-/// Where memory ends in the middle of a file, that file is told of.
+/// Reads a file; where memory runs out meanwhile, the error names that file.
 template <class Read>
 auto withinMemory(const std::filesystem::path& file, const Read& read) -> decltype(read()) {
   try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door to DICOM: which objects hold segmentations, who makes surfaces of them, and who makes
-// volumes of the slices of scanners. Of a patient nothing gets through it: shapes, grey values,
-// names, colours and groups of structures are all.
+// The door to DICOM: it finds out which objects hold segmentations, makes surfaces of them and
+// makes volumes of scanners' slices. No patient data gets through it: only shapes, grey values,
+// names, colours and groups of structures do.
 #pragma once
 
 #include <filesystem>
@@ -15,28 +15,31 @@
 
 namespace sline::model {
 
-/// RT structure sets and segmentations; other kinds of object are an error that names their kind.
+/// Reads RT structure sets and segmentations; other kinds of object are an error that names their
+/// kind.
 Result<RawMeshes> readDicom(const std::filesystem::path& file, const ReadOptions& options);
 
-/// What one file holds, or several of one folder: structures of the first, or where that is an
-/// image of CT, MR or PET and the options do something with scans, those of them (scanSurfaces) of
-/// each series, called "CT", "MR 2" and so on: names of files and folders may say whose they are.
+/// Reads one file, or several of one folder. Returns the structures of the first file, or, where
+/// that is an image of CT, MR or PET and the options do something with scans, those of the scans
+/// (scanSurfaces) of each series. Scans are called "CT", "MR 2" and so on, because the names of
+/// files and folders may reveal the patient.
 Result<RawMeshes> readDicomFiles(std::span<const std::filesystem::path> files,
                                  const ReadOptions& options);
 
-/// Images that one scanner made in one go.
+/// Holds the files of images that one scanner made in one go.
 struct DicomSeries {
   std::string scanner;  ///< "CT", "MR" or "PET"
   std::vector<std::filesystem::path> files;
 };
 
-/// The series of CT, MR and PET among the files, the one of most files first. Files of other kinds
-/// and files that cannot be read are left out. Of each no more is read than tells.
+/// Returns the series of CT, MR and PET among the files, the one with the most files first. Files
+/// of other kinds and files that cannot be read are left out. Of each file no more is read than is
+/// needed to tell.
 std::vector<DicomSeries> seriesIn(std::span<const std::filesystem::path> files,
                                   const ReadOptions& options);
 
-/// The slices of one series of CT, MR or PET (single ones in any order, or the frames of an
-/// enhanced image) as one volume, in Hounsfield units where the file says so. The distance of
+/// Reads the slices of one series of CT, MR or PET (single ones in any order, or the frames of an
+/// enhanced image) as one volume, in Hounsfield units where the file says so. The distance between
 /// slices is that of their places; slices of a tilted gantry make a slanting grid. Errors: other
 /// kinds, slices of several series, sizes or orientations, fewer than two places, several images in
 /// one place, distances that differ (nothing is resampled).

@@ -24,15 +24,15 @@ constexpr std::string_view deflated = "1.2.840.10008.1.2.1.99";
 constexpr Tag sopClassUid{0x0008, 0x0016};
 constexpr Tag metaSopClass{0x0002, 0x0002};
 constexpr Tag transferSyntax{0x0002, 0x0010};
-/// What comes before it says whose series of what scanner it is: nearly always within the first
-/// kilobytes.
+/// The elements before this one say which scanner's series it is: they nearly always lie within the
+/// first kilobytes.
 constexpr Tag behindSeries{0x0020, 0x0010};
 constexpr std::size_t beginningRead = std::size_t(1) << 16;
 constexpr const char* sendAgain = "Copy or export the file again; it is incomplete or damaged";
 
 PixelCoding codingOf(const std::string& syntax) {
   struct Row {
-    std::string_view syntax;  ///< or its beginning
+    std::string_view syntax;  ///< or the beginning of one
     PixelCoding coding;
   };
   constexpr std::array rows{Row{"1.2.840.10008.1.2.5", PixelCoding::runLength},
@@ -50,21 +50,21 @@ PixelCoding codingOf(const std::string& syntax) {
   return PixelCoding::native;
 }
 
-/// Standard objects nest six deep; this is room for a few hundred levels, and an eighth of what
-/// threads have.
+/// Standard objects nest six deep; this is room for a few hundred levels, and an eighth of a
+/// thread's stack.
 constexpr std::size_t mostStack = std::size_t(1) << 20;
 /// About five million elements: the largest plans have a tenth of that.
 constexpr std::size_t mostReads = 20'000'000;
 
-/// An address in the frame of whoever calls.
+/// Returns an address in the caller's frame.
 [[gnu::noinline]] const char* stackHere() {
   return static_cast<const char*>(__builtin_frame_address(0));
 }
 
-/// DCMTK descends into sequences by recursion, as deep as a file says, and makes objects of a few
-/// hundred bytes from elements of eight. This producer watches the stack from whose frames it is
-/// called and counts how often it is, and ends the reading with an error where either grows beyond
-/// what any sound file needs.
+/// Guards DCMTK's reading. DCMTK descends into sequences by recursion, as deep as a file says, and
+/// makes objects of a few hundred bytes from elements of eight. This producer watches the stack of
+/// its callers and counts how often it is called, and ends the reading with an error where either
+/// grows beyond what any sound file needs.
 class GuardedBytes : public DcmProducer {
  public:
   enum class Fault { none, nestedTooDeep, tooManyElements, putBackTooFar };
@@ -80,7 +80,7 @@ class GuardedBytes : public DcmProducer {
   void putback(offile_off_t size) override;
 
   Fault fault() const { return m_fault; }
-  /// How many bytes have been read.
+  /// Returns how many bytes have been read.
   std::size_t position() const { return m_at; }
   std::string_view rest() const { return m_bytes.substr(m_at); }
   bool isAtEnd() const { return m_at == m_bytes.size(); }
@@ -95,7 +95,7 @@ class GuardedBytes : public DcmProducer {
   Fault m_fault = Fault::none;
 };
 
-/// Opens the bytes again where a long value stands, once somebody asks for it. They must outlive
+/// Opens the bytes again where a long value stands, once that value is asked for. They must outlive
 /// the elements.
 class BytesFrom : public DcmInputStreamFactory {
  public:
@@ -108,9 +108,9 @@ class BytesFrom : public DcmInputStreamFactory {
   std::string_view m_rest;
 };
 
-/// A stream of guarded bytes. Long values are passed over and read when they are asked for: a
-/// stream that cannot be opened again would have their memory allocated by the length that the
-/// file promises, up to 4 GB, before the bytes are found missing.
+/// Is a stream of guarded bytes. Long values are passed over and read when they are asked for: a
+/// stream that cannot be opened again would have their memory allocated by the length that the file
+/// promises, up to 4 GB, before the bytes are found missing.
 class GuardedStream : public DcmInputStream {
  public:
   explicit GuardedStream(std::string_view bytes) : DcmInputStream(&m_bytes), m_bytes(bytes) {}
@@ -159,7 +159,7 @@ void GuardedBytes::putback(offile_off_t size) {
     m_at -= std::size_t(size);
 }
 
-/// What went wrong in reading, in words; `end`: all bytes had been read.
+/// Returns in words what went wrong in reading; `end` says that all bytes had been read.
 std::string reasonFor(const GuardedBytes& bytes, const OFCondition& condition, bool end) {
   switch (bytes.fault()) {
     case GuardedBytes::Fault::nestedTooDeep:
@@ -177,7 +177,7 @@ std::string reasonFor(const GuardedBytes& bytes, const OFCondition& condition, b
 }  // namespace
 
 Result<std::string> DicomFile::unpacked(std::string_view packed) const {
-  // What masks deflate to is small, but no file may ask for a large machine.
+  // Masks deflate to little, but no file may ask for a large machine.
   const std::size_t limit = (std::size_t(128) << 20) + 32 * packed.size();
   z_stream stream{};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK)
@@ -207,7 +207,8 @@ Result<std::string> DicomFile::unpacked(std::string_view packed) const {
 }
 
 Status DicomFile::parseData(std::string_view text, const std::string& syntax, Extent extent) {
-  // Kinds that are younger than the library pack their pixels, and all of those are written so.
+  // Kinds that are younger than the library pack their pixels, and all of those are written in this
+  // syntax.
   E_TransferSyntax kind = EXS_LittleEndianExplicit;
   if (syntax.empty())
     kind = EXS_Unknown;

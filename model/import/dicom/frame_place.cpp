@@ -18,7 +18,7 @@ constexpr Tag rescaleIntercept{0x0028, 0x1052};
 constexpr Tag rescaleSlope{0x0028, 0x1053};
 constexpr Tag rescaleType{0x0028, 0x1054};
 constexpr Tag referencedSegment{0x0062, 0x000b};
-/// Nobody lies farther from the scanner's origin, mm.
+/// No patient lies farther from the scanner's origin, mm.
 constexpr double farthest = 1e5;
 constexpr double greatestValue = 1e9;
 
@@ -27,7 +27,7 @@ bool within(const std::vector<double>& values, double limit) {
                      [&](double value) { return std::abs(value) <= limit; });
 }
 
-/// What the parts of a data set say; what they leave open stays.
+/// Collects what the parts of a data set say; values that a part leaves open stay.
 class PlaceReader {
  public:
   void readGroups(const DataSet& groups) {
@@ -48,7 +48,7 @@ class PlaceReader {
     readRescale(image);
   }
   const FramePlace& place() const { return m_place; }
-  /// What is missing, as a sentence goes on; null: nothing.
+  /// Returns what is missing, as the continuation of a sentence; null where nothing is.
   const char* missing() const {
     return !m_position      ? "where it lies"
            : !m_orientation ? "how it is turned"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the frames of an image lie, and what their values mean.
+// Determines where the frames of an image lie and what their values mean.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,12 @@
 namespace sline::model {
 
 struct FramePlace {
-  std::optional<std::uint32_t> segment;  ///< which segment of a segmentation it shows
+  std::optional<std::uint32_t> segment;  ///< the segment of a segmentation that it shows
   glm::dvec3 position{0.0};              ///< centre of the first pixel, mm LPS
-  glm::dvec3 along{1, 0, 0};             ///< unit; the direction in which columns follow
-  glm::dvec3 down{0, 1, 0};              ///< unit; the direction in which rows follow
+  glm::dvec3 along{1, 0, 0};             ///< unit vector; the direction in which columns follow
+                                         ///< each other
+  glm::dvec3 down{0, 1, 0};              ///< unit vector; the direction in which rows follow each
+                                         ///< other
   double columnSpacing = 1.0;            ///< mm
   double rowSpacing = 1.0;
   double sliceSpacing = 0.0;  ///< mm; 0: not given
@@ -25,9 +27,10 @@ struct FramePlace {
   std::string unit;  ///< "HU"; empty: not given
 };
 
-/// In the order of the pixel data, from the functional groups (PS3.3 §C.7.6.16), a frame's own
-/// before the shared ones, or where there are none from the image itself, which then is one frame.
-/// An error where one has no position, orientation or pixel spacing.
+/// Returns the frames in the order of the pixel data. They are read from the functional groups
+/// (PS3.3 §C.7.6.16), a frame's own before the shared ones, or where there are no groups from the
+/// image itself, which then is one frame. It is an error where a frame has no position, orientation
+/// or pixel spacing.
 Result<std::vector<FramePlace>> framesIn(const DicomFile& file);
 
 }  // namespace sline::model

@@ -20,14 +20,15 @@ constexpr Tag seriesUid{0x0020, 0x000e};
 constexpr Tag bitsStored{0x0028, 0x0101};
 constexpr Tag highestBit{0x0028, 0x0102};
 constexpr Tag pixelRepresentation{0x0028, 0x0103};
-/// 1024 slices of 1024 × 1024 pixels; and for a small file that asks for many, by its bytes.
+/// A series may have 1024 slices of 1024 × 1024 pixels; a small file that asks for many is limited
+/// by its bytes.
 constexpr std::uint64_t mostSeriesVoxels = std::uint64_t(1) << 30;
 constexpr std::uint64_t voxelsOfAny = std::uint64_t(128) << 20;
 constexpr std::uint64_t seriesVoxelsPerByte = 1024;
 /// Images nearer to each other than this show one place, mm.
 constexpr double onePlace = 1e-4;
-/// What places may differ from an even grid: they are often rounded to 0.01 mm.
-constexpr double unevenBy = 0.05;  ///< of the slices' distance
+/// Places may differ from an even grid by this much: they are often rounded to 0.01 mm.
+constexpr double unevenBy = 0.05;  ///< as a share of the slices' distance
 constexpr double roundedBy = 0.011;
 constexpr double levels = 65535.0;
 constexpr const char* sortThem = "Give the slices of one series, of one orientation and size";
@@ -45,7 +46,7 @@ struct Slice {
   std::vector<std::int16_t> stored;
 };
 
-/// How 16 bits are meant as a number.
+/// Says how 16 bits are to be read as a number.
 struct StoredNumber {
   unsigned shift = 0;
   unsigned bits = 16;
@@ -61,7 +62,7 @@ struct StoredNumber {
     number.isSigned = data.number(pixelRepresentation).value_or(0) == 1;
     return number;
   }
-  /// What is subtracted so that numbers without a sign fit in those with one.
+  /// Returns what is subtracted so that unsigned numbers fit in signed ones.
   int offset() const { return !isSigned && bits == 16 ? 32768 : 0; }
   std::int16_t value(std::uint16_t pixel) const {
     const unsigned mask = (1u << bits) - 1u;
@@ -172,7 +173,7 @@ class SeriesReader {
 
   double heightOf(const Slice& slice) const { return glm::dot(slice.place.position, m_normal); }
 
-  /// Slices by their place, and whether they make a grid.
+  /// Sorts the slices by their place, and tells whether they make a grid.
   Status sort() {
     if (m_slices.size() < 2)
       return wrong("is a single slice, which makes no volume", giveAll);
@@ -213,8 +214,8 @@ class SeriesReader {
     return Unit{};
   }
 
-  /// One scale for all: that of the slices or, where PET and MR give each its own, one that spans
-  /// all values in 65,536 levels.
+  /// Finds one scale for all: that of the slices or, where PET and MR give each slice its own, one
+  /// that spans all values in 65,536 levels.
   void findScale(GreyVolume& volume) {
     const FramePlace& first = m_slices.front().place;
     volume.slope = first.slope;
@@ -275,7 +276,7 @@ class SeriesReader {
   std::uint64_t m_bytes = 0;
   std::vector<Slice> m_slices;
   glm::dvec3 m_normal{0, 0, 1};
-  glm::dvec3 m_step{0, 0, 1};  ///< from a slice to the next, mm
+  glm::dvec3 m_step{0, 0, 1};  ///< from one slice to the next, mm
 };
 
 }  // namespace

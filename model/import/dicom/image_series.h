@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slices of CT, MR and PET as volumes; see dicom.h for what holds of both functions.
+// Reads slices of CT, MR and PET as volumes; dicom.h describes both functions.
 #pragma once
 
 #include "model/import/dicom/dicom.h"

@@ -55,18 +55,19 @@ struct DestroyImage {
   void operator()(opj_image_t* image) const { opj_image_destroy(image); }
 };
 
-/// SOC and SIZ, with which a bare codestream begins, as DICOM prescribes; some are in a JP2 file.
+/// A bare codestream begins with SOC and SIZ, as DICOM prescribes; some are in a JP2 file.
 constexpr std::string_view codestreamBegins = "\xff\x4f\xff\x51";
 
 OPJ_CODEC_FORMAT formatOf(std::string_view stream) {
   return stream.starts_with(codestreamBegins) ? OPJ_CODEC_J2K : OPJ_CODEC_JP2;
 }
 
-/// Of its tiles, for each of which OpenJPEG takes some kilobytes before it can be asked anything,
-/// the head (SIZ, §A.5.1) may promise 65,535; an image of this size has no use for so many.
+/// Tells whether the number of tiles suits the image. The head (SIZ, §A.5.1) may promise 65,535 of
+/// them, and OpenJPEG takes some kilobytes for each before it can be asked anything; an image of
+/// this size has no use for so many.
 bool hasFewTiles(std::string_view stream, const glm::ivec2& size) {
   constexpr std::size_t ends = 8;    // two numbers, from the codestream's beginning
-  constexpr std::size_t tiles = 24;  // and two more
+  constexpr std::size_t tiles = 24;  // two more
   const std::size_t begin = stream.find(codestreamBegins);
   if (begin == std::string_view::npos || stream.size() - begin < tiles + 8)
     return false;

@@ -39,7 +39,8 @@ void unpackBits(std::string_view bytes, std::size_t first, std::vector<std::uint
 
 std::optional<std::string> unpackedRuns(std::string_view frame, std::size_t plane,
                                         std::size_t wanted) {
-  // A number of planes, and where each begins; a pair of bytes stands for 128 at most.
+  // The header holds the number of planes, and where each begins; a pair of bytes stands for 128 at
+  // most.
   const auto word = [&](std::size_t at) {
     return loadAs<std::uint32_t>(&frame[4 * at], littleSwapped);
   };

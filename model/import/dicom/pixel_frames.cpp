@@ -26,7 +26,8 @@ constexpr Tag columnCount{0x0028, 0x0011};
 constexpr Tag bitsAllocated{0x0028, 0x0100};
 /// No scanner makes larger slices; a packed file could ask for them.
 constexpr std::uint64_t largestFrame = std::uint64_t(64) << 20;
-/// Blank frames pack a thousandfold: so many pixels may any file have, and so many for each byte.
+/// Blank frames pack a thousandfold: any file may have so many pixels, and so many more for each
+/// byte.
 constexpr std::uint64_t packedPixelsOfAny = std::uint64_t(256) << 20;
 constexpr std::uint64_t packedPixelsPerByte = 64;
 constexpr const char* exportPixelsAgain =
@@ -39,7 +40,7 @@ DcmPixelData* pixelElement(const DicomFile& file) {
   return dynamic_cast<DcmPixelData*>(element);
 }
 
-/// The pieces of encapsulated pixel data (PS3.5 §A.4), the offset table first.
+/// Returns the pieces of encapsulated pixel data (PS3.5 §A.4), the offset table first.
 std::vector<std::string_view> fragmentsOf(DcmPixelData& pixels) {
   std::vector<std::string_view> fragments;
   E_TransferSyntax syntax = EXS_Unknown;
@@ -109,7 +110,7 @@ Status PixelFrames::openNative() {
   Uint8* bytes = nullptr;
   if (pixels && pixels->getUint8Array(bytes).good() && bytes)
     m_native = {reinterpret_cast<const char*>(bytes), pixels->getLength()};
-  // No product of sizes can run over: each is below 2^32, and their count below what fits the file.
+  // No product of sizes can overflow: each is below 2^32, and their count below what fits the file.
   const std::size_t pixelsThere = m_native.size() * 8 / std::size_t(m_bits);
   if (m_frames > pixelsThere / frameSize())
     return m_file->source().whole("the pixel data has " + std::to_string(m_native.size()) +
@@ -132,7 +133,8 @@ Status PixelFrames::openPacked() {
   return groupFragments(pixels ? fragmentsOf(*pixels) : std::vector<std::string_view>());
 }
 
-/// A frame may be cut into several fragments; then the offset table says where each frame begins.
+/// Groups the fragments into frames. A frame may be cut into several fragments; then the offset
+/// table says where each frame begins.
 Status PixelFrames::groupFragments(const std::vector<std::string_view>& fragments) {
   if (fragments.size() == m_frames + 1) {
     for (std::size_t i = 1; i < fragments.size(); ++i)
@@ -196,7 +198,7 @@ Status PixelFrames::byRuns(std::size_t index, std::vector<std::uint16_t>& values
   return Unit{};
 }
 
-/// JPEG and JPEG-LS.
+/// Unpacks JPEG and JPEG-LS.
 Status PixelFrames::byLibrary(std::size_t index, std::vector<std::uint16_t>& values) const {
   if (!hasJpegSize(m_coded[index].front(), {m_columns, m_rows}))
     return damaged(index, "it does not hold the frame's rows and columns");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frames of a file's pixel data, unpacked one at a time.
+// Unpacks the frames of a file's pixel data one at a time.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,14 @@
 
 namespace sline::model {
 
-/// One value a pixel, of 1 bit (the lowest of a byte first, PS3.5 §8.1.1), 8 or 16 bits. Native in
-/// any byte order (deflated or not), run-length coded (PS3.5 annex G; DCMTK refuses such masks of
-/// bits), JPEG and JPEG-LS by DCMTK, JPEG 2000 (with HTJ2K) by OpenJPEG.
+/// Unpacks frames with one value per pixel, of 1 bit (the lowest of a byte first, PS3.5 §8.1.1), 8
+/// or 16 bits. It reads native data in any byte order (deflated or not), run-length coded data
+/// (PS3.5 annex G; DCMTK refuses such masks of bits), JPEG and JPEG-LS by DCMTK, JPEG 2000 (with
+/// HTJ2K) by OpenJPEG.
 class PixelFrames {
  public:
-  /// Errors: no pixel data, other codings and depths, colours, sizes of 0 or beyond what scanners
-  /// make, data that is shorter than its frames.
+  /// Opens the pixel data. Errors: no pixel data, other codings and depths, colours, sizes of 0 or
+  /// beyond those that scanners make, data that is shorter than its frames.
   static Result<PixelFrames> open(const DicomFile& file);
 
   int columns() const { return m_columns; }
@@ -24,8 +25,8 @@ class PixelFrames {
   std::size_t frames() const { return m_frames; }
   std::size_t frameSize() const { return std::size_t(m_columns) * std::size_t(m_rows); }
   int bits() const { return m_bits; }
-  /// The bits of each pixel as they stand in the file, x fastest: whether there is a sign, and
-  /// which of 16 bits are meant, is for the caller to know.
+  /// Returns the bits of each pixel as they stand in the file, x fastest: the caller has to know
+  /// whether there is a sign and which of 16 bits are used.
   Status frame(std::size_t index, std::vector<std::uint16_t>& values) const;
 
  private:
@@ -47,7 +48,7 @@ class PixelFrames {
   std::size_t m_frames = 0;
   int m_bits = 8;
   std::string_view m_native;                           ///< little endian
-  std::vector<std::vector<std::string_view>> m_coded;  ///< of each frame, its fragments
+  std::vector<std::vector<std::string_view>> m_coded;  ///< the fragments of each frame
 };
 
 }  // namespace sline::model

@@ -15,7 +15,7 @@ constexpr Tag segmentLabel{0x0062, 0x0005};
 constexpr Tag displayLab{0x0062, 0x000d};
 constexpr Tag codeMeaning{0x0008, 0x0104};
 
-/// The meaning of a code sequence's first code; empty without.
+/// Returns the meaning of a code sequence's first code; empty without one.
 std::string meaningIn(const DataSet& item, Tag sequence) {
   const std::optional<DataSet> code = item.item(sequence);
   return code ? code->utf8(codeMeaning) : std::string();
@@ -54,7 +54,7 @@ Colour colourOfLab(const std::array<std::uint16_t, 3>& lab) {
   };
   const glm::dvec3 xyz(0.9642 * inverse(y + a / 500.0), inverse(y),
                        0.8249 * inverse(y - b / 200.0));
-  // XYZ under D50 → linear sRGB (Bradford's adaptation to D65 included); columns x, y, z.
+  // Converts XYZ under D50 → linear sRGB (Bradford's adaptation to D65 included); columns x, y, z.
   const glm::dmat3 toLinear(3.1338561, -0.9787684, 0.0719453, -1.6168667, 1.9161415, -0.2289914,
                             -0.4906146, 0.0334540, 1.4052427);
   return colourOfLight(toLinear * xyz);

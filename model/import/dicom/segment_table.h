@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a segmentation says about its segments.
+// Reads what a segmentation says about its segments.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ namespace sline::model {
 
 struct Segment {
   std::string name;
-  std::vector<std::string> groups;  ///< its category
+  std::vector<std::string> groups;  ///< the segment's category
   std::optional<Colour> colour;
 };
-/// Segments by their number, from the segment sequence (PS3.3 §C.8.20.4).
+/// Returns the segments by their number, from the segment sequence (PS3.3 §C.8.20.4).
 std::map<std::uint32_t, Segment> segmentsIn(const DicomFile& file);
 
-/// CIELab as DICOM codes it (PS3.3 §C.10.7.1.1, white of D50) in sRGB.
+/// Converts CIELab as DICOM codes it (PS3.3 §C.10.7.1.1, white of D50) to sRGB.
 Colour colourOfLab(const std::array<std::uint16_t, 3>& lab);
 
 }  // namespace sline::model

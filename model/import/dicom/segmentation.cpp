@@ -19,7 +19,7 @@ namespace sline::model {
 
 namespace {
 
-/// Between the first slice and the last this many may lie for each that has a frame.
+/// So many slices may lie between the first and the last for each that has a frame.
 constexpr double mostSlicesPerFrame = 8.0;
 constexpr std::size_t mostLabels = 65'000;
 constexpr std::size_t pixelValues = 65'536;
@@ -32,13 +32,14 @@ constexpr Tag pixelPadding{0x0028, 0x0120};
 constexpr std::uint64_t mostVoxels = std::uint64_t(128) << 20;
 constexpr std::uint64_t voxelsPerByte = 64;
 
-/// Voxels of one row that follow each other.
+/// Holds voxels of one row that follow each other.
 struct Run {
   std::size_t begin = 0;
   std::size_t length = 0;
 };
 
-/// What of the frames is not empty, as half-open ranges of columns, rows and slices.
+/// Bounds the part of the frames that is not empty, as half-open ranges of columns, rows and
+/// slices.
 struct Region {
   glm::ivec3 low{0x7fffffff};
   glm::ivec3 high{0};
@@ -82,8 +83,9 @@ class SegmentationReader {
  private:
   Error given() const { return m_file.source().whole("was not read to its end"); }
 
-  /// What values mean: of a binary segmentation inside and outside, of fractions half the greatest
-  /// and more is inside, in a label map each is a segment's number and one the background.
+  /// Reads what values mean: in a binary segmentation inside and outside; of fractions, half the
+  /// greatest and more is inside; in a label map each value is a segment's number and one is the
+  /// background.
   std::optional<Error> readType() {
     const std::string type = m_file.data().text(segmentationType);
     const bool fractional = type == "FRACTIONAL";
@@ -99,7 +101,7 @@ class SegmentationReader {
     return std::nullopt;
   }
 
-  /// 0 outside; 1 inside or, in a label map, the segment's number.
+  /// Reads the values of a frame: 0 outside; 1 inside or, in a label map, the segment's number.
   Status values(std::size_t frame, std::vector<std::uint16_t>& values) const {
     if (!m_options.goesOn())
       return given();
@@ -114,7 +116,7 @@ class SegmentationReader {
     return Unit{};
   }
 
-  /// Which slice each frame is.
+  /// Determines which slice each frame is.
   std::optional<Error> stack() {
     const FramePlace& first = m_frames.front();
     m_normal = glm::cross(first.along, first.down);
@@ -155,8 +157,8 @@ class SegmentationReader {
     return std::nullopt;
   }
 
-  /// The smallest distance of neighbours; what the file says where there is but one slice or where
-  /// only each other slice has a frame.
+  /// Returns the smallest distance between neighbours, or what the file says where there is but one
+  /// slice or only every other slice has a frame.
   double spacingOf(const std::set<double>& places) const {
     const double said = m_frames.front().sliceSpacing;
     double smallest = 0.0;
@@ -204,7 +206,7 @@ class SegmentationReader {
     return std::nullopt;
   }
 
-  /// Segments one after another, each into the first volume in which its voxels are free.
+  /// Paints segments one after another, each into the first volume in which its voxels are free.
   std::optional<Error> paint() {
     std::map<std::uint32_t, std::vector<std::size_t>> framesOf;
     for (std::size_t f = 0; f < m_frames.size(); ++f)
@@ -247,7 +249,7 @@ class SegmentationReader {
                                  "Export fewer segments at a time");
   }
 
-  /// All segments at once, into one volume.
+  /// Paints all segments at once, into one volume.
   std::optional<Error> paintMap() {
     LabelVolume* volume = addVolume();
     if (!volume)
@@ -279,7 +281,7 @@ class SegmentationReader {
         return status.error();
       const int z = sliceOf(m_frames[f]) - m_region.low.z;
       if (z < 0 || z >= size.z)
-        continue;  // an empty frame outside of what is not
+        continue;  // an empty frame outside the region
       for (int y = 0; y < size.y; ++y) {
         const auto row = pixels.begin() + std::ptrdiff_t(y + m_region.low.y) * m_pixels->columns() +
                          m_region.low.x;
@@ -300,7 +302,7 @@ class SegmentationReader {
         return status.error();
       const int z = sliceOf(m_frames[f]) - m_region.low.z;
       if (z < 0 || z >= size.z)
-        continue;  // an empty frame outside of what is not
+        continue;  // an empty frame outside the region
       for (int y = 0; y < size.y; ++y) {
         const auto row = inside.begin() + std::ptrdiff_t(y + m_region.low.y) * m_pixels->columns() +
                          m_region.low.x;
@@ -317,7 +319,7 @@ class SegmentationReader {
     return std::nullopt;
   }
 
-  /// Null where there may be no further volume.
+  /// Returns a volume, or null where there may be no further one.
   LabelVolume* volumeFor(const std::vector<Run>& runs) {
     const auto isFree = [](const LabelVolume& volume, const Run& run) {
       const auto begin = volume.voxels.begin() + std::ptrdiff_t(run.begin);
@@ -362,11 +364,11 @@ class SegmentationReader {
   std::optional<PixelFrames> m_pixels;
   bool m_labelMap = false;
   std::uint16_t m_inside = 1;      ///< values from here on are inside
-  std::uint16_t m_background = 0;  ///< of a label map
+  std::uint16_t m_background = 0;  ///< in a label map
   std::vector<bool> m_occurs = std::vector<bool>(pixelValues, false);
   std::vector<FramePlace> m_frames;
   glm::dvec3 m_normal{0, 0, 1};
-  double m_low = 0.0;  ///< of the lowest slice, mm from the first frame
+  double m_low = 0.0;  ///< lowest slice, in mm from the first frame
   double m_spacing = 1.0;
   Region m_region;
   LabelVolumes m_result;
@@ -382,7 +384,7 @@ Result<RawMeshes> segmentationSurfaces(const DicomFile& file, const ReadOptions&
   Result<LabelVolumes> volumes = segmentationVolumes(file, options);
   if (!volumes)
     return volumes.error();
-  // A mask of noise has more surface than any organ: what a file may ask for grows with its bytes.
+  // A mask of noise has more surface than any organ: the limits of a file grow with its bytes.
   ReadOptions bounded = options;
   const std::uint64_t most = 2'000'000 + 2 * std::uint64_t(file.source().size());
   bounded.limits.vertices = std::min(options.limits.vertices, most);

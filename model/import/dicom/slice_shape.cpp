@@ -24,7 +24,7 @@ float squaredDistance(const OutlineEdge& segment, const glm::dvec2& p) {
   return float(glm::dot(off, off));
 }
 
-/// The nearest segment of each sample, found from samples beside segments outwards.
+/// Finds the nearest segment of each sample, from samples beside segments outwards.
 class NearestSegments {
  public:
   NearestSegments(const std::vector<OutlineEdge>& segments, const PlaneGrid& grid)
@@ -48,7 +48,7 @@ class NearestSegments {
     }
   }
 
-  /// Passes segments on: down with each row both ways, then up.
+  /// Passes segments on: with each row both ways, first down, then up.
   void spread() {
     for (int y = 0; y < m_grid.rows; ++y)
       spreadRow(y, y - 1);
@@ -105,7 +105,8 @@ SliceShape::SliceShape(const SliceOutline& outline, const PlaneGrid& grid)
   m_distances.resize(grid.size());
   for (std::size_t i = 0; i < grid.size(); ++i)
     m_distances[i] = std::sqrt(near.squared()[i]) * (m_pieces[i] != 0 ? -1.0f : 1.0f);
-  // A segment belongs to the piece whose sample it is nearest to; such a sample lies beside it.
+  // A segment belongs to the piece of the sample to which it is nearest; such a sample lies beside
+  // it.
   m_pieceOfSegment.assign(outline.edges.size(), 0);
   std::vector<float> closest(outline.edges.size(), farAway);
   for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -137,8 +138,8 @@ std::vector<float> SliceShape::distancesTo(const std::vector<char>& chosen,
   return distances;
 }
 
-/// Samples within an odd number of outlines, row by row. A point on a row counts as above it, so
-/// that rows through corners count each outline once.
+/// Marks samples within an odd number of outlines, row by row. A point on a row counts as above it,
+/// so that rows through corners count each outline once.
 void SliceShape::fill() {
   std::vector<std::vector<float>> crossings(std::size_t(m_grid.rows));
   for (const OutlineEdge& segment : m_outline->edges) {

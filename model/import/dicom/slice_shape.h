@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outlines of one slice as a signed distance on a grid.
+// Represents the outlines of one slice as a signed distance on a grid.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace sline::model {
 
-/// Samples of a plane, x fastest.
+/// Describes samples of a plane, x fastest.
 struct PlaneGrid {
   glm::dvec2 origin{0.0};
   double cell = 1.0;  ///< mm
@@ -21,21 +21,22 @@ struct PlaneGrid {
   std::size_t size() const { return std::size_t(columns) * std::size_t(rows); }
 };
 
-/// Distances are negative inside, in mm, exact near the outlines (to their segments, not to
-/// samples); farther away the nearest segment is found by passing it on from sample to sample
-/// (Danielsson, "Euclidean distance mapping", 1980), which errs by a fraction of a sample.
+/// Computes distances, which are negative inside and in mm. They are exact near the outlines
+/// (measured to their segments, not to samples); farther away the nearest segment is found by
+/// passing it on from sample to sample (Danielsson, "Euclidean distance mapping", 1980), which errs
+/// by a fraction of a sample.
 class SliceShape {
  public:
   SliceShape(const SliceOutline& outline, const PlaneGrid& grid);
 
   double offset() const { return m_outline->offset; }
   const std::vector<float>& distances() const { return m_distances; }
-  /// Pieces that hang together are numbered from 1; 0 is outside.
+  /// Returns the number of the connected piece at each sample, counted from 1; 0 is outside.
   const std::vector<std::uint32_t>& pieces() const { return m_pieces; }
   std::uint32_t pieceCount() const { return m_pieceCount; }
   bool empty() const { return m_pieceCount == 0; }
-  /// Of the pieces chosen (by number; [0] is not looked at) alone. `nearest`, where given, takes
-  /// the piece to which each sample's nearest segment belongs.
+  /// Returns the distances to the chosen pieces alone (chosen by number; [0] is not looked at).
+  /// `nearest`, where given, receives the piece to which each sample's nearest segment belongs.
   std::vector<float> distancesTo(const std::vector<char>& chosen,
                                  std::vector<std::uint32_t>* nearest = nullptr) const;
 

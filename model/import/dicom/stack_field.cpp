@@ -18,27 +18,29 @@ namespace sline::model {
 namespace {
 
 constexpr double mostSamples = 4e6;
-/// Samples a contour's point pays for, so that a small file cannot ask for much work; a handful of
-/// points pays less, or thousands of specks would make millions of triangles.
+/// Each point of a contour allows so many samples, so that a small file cannot ask for much work;
+/// where there is only a handful of points each allows fewer, or thousands of specks would make
+/// millions of triangles.
 constexpr double samplesPerPoint = 1500.0;
 constexpr double manyPoints = 100.0;
 constexpr double fewestSamples = 500.0;
-/// A sample's size as a share of the structure's bounding sphere: the surface's triangles have
+/// The size of a sample as a share of the structure's bounding sphere: the surface's triangles have
 /// about the 2 % that hatching and curvature want (METHOD §5). Large bodies may have half of it, so
 /// that no slice is left out.
 constexpr double finest = 0.018;
-/// No value is nearer to 0 than this share of a sample, so that no triangle has an edge of none.
+/// No value is nearer to 0 than this share of a sample, so that no triangle has an edge of zero
+/// length.
 constexpr float nearest = 0.02f;
 
 struct Extent {
   glm::dvec2 low{1e300};
   glm::dvec2 high{-1e300};
   double points = 0.0;
-  double length = 0.0;  ///< of all outlines
-  double area = 0.0;    ///< of all they enclose, as rows across them tell
+  double length = 0.0;  ///< total of all outlines
+  double area = 0.0;    ///< enclosed by all of them, measured along rows
 };
 
-/// What the outlines of a slice enclose, measured along a few rows.
+/// Returns the area that the outlines of a slice enclose, measured along a few rows.
 double areaOf(const SliceOutline& slice) {
   constexpr int rows = 48;
   double low = 1e300;
@@ -85,15 +87,17 @@ Extent extentOf(const ContourStack& stack) {
   return extent;
 }
 
-/// The grid of the slices, how many samples along the normal, and how far apart.
+/// Describes the grid of the slices, how many samples there are along the normal, and how far
+/// apart.
 struct Sampling {
   PlaneGrid plane;
   int layers = 0;
-  double low = 0.0;   ///< of the first layer
+  double low = 0.0;   ///< place of the first layer
   double step = 1.0;  ///< between layers
 };
 
-/// However coarse the samples, flat stacks keep their ends and their inside.
+/// Returns the number of layers; however coarse the samples are, flat stacks keep their ends and
+/// their inside.
 double layersFor(const ContourStack& stack, double height, double cell) {
   return std::max({std::ceil(height / cell) + 1.0, double(stack.slices.size()), 7.0});
 }
@@ -103,7 +107,7 @@ double samplesAt(const Extent& extent, const ContourStack& stack, double height,
   return size.x * size.y * layersFor(stack, height, cell);
 }
 
-/// Each slice needs a few samples, however few there may be.
+/// Returns the fewest samples, because each slice needs a few, however few there may be.
 double fewestFor(const ContourStack& stack) {
   return fewestSamples + 64.0 * double(stack.slices.size());  // 36 each at the coarsest
 }
@@ -117,13 +121,13 @@ SliceSpan spanOf(const ContourStack& stack) {
   return {low, stack.slices.back().offset + stack.spacing - low};
 }
 
-/// The size of samples that shows the shape.
+/// Returns the size of samples that shows the shape.
 double cellFor(const ContourStack& stack, const Extent& extent) {
   const glm::dvec2 size = extent.high - extent.low;
   const double height = spanOf(stack).height;
   const double radius = 0.5 * std::sqrt(glm::dot(size, size) + height * height);
   double cell = std::max(std::min(finest * radius, stack.spacing), 0.5 * finest * radius);
-  // A rind is as thick as its area is to half its outlines; it needs samples inside.
+  // The thickness of a rind is its area divided by half its outlines; it needs samples inside.
   cell = std::min({cell, 0.1 * size.x, 0.1 * size.y, 0.1 * height});
   if (extent.area > 0.0)
     cell = std::min(cell, 0.7 * extent.area / extent.length);
@@ -149,7 +153,7 @@ Sampling samplingOf(const ContourStack& stack, const Extent& extent, double samp
   return sampling;
 }
 
-/// A slope at a knot between two chords: their weighted harmonic mean, none at extremes.
+/// Returns the slope at a knot between two chords: their weighted harmonic mean, none at extremes.
 float slopeAt(float before, float after, float widthBefore, float widthAfter) {
   if (before * after <= 0.0f)
     return 0.0f;
@@ -158,7 +162,7 @@ float slopeAt(float before, float after, float widthBefore, float widthAfter) {
   return (a + b) / (a / before + b / after);
 }
 
-/// Four knots of which the middle two enclose the interval; the outer ones may be absent.
+/// Holds four knots of which the middle two enclose the interval; the outer ones may be absent.
 struct Knots {
   const std::vector<float>* values[4] = {};
   float places[4] = {};
@@ -185,14 +189,14 @@ struct Knots {
   }
 };
 
-/// The end of those pieces of a slice that do not go on.
+/// Describes the end of those pieces of a slice that do not go on.
 struct Cap {
   std::vector<float> distances;
-  std::vector<std::uint32_t> piece;  ///< the nearest, for each sample
+  std::vector<std::uint32_t> piece;  ///< the nearest one, for each sample
   std::vector<float> rounding;       ///< per piece: from this depth on it is `height` high, mm
   float height = 0.0f;
 
-  /// `way` is the distance from the slice.
+  /// Returns the value at a sample; `way` is the distance from the slice.
   float at(std::size_t i, float way) const {
     const float depth = -distances[i];
     if (depth <= 0.0f)
@@ -202,7 +206,7 @@ struct Cap {
   }
 };
 
-/// Which pieces of a slice overlap with some of another's.
+/// Returns which pieces of a slice overlap with some piece of another slice.
 std::vector<char> overlapping(const SliceShape& shape, const SliceShape* other) {
   std::vector<char> chosen(shape.pieceCount() + 1, 0);
   if (other)
@@ -253,7 +257,8 @@ class StackField {
   }
   float placeOf(const SliceShape& s) const { return float(s.offset() - m_sampling.low); }
 
-  /// How far pieces shrank from the slice `before` on their way: mean depth of their rims in it.
+  /// Returns how far pieces shrank on their way from the slice `before`: the mean depth of their
+  /// rims in it.
   std::vector<float> roundings(const SliceShape& ending, const SliceShape* before) const {
     const auto spacing = float(m_stack.spacing);
     const auto rim = float(0.75 * m_sampling.plane.cell);
@@ -288,7 +293,7 @@ class StackField {
     return cap;
   }
 
-  /// The layers between slice gap − 1 and slice gap.
+  /// Fills the layers between slice gap − 1 and slice gap.
   void fillGap(FieldBox& box, std::size_t gap) const {
     const auto index = std::ptrdiff_t(gap);
     const SliceShape* below = shape(index - 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stack of slices as one function of space, negative inside the body.
+// Turns a stack of slices into one function of space that is negative inside the body.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace sline::model {
 
-/// Samples of a box in the stack's own axes, x fastest, positive on its border.
+/// Holds samples of a box in the stack's own axes, x fastest, positive on its border.
 struct FieldBox {
   glm::ivec3 size{0};
   glm::dvec3 origin{0.0};  ///< (u, v, n) of sample 0
@@ -19,18 +19,19 @@ struct FieldBox {
   std::vector<float> values;
 };
 
-/// Between slices the signed distances to their outlines are interpolated (S. Raya, J. Udupa,
-/// "Shape-based interpolation of multidimensional objects", 1990; G. Herman, J. Zheng,
-/// C. Bucholtz, "Shape-based interpolation", 1992), monotonically and with continuous slope
-/// (F. Fritsch, J. Butland, 1984), so that irregular distances make no terraces and nothing
-/// overshoots. A piece of a slice that overlaps nothing in the next one ends there: half a spacing
-/// beyond, rounded as the piece shrank before, as a contour stands for the slab around it.
+/// Samples the stack as a function. Between slices the signed distances to their outlines are
+/// interpolated (S. Raya, J. Udupa, "Shape-based interpolation of multidimensional objects", 1990;
+/// G. Herman, J. Zheng, C. Bucholtz, "Shape-based interpolation", 1992), monotonically and with
+/// continuous slope (F. Fritsch, J. Butland, 1984), so that irregular distances make no terraces
+/// and nothing overshoots. A piece of a slice that overlaps nothing in the next one ends half a
+/// spacing beyond its slice, rounded as the piece shrank before, because a contour stands for the
+/// slab around it.
 ///
 /// Samples are as fine as the shape needs, but no more than `samples`. `goesOn` is asked between
 /// slices; the values are empty where it says no.
 FieldBox fieldOf(const ContourStack& stack, double samples, const std::function<bool()>& goesOn);
 
-/// How many samples the shape needs, and its number of points justifies.
+/// Returns how many samples the shape needs and its number of points justifies.
 double samplesFor(const ContourStack& stack);
 
 }  // namespace sline::model

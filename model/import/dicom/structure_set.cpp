@@ -24,11 +24,11 @@ constexpr Tag contourData{0x3006, 0x0050};
 constexpr Tag referencedRoi{0x3006, 0x0084};
 constexpr Tag interpretedType{0x3006, 0x00a4};
 
-/// Nobody is drawn farther from the scanner's origin, mm.
+/// No contour is drawn farther from the scanner's origin, mm.
 constexpr double farthestPoint = 1e5;
-/// Where neither neighbours nor the file tell how thick a single slice is, mm.
+/// The thickness of a single slice where neither neighbours nor the file tell it, mm.
 constexpr double assumedSpacing = 1.0;
-/// Of all regions together: what an RT workstation exports needs about a third of it.
+/// The samples of all regions together: an export of an RT workstation needs about a third of it.
 constexpr double mostSamplesOfAll = 1.2e7;
 constexpr const char* enclosesNothing = "its contours enclose nothing; left out";
 
@@ -39,12 +39,13 @@ struct RegionOfInterest {
   std::optional<Colour> colour;
   std::vector<Contour> contours;
   double slab = 0.0;          ///< mm; 0: not given
-  ContourStacks stacks;       ///< of the contours, which then are gone
+  ContourStacks stacks;       ///< made from the contours, which are then released
   std::size_t notClosed = 0;  ///< points and open lines
-  std::size_t broken = 0;     ///< contours whose numbers make no polygon
+  std::size_t broken = 0;     ///< contours with numbers that make no polygon
 };
 
-/// RT ROI Interpreted Type (PS3.3 §C.8.8.8) → the group that a reader of plans looks for it in.
+/// Returns the group in which a reader of plans looks for an RT ROI Interpreted Type (PS3.3
+/// §C.8.8.8).
 std::string groupOf(std::string_view type) {
   struct Row {
     std::string_view type;
@@ -193,7 +194,8 @@ class StructureSetReader {
     region.contours.push_back(std::move(contour));
   }
 
-  /// Of the region with the most contours: the slices of one image series lie alike.
+  /// Returns the spacing of the region with the most contours: the slices of one image series lie
+  /// alike.
   double commonSpacing() const {
     const auto most = std::max_element(m_regions.begin(), m_regions.end(),
                                        [](const RegionOfInterest& a, const RegionOfInterest& b) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RT structure sets (PS3.3 §A.19): regions of interest outlined by contours.
+// Reads RT structure sets (PS3.3 §A.19), regions of interest outlined by contours.
 #pragma once
 
 #include "model/import/dicom/dicom_file.h"
@@ -7,8 +7,9 @@
 
 namespace sline::model {
 
-/// One surface per region of interest that has closed planar contours, named, coloured and grouped
-/// as the file says. What has none is left out with a warning; an error where nothing is left.
+/// Returns one surface per region of interest that has closed planar contours, named, coloured and
+/// grouped as the file says. A region without such contours is left out with a warning; it is an
+/// error where nothing is left.
 Result<RawMeshes> structureSetSurfaces(const DicomFile& file, const ReadOptions& options);
 
 }  // namespace sline::model

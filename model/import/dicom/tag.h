@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of DICOM data elements, and those of them that are sequences: a file with implicit VR does
-// not say so itself.
+// Names the DICOM data elements that are read, and lists those of them that are sequences: a file
+// with implicit VR does not say so itself.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ inline constexpr Tag measuresGroup{0x0028, 0x9110};
 inline constexpr Tag rescaleGroup{0x0028, 0x9145};
 inline constexpr Tag segmentGroup{0x0062, 0x000a};
 
-/// Every sequence that is looked into here.
+/// Lists every sequence that is read here.
 inline constexpr std::array sequenceTags{
     structureSetRois, roiContours,   contourSequence, observations, segmentSequence,
     propertyCategory, propertyType,  sharedGroups,    frameGroups,  positionGroup,

@@ -23,7 +23,7 @@ void know(DcmDataDictionary& dictionary, Tag tag, DcmEVR kind) {
 
 bool setUp() {
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
-  // Sequences that a writer did not know (VR "UN") are what the dictionary says.
+  // Sequences that a writer did not know (VR "UN") are read as the dictionary says.
   dcmEnableUnknownVRConversion.set(OFTrue);
   useOwnDictionary();
   DJDecoderRegistration::registerCodecs();

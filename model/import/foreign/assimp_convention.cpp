@@ -13,13 +13,13 @@ namespace sline::model {
 
 namespace {
 
-/// A whole number among the metadata, else `otherwise`.
+/// Returns a whole number among the metadata, else `otherwise`.
 int metadata(const aiScene& scene, const char* key, int otherwise) {
   std::int32_t value = otherwise;
   return scene.mMetaData && scene.mMetaData->Get(key, value) ? int(value) : otherwise;
 }
 
-/// A real number among the metadata, which assimp keeps as float or double.
+/// Returns a real number among the metadata, which assimp keeps as float or double.
 double metadata(const aiScene& scene, const char* key, double otherwise) {
   float single = 0.0f;
   double real = otherwise;
@@ -28,7 +28,7 @@ double metadata(const aiScene& scene, const char* key, double otherwise) {
   return scene.mMetaData && scene.mMetaData->Get(key, real) ? real : otherwise;
 }
 
-/// A unit vector along an axis of the file, or nothing where the numbers tell of none.
+/// Returns a unit vector along an axis of the file, or nothing where the numbers name none.
 std::optional<glm::dvec3> axisIn(const aiScene& scene, const std::string& key, int otherwise) {
   const int axis = metadata(scene, key.c_str(), otherwise);
   const int sign = metadata(scene, (key + "Sign").c_str(), 1);
@@ -39,7 +39,7 @@ std::optional<glm::dvec3> axisIn(const aiScene& scene, const std::string& key, i
   return along;
 }
 
-/// As few digits as tell the number.
+/// Writes the number with as few digits as determine it.
 std::string numberText(double value) {
   std::array<char, 32> text{};
   const auto [end, code] = std::to_chars(text.data(), text.data() + text.size(), float(value),
@@ -86,7 +86,8 @@ AssimpConvention colladaConvention(const aiScene& scene) {
   AssimpConvention convention = inLengths(1000.0 * metres, "COLLADA: a unit is ");
   if (!(metres > 0.0) || !std::isfinite(metres))
     return convention;
-  // Columns say where the file's axes have gone: those with y up have stayed, z up has become y up.
+  // The columns say where the file's axes have gone: axes of a file with y up have stayed, z up has
+  // become y up.
   const auto goesUp = [&](int axis) { return root[axis].y > 0.5 * metres; };
   convention.yUp = !goesUp(2);
   if (goesUp(0))

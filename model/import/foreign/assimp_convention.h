@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long a unit is and where up is in what assimp has read. It passes on these things differently
-// from format to format.
+// Determines the length of a unit and the upward axis in the data that assimp has read. assimp
+// passes on these things differently from format to format.
 #pragma once
 
 #include <assimp/scene.h>
@@ -11,24 +11,27 @@
 namespace sline::model {
 
 struct AssimpConvention {
-  /// What the nodes below the root are put through: from assimp's coordinates to the file's own,
-  /// or, where the axes are none that RawMesh tells of, to ones with z up.
+  /// Takes the nodes below the root from assimp's coordinates to the file's own, or, where RawMesh
+  /// has no way to describe those axes, to axes with z up.
   glm::dmat4 below{1.0};
-  bool yUp = false;  ///< as of RawMesh, of what comes of `below`
+  bool yUp = false;  ///< as RawMesh::yUp, of the coordinates after `below`
   float millimetresPerUnit = 1.0f;
   std::string unitReason;  ///< empty: nothing says how long a unit is
-  bool light = false;      ///< colours are amounts of light, not yet sRGB
+  bool light = false;      ///< colours are linear amounts of light, not yet sRGB
 };
 
-/// FBX: `UnitScaleFactor` centimetres; right, up and front by `CoordAxis`, `UpAxis` and
-/// `FrontAxis`. assimp passes these on as metadata and applies none of them.
+/// Returns the convention of FBX: `UnitScaleFactor` centimetres; right, up and front by
+/// `CoordAxis`, `UpAxis` and `FrontAxis`. assimp passes these on as metadata and applies none of
+/// them.
 AssimpConvention fbxConvention(const aiScene& scene);
-/// COLLADA: assimp scales to metres and turns +y up, all in the root's matrix, which is taken back.
+/// Returns the convention of COLLADA: assimp scales to metres and turns +y up, all in the root's
+/// matrix, which is undone here.
 AssimpConvention colladaConvention(const aiScene& scene);
-/// Blender: +z up, as assimp leaves it; lengths mean what the person meant.
+/// Returns the convention of Blender: +z up, as assimp leaves it; only the author knows what a
+/// length means.
 AssimpConvention blendConvention(const aiScene& scene);
 
-/// assimp's matrices are stored by rows.
+/// Converts assimp's matrix, which is stored by rows.
 glm::dmat4 matrixOf(const aiMatrix4x4& matrix);
 
 }  // namespace sline::model

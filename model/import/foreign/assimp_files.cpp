@@ -45,7 +45,7 @@ class BytesStream : public Assimp::IOStream {
   std::size_t m_at = 0;
 };
 
-/// The name as the file has it: assimp puts the folder in front of some.
+/// Returns the file of the name as the file has it: assimp puts the folder in front of some.
 std::optional<std::filesystem::path> allowed(const Source& source, const char* name) {
   const std::filesystem::path folder = std::filesystem::path(source.file()).parent_path();
   const std::filesystem::path path(name);

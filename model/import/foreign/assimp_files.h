@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that assimp may see.
+// Restricts the files that assimp may see.
 #pragma once
 
 #include <assimp/IOSystem.hpp>
@@ -8,11 +8,11 @@
 
 namespace sline::model {
 
-/// Shows assimp one file that is in memory and those that the file may refer to: what lies in its
-/// folder or below (fileInFolder). Nothing else can be opened, and nothing written.
+/// Shows assimp one file that is in memory and those to which it may refer: files in its folder or
+/// below (fileInFolder). No other file can be opened, and none written.
 class AssimpFiles : public Assimp::IOSystem {
  public:
-  /// `source` outlives this.
+  /// `source` must outlive this object.
   explicit AssimpFiles(const Source& source) : m_source(source) {}
 
   bool Exists(const char* name) const override;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FBX, COLLADA and Blender's files through assimp 5.2 (github.com/assimp/assimp, BSD-3-Clause).
+// Reads FBX, COLLADA and Blender's files through assimp 5.2 (github.com/assimp/assimp,
+// BSD-3-Clause).
 #include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -27,7 +28,7 @@ struct AssimpKind {
   const char* name;
   const char* extension;
   AssimpConvention (*convention)(const aiScene&);
-  const char* remedy;  ///< where it cannot be read
+  const char* remedy;  ///< for files that cannot be read
 };
 
 constexpr AssimpKind fbxKind{"FBX", ".fbx", fbxConvention,
@@ -47,7 +48,8 @@ class GoesOn : public Assimp::ProgressHandler {
   const std::function<bool()>& m_goesOn;
 };
 
-/// assimp asks all its importers whether they know a file: only one is to.
+/// Keeps only the importer of the extension: assimp asks all its importers whether they know a
+/// file.
 void keepOnly(const char* extension, Assimp::Importer& importer) {
   for (std::size_t i = importer.GetImporterCount(); i > 0; --i) {
     Assimp::BaseImporter* each = importer.GetImporter(i - 1);
@@ -60,7 +62,7 @@ void keepOnly(const char* extension, Assimp::Importer& importer) {
   }
 }
 
-/// What a library says, in one line that is not too long.
+/// Returns a library's message in one line that is not too long.
 std::string oneLine(const char* text) {
   std::string line(text);
   line.resize(std::min({line.size(), line.find('\n'), std::size_t(200)}));

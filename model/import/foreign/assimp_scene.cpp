@@ -22,11 +22,12 @@ namespace sline::model {
 namespace {
 
 constexpr std::size_t deepestNode = 256;
-/// What instances may make of a file beyond its own meshes: small files may be multiplied freely.
+/// The bytes that instances may make of a file beyond its own meshes: small files may be multiplied
+/// freely.
 constexpr std::uint64_t alwaysAllowed = std::uint64_t(64) << 20;
 constexpr std::uint64_t bytesPerByte = 64;
 
-/// A node that is waiting to be visited and what it inherits.
+/// Describes a node that is waiting to be visited and what it inherits.
 struct NodeVisit {
   const aiNode* node = nullptr;
   std::size_t depth = 0;
@@ -38,8 +39,8 @@ std::string textOf(const aiString& text) {
   return {text.data, std::min<std::size_t>(text.length, sizeof(text.data) - 1)};
 }
 
-/// assimp makes several nodes of one that has pivots, called NAME_$AssimpFbx$_Translation and so
-/// on.
+/// Returns the node's name; assimp makes several nodes of one that has pivots, called
+/// NAME_$AssimpFbx$_Translation and so on.
 std::string nodeName(const aiNode& node) {
   std::string name = textOf(node.mName);
   if (const std::size_t at = name.find("_$AssimpFbx$"); at != std::string::npos)
@@ -134,7 +135,7 @@ class AssimpSceneReader {
     paint(mesh, from);
     if (const Status cut = cutFacesOf(from, visit.above, mesh); !cut)
       return cut.error();
-    // A mirroring transform turns surfaces inside out; its triangles turn with it.
+    // A mirroring transform turns surfaces inside out, so the triangles are turned as well.
     if (glm::determinant(glm::dmat3(visit.above)) < 0.0)
       for (Triangle& t : mesh.triangles)
         std::swap(t[1], t[2]);
@@ -173,7 +174,7 @@ class AssimpSceneReader {
     return Unit{};
   }
 
-  /// The colour of a material without a picture; assimp makes one for meshes that have none.
+  /// Takes the colour of a material without a picture; assimp makes one for meshes that have none.
   void paint(RawMesh& mesh, const aiMesh& from) const {
     if (from.mMaterialIndex >= m_scene.mNumMaterials)
       return;
@@ -193,7 +194,8 @@ class AssimpSceneReader {
                         ? colourOfLight({colour.r, colour.g, colour.b})
                         : Colour{channel(colour.r), channel(colour.g), channel(colour.b)};
     }
-    // Programs disagree on which end of the scale is opaque: nobody hands out what cannot be seen.
+    // Programs disagree on which end of the scale is opaque: no program exports what cannot be
+    // seen, so a fully transparent value is ignored.
     float opacity = 1.0f;
     if (material.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS && opacity > 0.0f &&
         opacity < 1.0f)

@@ -6,10 +6,10 @@
 
 namespace sline::model {
 
-/// Every instance of a mesh in the scene becomes a surface, named like its node, in the groups of
-/// the named nodes above it. Faces are cut into triangles, corners at one place are one vertex;
-/// lines, points, skins, textures and animations are left out. An error where nothing is left or
-/// the scene repeats its meshes far beyond the file's size.
+/// Returns a surface for every instance of a mesh in the scene, named like its node, in the groups
+/// of the named nodes above it. Faces are cut into triangles, corners at one place are one vertex;
+/// lines, points, skins, textures and animations are left out. It is an error where nothing is left
+/// or the scene repeats its meshes far beyond the file's size.
 Result<RawMeshes> meshesOf(const aiScene& scene, const AssimpConvention& convention,
                            const Source& source);
 

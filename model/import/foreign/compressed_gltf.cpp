@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compressed parts of glTF: meshes by Draco 1.5 (github.com/google/draco, Apache-2.0), buffer views
-// by meshoptimizer 0.18 (github.com/zeux/meshoptimizer, MIT).
+// Unpacks the compressed parts of glTF: meshes by Draco 1.5 (github.com/google/draco, Apache-2.0),
+// buffer views by meshoptimizer 0.18 (github.com/zeux/meshoptimizer, MIT).
 #include <draco/compression/decode.h>
 #include <meshoptimizer.h>
 
@@ -56,7 +56,7 @@ Result<GltfUnpackedMesh> unpackDraco(const GltfPackedMesh& packed) {
   return unpacked;
 }
 
-/// Whether meshoptimizer takes elements of that size; it asserts what the extension demands.
+/// Tells whether meshoptimizer takes elements of that size; it asserts what the extension demands.
 bool fits(const GltfPackedView& view) {
   if (view.mode == "ATTRIBUTES")
     return view.stride % 4 == 0;

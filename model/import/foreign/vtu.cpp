@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unstructured grids of VTK in XML, through VTK 9.1: the faces that bound their cells.
+// Reads unstructured grids of VTK in XML, through VTK 9.1: the faces that bound their cells.
 #include <vtkCellArray.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkNew.h>
@@ -22,8 +22,8 @@ namespace {
 
 constexpr const char* exportAgain = "Export the outer surface, as VTP or STL";
 
-/// Polygons and strips as faces; what is left over are lines and points.
-/// `place` in the file is where a wrong one is reported.
+/// Returns polygons and strips as faces; anything else is lines and points. A wrong face is
+/// reported at `place` in the file.
 FaceList facesOf(vtkPolyData& surface, const char* place) {
   FaceList faces;
   const vtkIdType* corners = nullptr;

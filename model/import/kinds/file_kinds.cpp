@@ -23,13 +23,13 @@ namespace sline::model {
 
 namespace {
 
-/// A reader that needs only the limits.
+/// Adapts a reader that needs only the limits.
 template <auto reader>
 Result<RawMeshes> within(const std::filesystem::path& file, const ReadOptions& options) {
   return reader(file, options.limits);
 }
 
-/// Compressed ones are read by those who have the libraries.
+/// Reads any glTF; compressed ones are read by the child process, which has the libraries.
 Result<RawMeshes> readAnyGltf(const std::filesystem::path& file, const ReadOptions& options) {
   return isCompressedGltf(file) ? readInChild("compressed glTF", {&file, 1}, options)
                                 : readGltf(file, options.limits);
@@ -85,7 +85,7 @@ constexpr std::array kinds = {
 
 constexpr std::string_view packedEnding = ".gz";
 
-/// How many letters at the end of the name tell the kind; 0 where they are others.
+/// Returns how many letters at the end of the name tell the kind; 0 where they are others.
 std::size_t endingLength(std::string_view name, const FileKind& kind) {
   if (endsLike(name, kind.extension))
     return kind.extension.size();
@@ -106,7 +106,7 @@ const FileKind* kindOf(const std::filesystem::path& file) {
                         [](const FileKind& kind) { return kind.name == dicomKind; });
 }
 
-/// What the first bytes say a file is; nothing where they do not tell.
+/// Returns what the first bytes say a file is; nothing where they do not tell.
 std::string_view kindInContent(const std::filesystem::path& file) {
   std::array<char, 512> bytes{};
   std::FILE* handle = std::fopen(file.string().c_str(), "rb");
@@ -243,7 +243,7 @@ Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOpti
   const bool gltf = kind->name == "glTF" || kind->name == "GLB";
   const bool packed = (kind->name == "3MF" && content == "a ZIP archive") ||
                       (content == "a gzip archive" && (kind->packs || kind->volume));
-  // Of JSON, no more than that it is JSON can be told.
+  // The content of JSON tells only that it is JSON.
   const bool json = kind->name == "mmJSON" && content == "glTF";
   const bool same =
       packed || json || content == kind->name || (gltf && (content == "glTF" || content == "GLB"));

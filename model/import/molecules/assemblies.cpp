@@ -35,8 +35,8 @@ class OperatorExpression {
     }
   }
 
-  /// How many copies it stands for; no more than `mostCopies` + 1, which it also is for what has
-  /// more factors than any file needs.
+  /// Returns how many copies the expression stands for, at most `mostCopies` + 1, which is also
+  /// returned for more factors than any file needs.
   std::uint64_t count() const {
     if (m_factors.size() > mostFactors)
       return mostCopies + 1;
@@ -50,7 +50,7 @@ class OperatorExpression {
     return product;
   }
 
-  /// The names of the operators of each copy, from left to right; for counts within bounds.
+  /// Returns the names of the operators of each copy, from left to right; for counts within bounds.
   std::vector<std::vector<std::string>> copies() const {
     std::vector<std::vector<std::string>> result(m_factors.empty() ? 0 : 1);
     for (const Factor& factor : m_factors) {
@@ -113,7 +113,8 @@ class OperatorExpression {
   std::vector<Factor> m_factors;
 };
 
-/// Turned and moved, neither scaled nor mirrored. Files round to four digits at worst.
+/// Tells whether the operator turns and moves, but neither scales nor mirrors. Files round to four
+/// digits at worst.
 bool isRigid(const AssemblyOperator& by) {
   const glm::dmat3 unit = by.rotation * glm::transpose(by.rotation);
   for (int i = 0; i < 3; ++i)
@@ -214,7 +215,7 @@ class Assembler {
     return Unit{};
   }
 
-  /// "A", "A-2" …: of a chain that the file calls so already, another one.
+  /// Returns "A", "A-2" …, or another name where the file already calls a chain so.
   const std::string& nameOfCopy(const std::string& chain, std::size_t time) {
     const auto [entry, isNew] = m_names.try_emplace({chain, time}, chain);
     if (isNew && time > 1) {

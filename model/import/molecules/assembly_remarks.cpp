@@ -47,7 +47,7 @@ class AssemblyRemarks {
     parts.insert(parts.end(), names.begin(), names.end());
   }
 
-  /// "BIOMT2   1  0.000000 -1.000000  0.000000        0.00000": row, number, rotation, shift.
+  /// Reads "BIOMT2   1  0.000000 -1.000000  0.000000        0.00000": row, number, rotation, shift.
   void readMatrix(std::string_view text) {
     TextCursor at(text);
     at.skipSpace();
@@ -71,7 +71,7 @@ class AssemblyRemarks {
       addOperator();
   }
 
-  /// Files number them anew in each assembly; here they have names of their own.
+  /// Adds an operator under a name of its own; files number them anew in each assembly.
   void addOperator() {
     const std::string name = std::to_string(m_result.operators.size() + 1);
     std::string& list = m_result.all.back().steps.back().operators;

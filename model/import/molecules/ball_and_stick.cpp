@@ -23,14 +23,14 @@ double ballRadius(const Atom& atom) {
   return double(ballShare) * double(atom.element->vanDerWaals);
 }
 
-/// A stick between two points; `flat` ends stop there, others are round.
+/// Describes a stick between two points; `flat` ends stop there, others are round.
 struct Stick {
   glm::dvec3 from;
   glm::dvec3 to;
   bool flat = false;
 };
 
-/// Signed distance, positive inside.
+/// Returns the signed distance, positive inside.
 double insideStick(const Stick& stick, const glm::dvec3& p) {
   const glm::dvec3 axis = stick.to - stick.from;
   const double length = glm::length(axis);
@@ -52,7 +52,7 @@ struct DrawnBall {
   double radius;
 };
 
-/// Balls and sticks that flow into each other where they meet.
+/// Represents balls and sticks that flow into each other where they meet.
 class Skeleton : public ImplicitSolid {
  public:
   std::vector<DrawnBall> balls;
@@ -95,8 +95,8 @@ class SkeletonField : public LocalField {
   }
 
  private:
-  /// The greatest of the parts, and above it where the two greatest are alike (the polynomial
-  /// smooth maximum).
+  /// Returns the greatest of the parts, and more than it where the two greatest are alike (the
+  /// polynomial smooth maximum).
   double value(const glm::dvec3& p) const {
     double most = -10.0;
     double next = -10.0;
@@ -153,7 +153,7 @@ void append(TriangleMesh& mesh, const TriangleMesh& more) {
     mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
-/// An octahedron whose triangles are divided `times` times, on the unit sphere.
+/// Returns an octahedron on the unit sphere, its triangles divided `times` times.
 TriangleMesh unitBall(int times) {
   TriangleMesh mesh{
       {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
@@ -181,12 +181,12 @@ TriangleMesh unitBall(int times) {
   return mesh;
 }
 
-/// Fewer triangles a ball, the more balls there are.
+/// Returns how often to divide; the more balls there are, the fewer triangles a ball has.
 int divisionsFor(std::size_t count) {
   return count <= 60 ? 4 : count <= 1500 ? 3 : count <= 10'000 ? 2 : 1;
 }
 
-/// A closed prism of twelve sides.
+/// Returns a closed prism of twelve sides.
 TriangleMesh tube(const Stick& stick) {
   constexpr std::uint32_t sides = 12;
   const glm::dvec3 axis = glm::normalize(stick.to - stick.from);
@@ -241,7 +241,8 @@ const Element* mainElement(std::span<const Atom> atoms) {
   return best;
 }
 
-/// The stick of a bond: into the balls of the main element, to the surface of others.
+/// Returns the stick of a bond: it reaches into balls of the main element, and to the surface of
+/// others.
 std::optional<Stick> stickOf(const Atom& a, const Atom& b, const Element* main) {
   const double apart = glm::length(b.place - a.place);
   const glm::dvec3 axis = (b.place - a.place) / apart;
@@ -249,7 +250,7 @@ std::optional<Stick> stickOf(const Atom& a, const Atom& b, const Element* main) 
     if (atom.element == main)
       return 0.0;
     const double r = ballRadius(atom);
-    // A little inside the circle where the ball's surface meets the stick's.
+    // The stick ends a little inside the circle where the ball's surface meets the stick's.
     return std::sqrt(std::max(r * r - double(stickRadius * stickRadius), 0.0)) - 0.04;
   };
   const double first = cut(a);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double tolerance = 0.45;
 constexpr double cell = 5.5;  ///< above twice the largest covalent radius
-/// An atom with more around it than this lies in a heap, not in a molecule.
+/// An atom with more atoms around it than this lies in a heap, not in a molecule.
 constexpr int mostAround = 24;
 
 using Cell = std::array<std::int64_t, 3>;
@@ -77,7 +77,7 @@ class BondFinder {
 Pairs bondsBetween(std::span<const Atom> atoms,
                    const std::set<std::pair<std::int64_t, std::int64_t>>& known) {
   Pairs pairs = BondFinder(atoms).find();
-  // Serials that wrapped around name two atoms; such bonds are left to the distances.
+  // Serials that have wrapped around name two atoms; such bonds are left to the distances.
   std::unordered_map<std::int64_t, std::int64_t> atomOf;
   for (std::size_t i = 0; i < atoms.size(); ++i)
     if (const auto [entry, isNew] = atomOf.try_emplace(atoms[i].serial, std::int64_t(i)); !isNew)
@@ -89,7 +89,7 @@ Pairs bondsBetween(std::span<const Atom> atoms,
       if (other == atomOf.end() || other->second < 0)
         continue;
       const auto [low, high] = std::minmax({std::uint32_t(i), std::uint32_t(other->second)});
-      // What is listed counts within reason: salt bridges and hydrogen bonds stand there too.
+      // Listed bonds count within reason: salt bridges and hydrogen bonds are listed too.
       if (glm::length(atoms[low].place - atoms[high].place) < 2.4)
         pairs.emplace_back(low, high);
     }

@@ -14,8 +14,8 @@ namespace {
 namespace grammar = gemmi::cif::rules;
 namespace pegtl = tao::pegtl;
 
-/// As it is written → what it says. Text between lines that begin with a semicolon ends with the
-/// line before the second.
+/// Returns the value that written text stands for. Text between lines that begin with a semicolon
+/// ends with the line before the second.
 EntryValue valueOf(std::string_view written) {
   if (written.starts_with('\'') || written.starts_with('"'))
     return {written.substr(1, written.size() - 2), true};
@@ -29,12 +29,12 @@ EntryValue valueOf(std::string_view written) {
   return {written, true};
 }
 
-/// Gathers what the grammar finds into rows.
+/// Gathers the elements that the grammar finds into rows.
 class CifRowMaker {
  public:
   explicit CifRowMaker(EntryRowReader& reader) : m_reader(reader) {}
 
-  /// Items outside of tables: those of one category in a run are its only row.
+  /// Begins an item outside of tables: such items of one category in a run are its only row.
   void beginItem(std::string_view name) {
     std::string lower = lowerCase(name);
     const std::size_t dot = lower.find('.');
@@ -58,7 +58,7 @@ class CifRowMaker {
     m_values.clear();
   }
 
-  /// Hands over what is still open.
+  /// Hands over the row or table that is still open.
   void finish() {
     if (!m_values.empty() && m_inLoop)
       m_reader.missRow(m_columns);
@@ -76,7 +76,7 @@ class CifRowMaker {
   bool m_inLoop = false;
 };
 
-/// A rule of the grammar, seen in the text, is told to the maker of rows.
+/// Tells the maker of rows about a rule of the grammar that was seen in the text.
 template <auto tell>
 struct Telling {
   template <class Input>
@@ -108,7 +108,7 @@ constexpr const char* beyondGrammar = "cannot be read as CIF from here on";
 constexpr const char* getAgain = "Get the entry again";
 
 std::string reasonOf(std::string_view message) {
-  // gemmi names what never ends and what is without a name.
+  // gemmi names the elements that never end and those that have no name.
   return message == "parse error" ? beyondGrammar : std::string(message);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an element's symbol says: radii and conventional colour.
+// Tells what an element's symbol stands for: radii and conventional colour.
 #pragma once
 
 #include <string_view>
@@ -17,9 +17,10 @@ struct Element {
   Colour colour;             ///< after Corey, Pauling and Koltun, toned for paper
 };
 
-/// By symbol, case ignored ("FE", "Fe"); deuterium is hydrogen. Null for what is none.
+/// Returns the element by its symbol, case ignored ("FE", "Fe"); deuterium is hydrogen. Null where
+/// there is no such element.
 const Element* elementOf(std::string_view symbol);
-/// Stands in for an unknown one: 2.0 Å, grey.
+/// Returns the stand-in for an unknown element: 2.0 Å, grey.
 const Element& unknownElement();
 
 }  // namespace sline::model

@@ -10,7 +10,7 @@ namespace sline::model {
 
 namespace {
 
-/// Short words that are no abbreviations.
+/// Tells whether the word is one of the short ones that are no abbreviations.
 bool isParticle(const std::string& word) {
   static constexpr std::array particles = {"a",  "an", "and", "as",   "at",  "by",   "the", "for",
                                            "in", "is", "its", "with", "not", "of",   "on",  "one",
@@ -18,7 +18,7 @@ bool isParticle(const std::string& word) {
   return std::find(particles.begin(), particles.end(), word) != particles.end();
 }
 
-/// Abbreviations are short or hold digits.
+/// Returns a word in small letters, unless it is an abbreviation; these are short or hold digits.
 std::string readableWord(const std::string& word) {
   const std::string plain = lowerCase(word);
   const bool digits = std::any_of(word.begin(), word.end(), isDigit);
@@ -50,7 +50,7 @@ std::string readableCapitals(std::string_view text) {
     return squeezed;
   std::string result;
   std::string word;
-  bool begins = true;  // a sentence, and no letter of it has come yet
+  bool begins = true;  // a sentence begins, no letter of it has come yet
   for (const char c : squeezed + ' ') {
     if (isUpper(c) || isDigit(c)) {
       word += c;
@@ -79,7 +79,7 @@ const Element* elementOfName(std::string_view columns, std::string_view residue)
       letters = letters.substr(0, i);
   if (letters.empty())
     return nullptr;
-  // Two letters that begin in the first column, or that name the residue itself, are one element.
+  // Two letters are one element if they begin in the first column or name the residue itself.
   const bool inFirstColumn = !columns.empty() && columns.front() == letters.front();
   const bool namesResidue = letters.size() == 2 && residue.starts_with(letters);
   const bool hydrogen = letters.front() == 'H' && name.size() == 4;

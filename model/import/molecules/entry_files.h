@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of the Protein Data Bank → the records in them.
+// Reads the files of the Protein Data Bank into records.
 #pragma once
 
 #include "model/base/result.h"
@@ -8,28 +8,30 @@
 
 namespace sline::model {
 
-/// PDB format, version 3.3 and what older and other programs make of it: serials and residue
-/// numbers that wrap or go on in hybrid-36, missing element columns, short lines.
+/// Reads the PDB format, version 3.3 and the variants of older and other programs: serials and
+/// residue numbers that wrap or go on in hybrid-36, missing element columns, short lines.
 Result<EntryRecords> readPdbRecords(const Source& source);
 
-/// PDBx/mmCIF. Chains, residue numbers and atom names are the authors' (auth_…), as people know
-/// them. Text that is no CIF ends the reading, with what stands before it read.
+/// Reads PDBx/mmCIF. Chains, residue numbers and atom names are the authors' (auth_…), as people
+/// know them. Text that is no CIF ends the reading; everything before it is read.
 Result<EntryRecords> readMmcifRecords(const Source& source);
-/// The same in JSON, as the Protein Data Bank Japan hands it out.
+/// Reads an entry in JSON, as the Protein Data Bank Japan publishes it.
 Result<EntryRecords> readMmjsonRecords(const Source& source);
 
-/// Judges how many atoms could not be read: an error where there are too many to draw the rest.
+/// Judges how many atoms could not be read; returns an error where there are too many to draw the
+/// rest.
 Status judgeAtoms(const Source& source, const EntryRecords& records);
 
-/// Words in capitals as people write them: "CRYSTAL STRUCTURE OF C-SRC" → "Crystal structure of
-/// C-SRC". Text that has lower case is left alone, but for blanks.
+/// Returns words in capitals as people write them: "CRYSTAL STRUCTURE OF C-SRC" → "Crystal
+/// structure of C-SRC". Text that has lower case is left alone, except for blanks.
 std::string readableCapitals(std::string_view text);
 
-/// The formats are ASCII: other bytes become '?', so that names may stand anywhere.
+/// Replaces bytes that are not ASCII by '?', because the formats are ASCII; so names may stand
+/// anywhere.
 std::string asciiOf(std::string_view text);
 
-/// "C" of "CA" in an amino acid, "Ca" of "CA" in the ion of that name; by the PDB's rule that one
-/// letter stands in the second column.
+/// Returns "C" for "CA" in an amino acid, "Ca" for "CA" in the ion of that name, by the PDB's rule
+/// that a one-letter symbol stands in the second column.
 const Element* elementOfName(std::string_view columns, std::string_view residue);
 
 }  // namespace sline::model

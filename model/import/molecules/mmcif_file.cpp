@@ -20,7 +20,7 @@ std::string textOf(Row row, std::size_t column) {
   return column < row.size() && row[column].says() ? asciiOf(row[column].text) : std::string();
 }
 
-/// What the authors call it, or what the data bank does.
+/// Returns the authors' name for it, or the data bank's where there is none.
 std::string authorsOr(Row row, std::size_t authors, std::size_t label) {
   std::string text = textOf(row, authors);
   return text.empty() ? textOf(row, label) : text;
@@ -67,7 +67,8 @@ struct AtomColumns {
       labelChain, entity, number, labelNumber, insertion, x, y, z, occupancy, model;
 };
 
-/// "_pdbx_struct_oper_list.matrix[2][3]" and the like; the identity where a number is missing.
+/// Reads "_pdbx_struct_oper_list.matrix[2][3]" and the like; returns the identity where a number is
+/// missing.
 AssemblyOperator operatorOf(const EntryColumns& columns, Row row) {
   const auto column = [&](std::string name, std::initializer_list<int> indices) {
     name.insert(0, "_pdbx_struct_oper_list.");
@@ -107,7 +108,7 @@ class MmcifRecords : public EntryRowReader {
 
   bool hasEnough() const override { return !m_records.atoms.empty(); }
 
-  /// What was read, where it is worth drawing; `read` says how the reading ended.
+  /// Returns the records, where they are worth drawing; `read` says how the reading ended.
   Result<EntryRecords> finish(const Source& source, const Status& read) {
     if (m_records.atoms.empty() && m_fractional)
       return source.whole(
@@ -219,7 +220,7 @@ class MmcifRecords : public EntryRowReader {
     m_records.atoms.push_back(std::move(atom));
   }
 
-  /// A chain is called as its polymer is.
+  /// Names each chain like its polymer.
   void finishNotes() {
     EntryNotes& notes = m_records.notes;
     for (const auto& [chain, entity] : m_entityOfChain) {
@@ -233,7 +234,7 @@ class MmcifRecords : public EntryRowReader {
   std::vector<std::string> m_header;
   std::optional<AtomColumns> m_columns;
   std::map<std::string, std::string> m_entityNames;
-  std::map<std::string, std::size_t> m_assemblies;  ///< where they are, by id
+  std::map<std::string, std::size_t> m_assemblies;  ///< index by id
   std::set<std::pair<std::string, std::string>> m_entityOfChain;
   std::set<std::string> m_models;
   std::string m_firstModel;

@@ -17,10 +17,11 @@ namespace {
 
 constexpr const char* getAgainOrMmcif = "Get the entry again, or as mmCIF";
 
-/// A JSON value takes 16 bytes and more, far above the two that it may be written with.
+/// A JSON value takes 16 bytes or more, far above the two with which it may be written.
 constexpr JsonLimits mmjsonLimits{.bytes = std::size_t(512) << 20, .values = 30'000'000};
 
-/// What mmCIF would write: an unknown value is null, one that does not apply is false.
+/// Returns the value as mmCIF would write it: an unknown value is null, one that does not apply is
+/// false.
 EntryValue valueOfJson(const Json& value, std::string& store) {
   if (value.is_string())
     return {value.get_ref<const std::string&>(), true};
@@ -32,7 +33,7 @@ EntryValue valueOfJson(const Json& value, std::string& store) {
   return {store};
 }
 
-/// The columns of a category, all equally long; else nothing.
+/// Returns the columns of a category, all equally long; else nothing.
 std::vector<const Json*> columnsOf(const Json& category) {
   std::vector<const Json*> columns;
   if (!category.is_object())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A macromolecular entry as its file tells it: atoms in residues in chains, and what is bound to
-// them. Coordinates in ångström, as they stand in the file.
+// Represents a macromolecular entry as its file describes it: atoms in residues in chains, and the
+// molecules bound to them. Coordinates are in ångström, as they stand in the file.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@
 
 namespace sline::model {
 
-/// One line of a file's atom list.
+/// Holds one line of a file's atom list.
 struct AtomRecord {
   std::string name;     ///< "CA"
   std::string residue;  ///< "GLY"
   std::string chain;
-  std::string part;    ///< what assemblies are made of: the chain, in mmCIF the data bank's own
-  std::string entity;  ///< mmCIF: of the list of entities; else empty
+  std::string part;    ///< chain of which assemblies are made; in mmCIF the data bank's own
+  std::string entity;  ///< mmCIF: its id in the list of entities; else empty
   std::string insertion;
-  std::int64_t number = 0;  ///< of the residue
+  std::int64_t number = 0;  ///< number of the residue
   std::int64_t serial = 0;
   char alternate = ' ';
   bool hetero = false;
@@ -34,25 +34,25 @@ struct AtomRecord {
   const Element* element = nullptr;  ///< never null once read
 };
 
-/// What a file says besides its atoms. Ids are those of the atoms' records.
+/// Holds what a file says besides its atoms. Ids are those of the atoms' records.
 struct EntryNotes {
   std::string id;  ///< "2SRC"
   std::string title;
-  std::string assembly;  ///< which one the atoms make up; empty: they are as in the file
+  std::string assembly;  ///< the assembly that the atoms make up; empty: they are as in the file
   std::string told;      ///< as Backbone::note
   std::map<std::string, std::string> chainNames;      ///< by chain
   std::map<std::string, std::string> componentNames;  ///< by residue name
   std::map<std::string, std::string> entityTypes;     ///< mmCIF: "polymer", "water", …
-  std::map<std::string, std::string> parents;  ///< modified residue → what it was: PTR → TYR
+  std::map<std::string, std::string> parents;  ///< modified residue → the residue it was: PTR → TYR
   std::set<std::pair<std::int64_t, std::int64_t>> bonds;  ///< by serial, lower first
 };
 
-/// An entry before alternates are chosen and residues sorted.
+/// Holds an entry before alternates are chosen and residues sorted.
 struct EntryRecords {
-  std::vector<AtomRecord> atoms;  ///< of the first model
+  std::vector<AtomRecord> atoms;  ///< those of the first model
   EntryNotes notes;
   Assemblies assemblies;
-  std::string cutShort;  ///< where and why the file was read no further
+  std::string cutShort;  ///< where and why reading the file ended early
   std::size_t otherModels = 0;
   std::size_t unreadable = 0;  ///< atoms without a place
 };
@@ -78,7 +78,8 @@ struct Chain {
   std::vector<Residue> residues;
 };
 
-/// One bound molecule: a residue that is part of no chain, or several bonded to each other.
+/// Describes one bound molecule: a residue that is part of no chain, or several bonded to each
+/// other.
 struct Ligand {
   std::string name;   ///< "AMP-PNP (ANP)"
   std::string place;  ///< "A 147"

@@ -20,7 +20,7 @@ constexpr double trianglesPerSquare = 6.0;
 constexpr double chainTriangles = 2e6;
 constexpr double ligandTriangles = 5e5;
 constexpr std::size_t mostLigands = 60;
-constexpr std::size_t mostWithSurface = 5000;  ///< atoms of a ligand
+constexpr std::size_t mostWithSurface = 5000;  ///< atoms in a ligand
 constexpr const char* tooClose = "its atoms lie closer together than those of matter do";
 constexpr std::size_t longestTitle = 90;
 
@@ -38,7 +38,8 @@ std::string pluralised(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// The residue's place in a backbone; nothing for one without (a cap, a lone atom).
+/// Returns the residue's atom in a backbone; nothing for a residue without one (a cap, a lone
+/// atom).
 const Atom* backboneAtom(const Residue& residue, bool nucleic) {
   for (const std::string_view wanted : nucleic ? std::array<std::string_view, 3>{"P", "C4'", "C4*"}
                                                : std::array<std::string_view, 3>{"CA", "", ""})
@@ -65,7 +66,7 @@ Backbone backboneOf(const Molecule& molecule, const std::string& entry) {
   return backbone;
 }
 
-/// Cut between words where it is too long for a tree.
+/// Cuts the title between words where it is too long for a tree.
 std::string shortened(const std::string& title) {
   if (title.size() <= longestTitle)
     return title;
@@ -171,8 +172,8 @@ class Surfacer {
     }
   }
 
-  /// Ligands with names of their own; where there are many, those of one kind together, and the
-  /// rest of many kinds too.
+  /// Returns the ligands with names of their own; where there are many, those of one kind together,
+  /// and the rest of many kinds too.
   std::vector<Ligand> ligandsToShow() const {
     std::vector<Ligand> ligands;
     for (const Ligand& ligand : m_molecule.ligands)
@@ -230,7 +231,8 @@ class Surfacer {
     }
   }
 
-  /// Hidden at first, and in a group of its own, so that what is said of ligands is not said of it.
+  /// Adds the surface, hidden at first and in a group of its own, so that statements about ligands
+  /// do not apply to it.
   void addLigandSurface(const Ligand& ligand, const SolventAccessible& accessible) {
     const double spacing =
         std::clamp(std::sqrt(trianglesPerSquare * accessible.roughArea() / ligandTriangles),

@@ -16,7 +16,8 @@ namespace sline::model {
 
 namespace {
 
-/// Å: farther from the middle than any molecule reaches, and than a float resolves an atom.
+/// This distance, in Å, is farther from the middle than any molecule reaches, and than a float
+/// resolves an atom.
 constexpr double farthest = 50'000.0;
 
 glm::dvec3 medianPlace(const std::vector<AtomRecord>& atoms) {
@@ -32,7 +33,7 @@ glm::dvec3 medianPlace(const std::vector<AtomRecord>& atoms) {
   return median;
 }
 
-/// Leaves out atoms that no surface can hold together with the others.
+/// Leaves out atoms that no surface can hold together with the others, and returns their number.
 std::size_t leaveOutStrays(std::vector<AtomRecord>& atoms) {
   const glm::dvec3 middle = medianPlace(atoms);
   return std::erase_if(atoms, [&](const AtomRecord& atom) {
@@ -42,13 +43,13 @@ std::size_t leaveOutStrays(std::vector<AtomRecord>& atoms) {
   });
 }
 
-/// "1crn" of "1crn.pdb" and of "1crn.pdb.gz".
+/// Returns "1crn" for "1crn.pdb" and for "1crn.pdb.gz".
 std::string entryName(const std::filesystem::path& file) {
   const bool packed = equalsIgnoringCase(file.extension().string(), ".gz");
   return (packed ? file.stem() : file).stem().string();
 }
 
-/// What is left out of the records, told.
+/// Leaves records out and returns warnings that say which.
 std::vector<ImportWarning> leaveOut(EntryRecords& entry, const Source& source) {
   std::vector<ImportWarning> warnings;
   const auto warn = [&](std::size_t count, const std::string& one, const std::string& many) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Entries of the Protein Data Bank as surfaces: one for each chain, balls and sticks for what is
-// bound to them. One ångström is one unit; x, y and z stay as they are in the file, so that
-// handedness does.
+// Reads entries of the Protein Data Bank as surfaces: one for each chain, balls and sticks for the
+// molecules bound to them. One ångström is one unit; x, y and z stay as they are in the file, which
+// preserves handedness.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 
 namespace sline::model {
 
-/// Errors name file, line, reason and remedy. Waters, models after the first and alternative
-/// locations are left out with a warning. The atoms are those of the file or of the assembly that
-/// the options ask for; without one, Backbone::note tells which there are.
+/// Reads a PDB file. Errors name file, line, reason and remedy. Waters, models after the first and
+/// alternative locations are left out with a warning. The atoms are those of the file or of the
+/// assembly that the options ask for; without one, Backbone::note tells which assemblies there are.
 Result<RawMeshes> readPdb(const std::filesystem::path& file, const ReadOptions& options);
 Result<RawMeshes> readMmcif(const std::filesystem::path& file, const ReadOptions& options);
 Result<RawMeshes> readMmjson(const std::filesystem::path& file, const ReadOptions& options);
 
-/// Whether the file, packed or not, begins as mmJSON does: other kinds of files are called .json
-/// too.
+/// Tells whether the file, packed or not, begins as mmJSON does; other kinds of files are called
+/// .json too.
 bool isMmjson(const std::filesystem::path& file);
 
 }  // namespace sline::model

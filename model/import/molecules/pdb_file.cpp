@@ -18,7 +18,8 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Columns are counted from 1, as the format's description does; those beyond the line are empty.
+/// Returns columns counted from 1, as the format's description does; those beyond the line are
+/// empty.
 std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
   return first > line.size() ? std::string_view() : line.substr(first - 1, last - first + 1);
 }
@@ -44,8 +45,9 @@ int digitOf(char c) {
   return -1;
 }
 
-/// A whole number in a field of `width` columns, beyond its largest in hybrid-36 (Grosse-Kunstleve
-/// et al., IUCr Computing Commission Newsletter 8): A000 follows 9999, a000 follows ZZZZ.
+/// Reads a whole number in a field of `width` columns, beyond its largest in hybrid-36
+/// (Grosse-Kunstleve et al., IUCr Computing Commission Newsletter 8): A000 follows 9999, a000
+/// follows ZZZZ.
 std::optional<std::int64_t> wholeNumber36(std::string_view text, std::size_t width) {
   std::int64_t value = 0;
   TextCursor at(text);
@@ -67,7 +69,7 @@ std::optional<std::int64_t> wholeNumber36(std::string_view text, std::size_t wid
   return value + decimal + (small ? 16 : -10) * leading;
 }
 
-/// Text that goes on over several records: words cut at a hyphen are joined.
+/// Appends text that goes on over several records: words cut at a hyphen are joined.
 void append(std::string& text, std::string_view more) {
   if (!text.empty() && !text.ends_with('-') && !more.empty())
     text += ' ';
@@ -135,7 +137,7 @@ class PdbReader {
     const auto x = number(field(line, 31, 38));
     const auto y = number(field(line, 39, 46));
     const auto z = number(field(line, 47, 54));
-    // Cut inside z, the number would be another one.
+    // A line that is cut inside z would give another number.
     if (!x || !y || !z || line.size() < 54) {
       ++m_records.unreadable;
       return;
@@ -161,7 +163,7 @@ class PdbReader {
     m_records.atoms.push_back(std::move(atom));
   }
 
-  /// Programs that name no chain still end each with TER: those are numbered.
+  /// Returns the chain; programs that name no chain still end each with TER: those are numbered.
   std::string chainOf(std::string_view line, bool hetero) {
     const std::string_view id = field(line, 22, 22);
     if (!id.empty())
@@ -180,7 +182,7 @@ class PdbReader {
     }
   }
 
-  /// "MOL_ID: 1; MOLECULE: CRAMBIN; CHAIN: A, B;"
+  /// Reads "MOL_ID: 1; MOLECULE: CRAMBIN; CHAIN: A, B;".
   void readCompounds() {
     std::string_view rest = m_compounds;
     std::string molecule;

@@ -18,7 +18,8 @@ struct Alias {
   const char* tabulated;
 };
 
-/// What force fields and old files call residues that gemmi tabulates under one name.
+/// Maps the names that force fields and old files give residues which gemmi tabulates under one
+/// name.
 constexpr Alias aliases[] = {{"HID", "HIS"}, {"HIE", "HIS"},  {"HIP", "HIS"},  {"HSD", "HIS"},
                              {"HSE", "HIS"}, {"HSP", "HIS"},  {"CYX", "CYS"},  {"T", "DT"},
                              {"TIP", "HOH"}, {"TIP3", "HOH"}, {"TIP4", "HOH"}, {"TIP5", "HOH"},
@@ -40,7 +41,7 @@ struct CommonName {
   std::string_view name;
 };
 
-/// What everybody calls them; the data bank's own names are those of chemistry.
+/// Lists common names; the data bank's own names are those of chemistry.
 constexpr CommonName commonNames[] = {{"ACP", "AMP-PCP"},
                                       {"ADP", "ADP"},
                                       {"AMP", "AMP"},
@@ -72,7 +73,7 @@ constexpr CommonName commonNames[] = {{"ACP", "AMP-PCP"},
 
 enum class Kind { polymer, ligand, water };
 
-/// One residue with what sorting it needs.
+/// Holds one residue with the data that sorting it needs.
 struct Group {
   Residue residue;
   std::string chain;
@@ -92,7 +93,7 @@ bool areNear(const Atom* a, const Atom* b, double limit) {
   return a && b && glm::length(a->place - b->place) < limit;
 }
 
-/// The backbone's bond from one residue to the next: peptide or phosphodiester.
+/// Tells whether one residue's backbone is bonded to the next: peptide or phosphodiester.
 bool areJoined(const Residue& first, const Residue& second) {
   return areNear(atomNamed(first, "C"), atomNamed(second, "N"), 1.9) ||
          areNear(atomNamed(first, "O3'"), atomNamed(second, "P"), 2.2) ||
@@ -124,7 +125,7 @@ class Sorter {
   }
 
  private:
-  /// Records in a run with the same chain and number are one residue.
+  /// Gathers records into residues: those in a run with the same chain and number are one.
   void gather() {
     const std::vector<AtomRecord>& atoms = m_records.atoms;
     for (std::size_t first = 0; first < atoms.size();) {
@@ -191,7 +192,7 @@ class Sorter {
     return isBondedIn(i) ? Kind::polymer : Kind::ligand;
   }
 
-  /// The residue is joined to the one before or behind it in its chain.
+  /// Tells whether the residue is joined to the one before or behind it in its chain.
   bool isBondedIn(std::size_t i) const {
     const Group& group = m_groups[i];
     const auto joined = [&](std::size_t a, std::size_t b) {
@@ -200,7 +201,7 @@ class Sorter {
     };
     if ((i > 0 && joined(i - 1, i)) || (i + 1 < m_groups.size() && joined(i, i + 1)))
       return true;
-    // Known to be a modified residue; its neighbours may not have been seen.
+    // It is known to be a modified residue; its neighbours may not have been seen.
     return !group.afterEnd && m_records.notes.parents.contains(group.residue.name) &&
            hasBackbone(group.residue);
   }
@@ -299,7 +300,7 @@ class Sorter {
 char letterOf(std::string_view residue) {
   const gemmi::ResidueInfo info = infoOf(residue);
   const char letter = info.one_letter_code;
-  // Modified ones have the letter of what they were, in lower case.
+  // Modified residues have the letter of the residue they were, in lower case.
   const char capital = letter >= 'a' && letter <= 'z' ? char(letter - 'a' + 'A') : letter;
   if (!isOfChains(info) || capital == ' ' || capital == 'B' || capital == 'Z')
     return 'X';

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view order = "ARNDCQEGHILKMFPSTWYV";
 
-// The lower triangle in the order above.
+// This is the lower triangle in the order above.
 constexpr int blosum62[20][20] = {
     {4},
     {-1, 5},
@@ -37,7 +37,7 @@ constexpr int gapOpens = 11;
 constexpr int gapGoesOn = 1;
 constexpr std::size_t mostPairs = 150'000'000;
 
-/// Scores by letter, in one table for speed.
+/// Holds scores by letter, in one table for speed.
 class Scores {
  public:
   explicit Scores(bool nucleic) {
@@ -62,9 +62,9 @@ class Scores {
   std::array<std::int8_t, std::size_t(128) * 128> m_table{};
 };
 
-// Where the best way to a cell came from, one bit each.
+// These bits say where the best way to a cell came from.
 constexpr std::uint8_t fromGapInB = 1;  ///< the best way ends with a letter of a alone
-constexpr std::uint8_t fromGapInA = 2;  ///< … of b alone
+constexpr std::uint8_t fromGapInA = 2;  ///< the best way ends with a letter of b alone
 constexpr std::uint8_t gapInBGoesOn = 4;
 constexpr std::uint8_t gapInAGoesOn = 8;
 
@@ -117,7 +117,8 @@ class Aligner {
       keepEnd(m_a.size(), k, best[k]);
   }
 
-  /// Gaps at the ends are free: the way may end anywhere on the last row or column.
+  /// Keeps the best end: gaps at the ends are free, so the way may end anywhere on the last row or
+  /// column.
   void keepEnd(std::size_t i, std::size_t k, int score) {
     if (score <= m_score && m_endA != 0)
       return;

@@ -70,8 +70,8 @@ Match bestMatch(const Backbone& moving, const Backbone& fixed) {
     for (const BackboneChain& a : moving.chains) {
       if (a.nucleic != b.nucleic || a.letters.empty())
         continue;
-      // Chains twice as good as any found so far may come late in a large assembly, but work has
-      // its bounds.
+      // Chains twice as good as any found so far may come late in a large assembly, but work is
+      // bounded.
       const std::size_t more = a.letters == b.letters ? 0 : a.letters.size() * b.letters.size();
       if (cells + more > mostCells)
         continue;
@@ -99,7 +99,8 @@ RigidMotion rigidFit(std::span<const PlacePair> pairs) {
   }
   const gemmi::Mat33 turn =
       gemmi::superpose_positions(fixed.data(), moving.data(), pairs.size(), nullptr).transform.mat;
-  // Places in a line or in one point leave the rotation open: not a number, or none.
+  // Places in a line or in one point leave the rotation undetermined: the determinant is not a
+  // number, or not 1.
   if (!(std::abs(turn.determinant() - 1.0) < 1e-6))
     return motion;
   for (int row = 0; row < 3; ++row)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a name says about a structure: its system and its conventional colour, by the table in
+// Derives from a structure's name its system and its conventional colour, by the table in
 // resources/anatomy (compiled in).
 #pragma once
 
@@ -15,7 +15,7 @@ namespace sline::model {
 
 struct AnatomySystem {
   std::string id;     ///< "artery"
-  std::string title;  ///< "Arteries": the name of its group
+  std::string title;  ///< "Arteries": the name of the system's group
   Colour colour;
 };
 
@@ -26,10 +26,10 @@ struct AnatomyMatch {
 
 class AnatomyTable {
  public:
-  /// The program's own table.
+  /// Makes the program's own table.
   AnatomyTable();
-  /// Both texts hold tab-separated rows as described in their first lines; rows that do not fit
-  /// are left out and counted.
+  /// Makes a table from two texts of tab-separated rows as described in their first lines; rows
+  /// that do not fit are left out and counted.
   AnatomyTable(std::string_view systems, std::string_view structures);
 
   const std::vector<AnatomySystem>& systems() const { return m_systems; }
@@ -37,8 +37,8 @@ class AnatomyTable {
   std::size_t badRows() const { return m_badRows; }
   const AnatomySystem* system(std::string_view id) const;
 
-  /// The row that fits the name best: highest rank, then most words, then most letters, then the
-  /// one named first. Nothing where no pattern occurs in the name.
+  /// Returns the row that fits the name best: highest rank, then most words, then most letters,
+  /// then the one named first. Returns nothing where no pattern occurs in the name.
   std::optional<AnatomyMatch> match(std::string_view name) const;
 
  private:

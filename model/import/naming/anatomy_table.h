@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texts of resources/anatomy, compiled in so that the program needs no folder at run time.
+// Holds the texts of resources/anatomy, compiled in so that the program needs no folder at run
+// time.
 #pragma once
 
 #include <string_view>

@@ -12,17 +12,18 @@ namespace sline::model {
 namespace {
 
 struct Pair {
-  std::vector<std::size_t> left;  ///< in the places
+  std::vector<std::size_t> left;  ///< indices in the places
   std::vector<std::size_t> right;
 };
 
-/// What one pair, or one name without its counterpart, says.
+/// Holds what one pair, or one name without its counterpart, says.
 struct Ballot {
   float leftMinusRight = 0.0f;
   std::vector<std::size_t> places;
 };
 
-/// Bones and canals that lie in the middle of every body: where no pair tells the midline, they do.
+/// Tells whether the name is that of a bone or canal that lies in the middle of every body: where
+/// no pair tells the midline, those do.
 bool liesInTheMiddle(const std::string& name) {
   for (const std::string& word : nameWords(name))
     for (const char* middle :
@@ -45,7 +46,7 @@ float median(std::vector<float> values) {
   return *middle;
 }
 
-/// All that say something.
+/// Returns the ballots of all names that say something.
 std::vector<Ballot> ballots(std::span<const NamedPlace> places) {
   std::map<std::string, Pair> pairs;
   std::vector<float> middles;

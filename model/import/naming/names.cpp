@@ -16,7 +16,8 @@ bool allDigits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), isDigit);
 }
 
-/// "FJ3152", "FJ1426M", "FMA16586", "UBERON0002107": letters of a catalogue, then a number.
+/// Recognises "FJ3152", "FJ1426M", "FMA16586", "UBERON0002107": letters of a catalogue, then a
+/// number.
 bool isCatalogueId(const std::string& word) {
   for (const std::string_view catalogue : {"fj", "fma", "bp", "uberon", "snomed"}) {
     if (!word.starts_with(catalogue))
@@ -47,7 +48,7 @@ std::vector<NamePiece> cutAt(std::string_view text, std::string_view separators)
   return parts;
 }
 
-/// How many leading parts are catalogue ids.
+/// Returns how many leading parts are catalogue ids.
 std::size_t cataloguePrefix(const std::vector<NamePiece>& parts) {
   std::size_t i = 0;
   const auto word = [&](std::size_t k) { return k < parts.size() ? parts[k].word : std::string(); };
@@ -82,7 +83,7 @@ std::string withSpaces(std::string_view text) {
   return result;
 }
 
-/// The text behind its catalogue ids, or nothing where there are none or nothing else.
+/// Returns the text behind its catalogue ids, or nothing where there are none or nothing else.
 std::string_view behindCatalogue(std::string_view text) {
   const std::vector<NamePiece> parts = cutAt(text, "_- \t");
   const std::size_t skip = cataloguePrefix(parts);
@@ -127,7 +128,7 @@ SidedName sidedName(std::string_view name) {
   SidedName result;
   for (const std::string& word : nameWords(name)) {
     const Side side = sideOf(word);
-    // A name with both sides in it ("left duct of right lobe") has that of its first.
+    // A name with both sides in it ("left duct of right lobe") takes the first one.
     if (side != Side::none && result.side == Side::none) {
       result.side = side;
       continue;

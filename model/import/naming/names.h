@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names as people read them, and what they say about sides.
+// Makes names readable, and finds out what they say about sides.
 #pragma once
 
 #include <string>
@@ -10,14 +10,15 @@
 
 namespace sline::model {
 
-/// A file's stem as a name: leading catalogue ids ("FJ3152_FMA16586_", "Model_51_", "VH_M_") go,
-/// underscores become spaces. A stem that is nothing but an id stays as it is.
+/// Makes a name of a file's stem: leading catalogue ids ("FJ3152_FMA16586_", "Model_51_", "VH_M_")
+/// are dropped, underscores become spaces. A stem that is nothing but an id stays as it is.
 std::string readableName(std::string_view stem);
-/// A name given in a file, treated like a stem; empty where a program only signs its work
-/// ("Visualization Toolkit generated SLA File").
+/// Treats a name given in a file like a stem; returns an empty name where a program only signs its
+/// work ("Visualization Toolkit generated SLA File").
 std::string nameInFile(std::string_view name);
 
-/// The side a name says (left, right, l, r, lt, rt as a word of its own) and the name without it.
+/// Holds the side that a name says (left, right, l, r, lt, rt as a word of its own) and the name
+/// without it.
 struct SidedName {
   Side side = Side::none;
   std::string rest;

@@ -71,7 +71,7 @@ GroupPaths fromManifest(const fs::path& folder, std::span<const std::string> fil
   return paths;
 }
 
-/// The part-of tree of BodyParts3D, cut down to the elements that are there.
+/// Holds the part-of tree of BodyParts3D, cut down to the elements that are there.
 class PartOfTree {
  public:
   PartOfTree(const std::vector<Row>& inclusion, const std::vector<Row>& elements) {
@@ -88,7 +88,7 @@ class PartOfTree {
         m_concepts[elements[i][2]].push_back(elements[i][0]);
   }
 
-  /// Concept ids from the root down to the deepest concept that has the element.
+  /// Returns concept ids from the root down to the deepest concept that has the element.
   std::vector<std::string> chain(const std::string& element) const {
     std::vector<std::string> best;
     const auto found = m_concepts.find(element);
@@ -96,7 +96,7 @@ class PartOfTree {
       return best;
     for (const std::string& concept_ : found->second) {
       std::vector<std::string> ids{concept_};
-      // A circle in a damaged table ends at this depth.
+      // The walk through a circle in a damaged table ends at this depth.
       for (auto up = m_parent.find(concept_); up != m_parent.end() && ids.size() < 64;
            up = m_parent.find(up->second))
         ids.push_back(up->second);
@@ -126,7 +126,7 @@ GroupPaths fromPartOfTree(const fs::path& folder, std::span<const std::string> f
     return paths;
   const PartOfTree tree(inclusion, elements);
   std::map<std::string, std::vector<std::string>> chains;
-  // How many files lie below a concept, and the concepts or files right below it.
+  // Maps each concept to the concepts or files right below it, which tells how many there are.
   std::map<std::string, std::set<std::string>> children;
   for (const std::string& file : files) {
     std::vector<std::string> chain = tree.chain(file.substr(0, file.find_first_of("_.")));
@@ -143,7 +143,7 @@ GroupPaths fromPartOfTree(const fs::path& folder, std::span<const std::string> f
       if (children[id].size() > 1 && path.size() < deepestTree + 1)
         path.push_back(tree.name(id));
     if (!path.empty())
-      path.erase(path.begin());  // the body itself
+      path.erase(path.begin());  // drops the body itself
   }
   return paths;
 }

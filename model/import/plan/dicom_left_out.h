@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The DICOM objects of a folder that hold no structures, told of together: hundreds of slices lie
-// beside one segmentation.
+// Reports the DICOM objects of a folder that hold no structures together, because hundreds of
+// slices lie beside one segmentation.
 #pragma once
 
 #include <filesystem>
@@ -14,12 +14,12 @@ namespace sline::model {
 
 class DicomLeftOut {
  public:
-  /// True for a DICOM object of a kind that is known to hold no structures; it is counted. Reads
-  /// the first kilobytes of files that are called like DICOM files.
+  /// Returns true for a DICOM object of a kind that is known to hold no structures, and counts it.
+  /// Reads the first kilobytes of files that are called like DICOM files.
   bool takes(const std::filesystem::path& file);
   bool empty() const { return m_count == 0; }
   std::size_t count() const { return m_count; }
-  /// "400 CT images and 1 RT plan hold no segmentation"
+  /// Returns "400 CT images and 1 RT plan hold no segmentation".
   std::string text() const;
   static std::string remedy();
 

@@ -15,13 +15,13 @@ namespace {
 
 using Path = std::vector<std::string>;
 
-/// One group to be: its members are parts (by index) and groups below it.
+/// Describes a group to be made: its members are parts (by index) and groups below it.
 struct Branch {
   std::string name;
   Style style;
   std::vector<Branch> groups;
   std::vector<std::size_t> parts;
-  /// Source and group in its scene that this one is.
+  /// The source and the group in its scene that this group stands for.
   std::optional<std::pair<std::size_t, std::size_t>> origin = std::nullopt;
 
   Branch& child(const std::string& childName) {
@@ -46,7 +46,7 @@ void prune(Branch& branch) {
     }
 }
 
-/// The same for the top: one group around everything is no group.
+/// Prunes the top as well: one group around everything is no group.
 void pruneTop(Branch& top) {
   prune(top);
   while (top.parts.empty() && top.groups.size() == 1) {
@@ -112,7 +112,7 @@ class Builder {
                                                            : byFileGroupsOrNames(members);
     if (source.kind == ImportSource::Kind::folder)
       top.name = folderName(source.path);
-    // Folders of medical images are named after patients; the scene is not to know them.
+    // Folders of medical images are named after patients; the scene must not know the names.
     if (const auto kept =
             std::find_if(members.begin(), members.end(),
                          [&](std::size_t part) { return !m_parts[part].raw.origin.empty(); });
@@ -122,7 +122,7 @@ class Builder {
     return top;
   }
 
-  /// Each entry has a group of its own, and in it those that its reader made.
+  /// Adds molecules: each entry has a group of its own, and in it those that its reader made.
   void addMolecules(const std::vector<std::size_t>& members, Branch& top) const {
     std::vector<Branch> entries;
     const Backbone* last = nullptr;
@@ -163,7 +163,7 @@ class Builder {
       const auto group = source.scene->models[*fileOf(part).model].group;
       (group ? branches[*group] : top).parts.push_back(part);
     }
-    // Parents come first, so that going backwards every group is whole when it is handed up.
+    // Parents come first, so that going backwards every group is complete when it is handed up.
     for (std::size_t i = groups.size(); i-- > 0;) {
       if (branches[i].groups.empty() && branches[i].parts.empty())
         continue;
@@ -231,7 +231,7 @@ class Builder {
     return byNames(members);
   }
 
-  /// Groups of one structure are no help where nobody asked for them.
+  /// Dissolves groups of one structure, which are no help where they were not asked for.
   void dissolveSmall(Branch& top) const {
     for (Branch& group : top.groups) {
       dissolveSmall(group);
@@ -300,8 +300,8 @@ class Builder {
     m_built.numbers[id] = part.number;
   }
 
-  /// The table knows best; a colour in the file counts where the name is unknown and the colour is
-  /// one that somebody chose rather than a program's grey.
+  /// Returns the structure's colour. The table takes precedence; a colour in the file counts where
+  /// the name is unknown and the colour was chosen by a person rather than a program's grey.
   std::optional<Colour> colourOf(std::size_t index) const {
     const Part& part = m_parts[index];
     if (part.raw.molecule)
@@ -317,7 +317,7 @@ class Builder {
   }
 
   const std::vector<Part>& m_parts;
-  std::vector<std::string> m_names;  ///< of the parts, which differ
+  std::vector<std::string> m_names;  ///< names of the parts; all different
   const Sources& m_sources;
   const AnatomyTable& m_table;
   BuiltScene m_built;

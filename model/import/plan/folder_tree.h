@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts → scene: the tree of groups, names that differ, colours.
+// Makes a scene of parts: lays out the tree of groups, chooses distinct names and colours.
 #pragma once
 
 #include <map>
@@ -14,15 +14,16 @@ namespace sline::model {
 
 struct BuiltScene {
   Scene scene;
-  std::map<std::pair<std::size_t, std::size_t>, NodeId> groups;  ///< by source and group in it
+  std::map<std::pair<std::size_t, std::size_t>, NodeId> groups;  ///< by source and index of the
+                                                                 ///< group in it
   std::vector<std::vector<NodeId>> nodesOfFile;                  ///< as Sources::files
   std::map<NodeId, std::size_t> numbers;                         ///< Part::number of each structure
 };
 
-/// A scene keeps its own groups. A folder's groups are its sub-folders, else those of a part-of
-/// table, else the systems of the body by the structures' names; loose files are grouped like the
-/// latter, or by the groups inside them. Groups that hold one group only are left out. A structure
-/// has the mesh that its part has, if any.
+/// Builds the scene. A scene keeps its own groups. A folder's groups are its sub-folders, else
+/// those of a part-of table, else the systems of the body by the structures' names; loose files are
+/// grouped by systems too, or by the groups inside them. Groups that hold one group only are left
+/// out. A structure has the mesh that its part has, if any.
 BuiltScene buildScene(const std::vector<Part>& parts, const Sources& sources,
                       const AnatomyTable& table);
 

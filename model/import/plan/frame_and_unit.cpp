@@ -77,8 +77,8 @@ class FrameDecision {
     return voteOnFrame(places);
   }
 
-  /// Left and right must never be swapped silently: where names clearly say otherwise than the
-  /// header, the user is told.
+  /// Warns where names contradict the header: left and right must never be swapped silently, so the
+  /// user is told where names clearly say otherwise.
   void warnOfContradiction(ImportReport& report) const {
     if (m_options.frame)
       return;
@@ -102,7 +102,7 @@ class FrameDecision {
   const ImportOptions& m_options;
 };
 
-/// How long a part's unit is, from what its file says, and where it says so.
+/// Sets the length of a part's unit, from what its file says, and where it says so.
 void ownUnit(Part& part, const ImportOptions& options, bool ofSlicer) {
   std::string& reason = part.provenance.unitReason;
   part.unit = part.frame == Frame::file ? 1.0f : part.raw.millimetresPerUnit;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the coordinates of surfaces are read, decided for all that came together.
+// Decides how the coordinates of surfaces are read, for all that came together.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace sline::model {
 
-/// Fixes each part's frame and says why: what was chosen by hand, else what the file's format,
-/// header or scene says, else the vote of the names (laterality.h). Warns where names contradict
-/// what files say. A part that was skipped has a vote like any other.
+/// Fixes each part's frame and says why: as chosen by hand, else as the file's format, header or
+/// scene says, else by the vote of the names (laterality.h). Warns where names contradict the
+/// files. A part that was skipped has a vote like any other.
 void decideFrames(std::vector<Part>& parts, const Sources& sources, const ImportOptions& options,
                   ImportReport& report);
 
 /// Fixes each part's unit. Files without a unit of their own are taken as millimetres, but a body
-/// part smaller than 3 mm is one in metres.
+/// part smaller than 3 mm is taken to be in metres.
 void decideUnits(std::vector<Part>& parts, const Sources& sources, const ImportOptions& options,
                  ImportReport& report);
 

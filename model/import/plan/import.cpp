@@ -10,7 +10,7 @@ namespace sline::model {
 
 namespace {
 
-/// Tells of a part of the work as of the whole, between `from` and `to`.
+/// Reports progress of a part of the work as progress of the whole, between `from` and `to`.
 ImportProgress portion(const ImportProgress& progress, float from, float to) {
   if (!progress)
     return {};
@@ -19,9 +19,9 @@ ImportProgress portion(const ImportProgress& progress, float from, float to) {
   };
 }
 
-/// Which part of the whole is over when the files are read.
+/// Returns the share of the whole that is done when the files are read.
 float shareOfReading(const ImportOptions& options) {
-  constexpr float each = 0.4f;  // of reading: workPerTriangle times a file's triangles
+  constexpr float each = 0.4f;  // share of reading: workPerTriangle times a file's triangles
   const bool smooths = options.smoothing.mode != Smoothing::Mode::off;
   const bool decimates = options.decimateMm > 0.0f;
   return 1.0f / (1.0f + each * (float(smooths) + float(decimates)));
@@ -36,13 +36,13 @@ Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
       readInputs(inputs, options, ScansWanted::asAsked, portion(progress, 0.0f, readBy));
   if (!read.ok())
     return read.error();
-  // Nobody else wants them as they were read.
+  // No other code needs the parts as they were read.
   DecidedParts decided = decideParts(std::move(read->parts), *read, options);
   const ImportPlan plan = layOutTree(decided, *read, options);
   const ImportProgress rest = portion(progress, readBy, 1.0f);
   ProgressMeter meter(rest, expectedWork(decided.parts, options));
   Result<Imported> imported = makeScene(plan, std::move(decided), *read, meter);
-  // Hundreds of files' intermediate copies are free now; the system may have them back.
+  // The intermediate copies of hundreds of files are free now; the system may have them back.
   giveMemoryBack();
   return imported;
 }

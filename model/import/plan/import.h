@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files and folders in, a scene out: reads, decides frame and unit, repairs, smooths, groups and
+// Turns files and folders into a scene: reads, decides frame and unit, repairs, smooths, groups and
 // colours by anatomical name. Every decision is reported.
 #pragma once
 
@@ -18,51 +18,52 @@
 
 namespace sline::model {
 
-/// What becomes of several molecules: `automatic` lays all over the first where nothing but
+/// Says how several molecules are placed: `automatic` lays all over the first where nothing but
 /// molecules is imported; `off` leaves each where its file has it.
 enum class Overlay { automatic, off };
 
 struct ImportOptions {
   std::optional<Frame> frame;  ///< overrides header and vote
-  std::optional<float> unit;   ///< millimetres per unit: overrides what files say and their size
+  std::optional<float> unit;   ///< millimetres per unit: overrides the files' units and guesses
+                               ///< from size
   Smoothing smoothing;
   bool repair = true;
   float decimateMm = 0.0f;  ///< > 0: fewer triangles, no part of a surface moved by more than this
   Overlay overlay = Overlay::automatic;
-  std::string assembly;  ///< of molecules, as ReadOptions::assembly
+  std::string assembly;  ///< for molecules, as ReadOptions::assembly
   ReadLimits limits;
   std::vector<Threshold> thresholds = {};  ///< structures that are made of scans
   bool keepScans = false;                  ///< scans become part of the scene (Scene::scans)
 };
 
-/// Called from any thread with done in [0, 1]; return false to cancel.
+/// Is called from any thread with done in [0, 1]; returns false to cancel.
 using ImportProgress = std::function<bool(float done, const std::string& what)>;
 
-/// What is said of surfaces that were repaired without loss; all empty where none was.
+/// Describes the surfaces that were repaired without loss; all members are empty where none was.
 struct RepairNotes {
   std::string summary;                ///< "repaired 31 of 94 surfaces: …"
   std::vector<std::string> surfaces;  ///< a line each: "liver.obj: \"liver\": 2 faces given twice"
 };
 
 struct ImportReport {
-  Frame frame = Frame::lps;  ///< of the inputs that had no header of their own
+  Frame frame = Frame::lps;  ///< for inputs that had no header of their own
   std::string frameReason;   ///< "header", "vote: 20 of 22 left/right names", …
   std::vector<ImportWarning> warnings;
-  std::vector<std::string> notes;  ///< what was done that is no loss: molecules laid over each
-                                   ///< other, assemblies that they describe
+  std::vector<std::string> notes;  ///< actions without loss: molecules laid over each other,
+                                   ///< assemblies that they describe
   RepairNotes repairs;
 };
 
 struct Imported {
   Scene scene;
   ImportReport report;
-  std::vector<ZipMember> others;  ///< of scene files, as SceneDocument::others
+  std::vector<ZipMember> others;  ///< from scene files, as SceneDocument::others
 };
 
 /// Reads mesh files, folders of them, 3D Slicer scenes and scene files of this program into one
-/// scene. Parts that cannot be read are left out with a warning; an error only where nothing at all
-/// could be read, or a scene file could not. Scene files keep their styles, views and sections and
-/// are neither turned nor smoothed; what is imported with them is added below them.
+/// scene. Parts that cannot be read are left out with a warning; it is an error only where nothing
+/// at all could be read, or a scene file could not. Scene files keep their styles, views and
+/// sections and are neither turned nor smoothed; anything imported with them is added below them.
 Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
                               const ImportOptions& options, const ImportProgress& progress = {});
 

@@ -22,7 +22,8 @@ namespace sline::model {
 
 namespace {
 
-/// Puts what scene files hold before it; returns where its own nodes are then.
+/// Puts the contents of scene files before the imported scene; returns where its own nodes are
+/// then.
 NewIds putScenesBefore(Imported& imported, const ReadInputs& read, const ImportOptions& options) {
   if (!read.scenes) {
     NewIds same;
@@ -37,9 +38,11 @@ NewIds putScenesBefore(Imported& imported, const ReadInputs& read, const ImportO
   return ids;
 }
 
-/// The structures that are not wanted or did not come, and the groups that hold nothing else.
+/// Returns the structures that are not wanted or did not come, and the groups that hold nothing
+/// else.
 std::vector<NodeId> withEmptyGroups(const Scene& scene, const std::set<NodeId>& gone) {
-  std::map<NodeId, std::pair<std::size_t, std::size_t>> below;  // structures, those of them gone
+  std::map<NodeId, std::pair<std::size_t, std::size_t>> below;  // structures, and those of them
+                                                                // that are gone
   const std::vector<Node>& nodes = scene.nodes();
   for (std::size_t i = nodes.size(); i-- > 0;) {
     std::pair<std::size_t, std::size_t> own = below[nodes[i].id];
@@ -56,7 +59,8 @@ std::vector<NodeId> withEmptyGroups(const Scene& scene, const std::set<NodeId>& 
   return ids;
 }
 
-/// Locked or not: a lock holds for the scene once it is open, not for what is taken into it.
+/// Removes nodes, locked or not: a lock holds for the scene once it is open, not for nodes that are
+/// taken into it.
 Scene withoutNodes(Scene scene, std::span<const NodeId> ids) {
   std::set<NodeId> locked;
   std::vector<Node> nodes = scene.nodes();
@@ -72,7 +76,7 @@ Scene withoutNodes(Scene scene, std::span<const NodeId> ids) {
   return left;
 }
 
-/// The plan's tree with the surfaces that came of it.
+/// Returns the plan's tree with the surfaces that came of it.
 Scene withSurfaces(const ImportPlan& plan, std::vector<Part> parts) {
   std::map<std::size_t, Part*> byNumber;
   for (Part& part : parts)

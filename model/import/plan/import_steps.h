@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steps that every import takes, planned or not: decide, lay out the tree, make the scene.
+// Declares the steps that every import takes, planned or not: decide, lay out the tree, make the
+// scene.
 #pragma once
 
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace sline::model {
 
-/// Parts whose frames, units and places beside each other are decided, and what there is to say.
+/// Holds parts with frames, units and places beside each other decided, and the report of it.
 struct DecidedParts {
   std::vector<Part> parts;
   ImportReport report;
@@ -20,16 +21,16 @@ struct DecidedParts {
 DecidedParts decideParts(std::vector<Part> parts, const ReadInputs& read,
                          const ImportOptions& options);
 
-/// Lays out the tree of what scene files hold and, below it, of the parts; a structure has the mesh
-/// that its part has by now. Neither choices nor `read` are set.
+/// Lays out the tree of the scene files' contents and, below it, of the parts; a structure has the
+/// mesh that its part has by now. Neither choices nor `read` are set.
 ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
                       const ImportOptions& options);
 
-/// Returns the error of an import that gave nothing, where no part, point, scan or scene is left.
+/// Returns the error of an import that gave nothing, if no part, point, scan or scene is left.
 Status checkAnythingLeft(const DecidedParts& decided, const ReadInputs& read);
 
-/// Smooths, places and decimates the parts, and puts them into the plan's tree as was chosen.
-/// Groups that hold nothing any more are left out. The error is that of importInputs.
+/// Smooths, places and decimates the parts, and puts them into the plan's tree as chosen. Groups
+/// that no longer hold anything are left out. The error is that of importInputs.
 Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const ReadInputs& read,
                            ProgressMeter& meter);
 

@@ -12,7 +12,7 @@ namespace sline::model {
 
 namespace {
 
-/// Which frame and unit was decided for the coordinates its file speaks in.
+/// Holds the frame and unit that were decided for the coordinates of a scan's file.
 struct Reading {
   std::optional<Frame> frame;
   double unit = 1.0;
@@ -29,7 +29,8 @@ Reading readingOf(const ReadScan& scan, const std::vector<Part>& parts,
           double(options.unit.value_or(1.0f))};
 }
 
-/// The file's own coordinates are its LPS turned back to its frame; what was decided leads on.
+/// Returns the place of the scan. The file's own coordinates are its LPS turned back to its frame;
+/// the decided frame and unit lead on from there.
 glm::dmat4 placeOf(const GreyVolume& volume, const Reading& reading) {
   const bool spoken = volume.frame == Frame::ras;
   const bool meant = reading.frame == Frame::ras;
@@ -68,7 +69,7 @@ std::vector<Scan> keptScans(const std::vector<ReadScan>& scans, const std::vecto
               .slope = volume.slope,
               .intercept = volume.intercept,
               .hounsfield = volume.hounsfield};
-    // The numbers are those of what was read, which stays as long as they do.
+    // The voxels are those of the scan that was read, which stays as long as they do.
     scan.voxels = VoxelsPtr(read.raw.volume, &volume.voxels);
     if (const std::string fault = scanFault(scan); !fault.empty()) {
       report.warnings.push_back({read.raw.file, "the scan cannot be kept: " + fault});

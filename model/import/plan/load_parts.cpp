@@ -38,13 +38,13 @@ Result<RawMeshes> readTogether(const SourceFile& source, const ReadOptions& opti
   return source.slice ? readInChild(dicomKind, files, options) : readVolumeSet(files, options);
 }
 
-/// What the surfaces of one file have in common.
+/// Holds the data that the surfaces of one file have in common.
 struct FileFacts {
   std::optional<Fingerprint> fingerprint;
   int surfaces = 0;
 };
 
-/// By the files' names.
+/// Returns the facts by the files' names.
 std::map<std::string, FileFacts> factsOf(const SourceFile& source,
                                          const std::vector<RawMesh>& meshes) {
   std::map<std::string, FileFacts> facts;
@@ -52,7 +52,7 @@ std::map<std::string, FileFacts> factsOf(const SourceFile& source,
     if (const Result<Fingerprint> print = fingerprintOfFile(file))
       facts[file.filename().string()].fingerprint = *print;
   };
-  // Slices are called by what scanned them.
+  // Slices are called after the scanner, not after their files.
   if (!source.slice) {
     add(source.file);
     std::for_each(source.together.begin(), source.together.end(), add);
@@ -63,8 +63,8 @@ std::map<std::string, FileFacts> factsOf(const SourceFile& source,
   return facts;
 }
 
-/// A folder may hold a label volume and the surfaces made of it: what is there as a surface is not
-/// taken from the volume as well.
+/// Leaves out twins. A folder may hold a label volume and the surfaces made of it: a structure that
+/// is there as a surface is not taken from the volume as well.
 void leaveOutTwins(std::vector<Part>& parts, const Sources& sources,
                    std::vector<ImportWarning>& warnings) {
   const auto key = [&](const Part& part) {
@@ -118,7 +118,7 @@ struct Loading {
   ProgressMeter& meter;
 };
 
-/// What a part is called.
+/// Returns the name of a part.
 std::string partName(const RawMesh& raw, const SourceFile& source, const Sources& sources,
                      bool only) {
   std::string name = raw.molecule ? raw.name : nameInFile(raw.name);
@@ -130,7 +130,7 @@ std::string partName(const RawMesh& raw, const SourceFile& source, const Sources
   return model.segments ? name : only ? model.name : model.name + " " + name;
 }
 
-/// Mends and measures; false where no face with area is left.
+/// Mends and measures; returns false where no face with area is left.
 bool prepare(Part& part, const std::string& shown, const ImportOptions& options,
              std::vector<ImportWarning>& warnings) {
   if (options.repair)
@@ -146,7 +146,7 @@ bool prepare(Part& part, const std::string& shown, const ImportOptions& options,
   return true;
 }
 
-/// What was read of a file as parts.
+/// Returns as parts the data that was read from a file.
 Loaded loadedFrom(const Sources& sources, std::size_t index, Result<RawMeshes>&& read,
                   const Loading& loading) {
   Loaded loaded;

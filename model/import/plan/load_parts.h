@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files → parts: surfaces as their files have them, mended.
+// Loads files into parts: surfaces as their files have them, mended.
 #pragma once
 
 #include <cstddef>
@@ -12,36 +12,37 @@
 
 namespace sline::model {
 
-/// A scan that a file holds.
+/// Holds a scan that a file contains.
 struct ReadScan {
   std::size_t file = 0;  ///< in Sources::files
   RawScan raw;
 };
 
-/// What files gave.
+/// Holds the data that files gave.
 struct Loaded {
   std::vector<Part> parts;
-  std::vector<ReadScan> scans;  ///< where options keep them
+  std::vector<ReadScan> scans;  ///< filled where the options keep scans
   std::vector<ImportWarning> warnings;
   std::vector<std::string> notes;
 };
 
-/// Reads and mends all files; parts come in the files' order. What fails becomes a warning.
+/// Reads and mends all files; parts come in the files' order. A failure becomes a warning.
 Loaded loadParts(const Sources& sources, const ImportOptions& options, ProgressMeter& meter);
 
 /// Reads one file, or those that are read together with it; `number` is not set.
 Loaded loadFile(const Sources& sources, std::size_t file, const ImportOptions& options,
                 ProgressMeter& meter);
 
-/// The structures that the thresholds of the options make of a scan that was read before, as
+/// Makes the structures that the options' thresholds select in a scan that was read before, as
 /// loadFile would.
 Loaded loadScan(const Sources& sources, const ReadScan& scan, const ImportOptions& options,
                 ProgressMeter& meter);
 
-/// As Part::number, by their order.
+/// Sets Part::number by the order of the parts.
 void numberParts(std::vector<Part>& parts);
 
-/// Surfaces of one file under names that tell them apart, by which they are found again later.
+/// Returns names for the surfaces of one file that tell them apart, by which they are found again
+/// later.
 std::vector<std::string> partNames(const std::vector<RawMesh>& meshes);
 
 }  // namespace sline::model

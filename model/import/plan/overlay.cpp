@@ -14,7 +14,7 @@ namespace {
 
 using BackbonePtr = std::shared_ptr<const Backbone>;
 
-/// The entries in the parts' order.
+/// Returns the entries in the parts' order.
 std::vector<BackbonePtr> entriesOf(const std::vector<Part>& parts) {
   std::vector<BackbonePtr> entries;
   for (const Part& part : parts)

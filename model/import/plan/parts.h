@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces under way from their files to the scene.
+// Holds surfaces on their way from their files to the scene.
 #pragma once
 
 #include <optional>
@@ -12,20 +12,21 @@
 
 namespace sline::model {
 
-/// What was decided by hand for one surface; what is open is as for all.
+/// Holds the decisions made by hand for one surface; a member that is not set follows the options
+/// for all.
 struct PartChoice {
   std::optional<Frame> frame;
   std::optional<float> unit;
   std::optional<Smoothing> smoothing;
   std::optional<float> decimateMm;
-  bool skipped = false;  ///< it is neither smoothed nor decimated, but tells of the others' grid
+  bool skipped = false;  ///< neither smoothed nor decimated, but counted for the grid of the others
 };
 
-/// One surface. `raw` holds positions and triangles until `mesh` takes them.
+/// Describes one surface. `raw` holds positions and triangles until `mesh` takes them.
 struct Part {
   std::size_t file = 0;    ///< in Sources::files
-  std::size_t number = 0;  ///< among all that were read
-  std::string surface;     ///< which of its file's, as partNames has it
+  std::size_t number = 0;  ///< index among all parts that were read
+  std::string surface;     ///< name within its file, as partNames has it
   std::string name;
   RawMesh raw;
   SurfaceMeasure measure;

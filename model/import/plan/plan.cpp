@@ -31,7 +31,7 @@ PartChoices partChoices(const ImportPlan& plan) {
   return chosen;
 }
 
-/// What was read of the surfaces, with what was chosen of each.
+/// Returns the surfaces that were read, with the choices made for each.
 std::vector<Part> partsOf(const ReadInputs& read, const PartChoices& chosen) {
   std::vector<Part> parts = read.parts;
   for (Part& part : parts)
@@ -54,7 +54,7 @@ Result<ImportPlan> planned(std::shared_ptr<const ReadInputs> read, const ImportO
   return plan;
 }
 
-/// Where what was read before is now; nothing where it is no more.
+/// Finds where a surface that was read before is now; nothing where it no longer exists.
 class Renumbering {
  public:
   Renumbering(const ReadInputs& before, const ReadInputs& now) : m_before(before) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an import would do, before it is done.
+// Describes what an import would do, before it is done.
 #pragma once
 
 #include <filesystem>
@@ -16,10 +16,10 @@ namespace sline::model {
 
 struct ReadInputs;  // read_inputs.h
 
-/// What one node of a plan is to be unlike the others. What is open is as the plan has it: a name,
-/// or as the options say.
+/// Says how one node of a plan is to differ from the others. Members that are not set are as the
+/// plan has them: a name, or as the options say.
 struct StructureChoice {
-  bool include = true;  ///< false: left out; of structures only
+  bool include = true;  ///< false: left out; for structures only
   std::optional<std::string> name;
   std::optional<Colour> colour;
   std::optional<Frame> frame;
@@ -31,21 +31,22 @@ struct StructureChoice {
 
 using StructureChoices = std::map<NodeId, StructureChoice>;
 
-/// A value that can be shown, changed and carried out: the tree of all that could be imported, with
-/// each structure's frame and unit and what decided them (Provenance), surfaces as repaired but not
-/// yet decimated or, unless their reader makes them smooth, smoothed; in the report what would be
-/// left out and why. Who changes `options`, `inputs`, or a frame or unit among the `choices` plans
-/// again to see the rest; the tree shows neither what is skipped nor chosen names and colours.
+/// Is a value that can be shown, changed and carried out. It holds the tree of everything that
+/// could be imported, with each structure's frame and unit and the reason for them (Provenance),
+/// and surfaces as repaired but not yet decimated or, unless their reader makes them smooth,
+/// smoothed; the report says what would be left out and why. After a change to `options`, `inputs`,
+/// or a frame or unit among the `choices`, the caller plans again to see the rest; the tree shows
+/// neither skipping nor chosen names and colours.
 struct ImportPlan {
   std::vector<std::filesystem::path> inputs;
   ImportOptions options;
   Scene scene;
   ImportReport report;
   StructureChoices choices;                  ///< by the ids of `scene`
-  std::map<NodeId, std::size_t> parts = {};  ///< which of what was read each structure is
+  std::map<NodeId, std::size_t> parts = {};  ///< index of the part that each structure is
   std::shared_ptr<const ReadInputs> read = nullptr;
 
-  /// What is chosen for the node; as the options say where nothing is.
+  /// Returns the choices made for the node; as the options say where there are none.
   StructureChoice choiceOf(NodeId id) const;
 };
 
@@ -53,21 +54,20 @@ struct ImportPlan {
 Result<ImportPlan> planImport(std::span<const std::filesystem::path> inputs,
                               const ImportOptions& options, const ImportProgress& progress = {});
 
-/// The plan after changes, with the choices it has. Files are read again only where inputs, repair
-/// or limits are others than they were; a structure that is no more loses its choice.
+/// Plans again after changes, with the choices of the plan. Files are read again only where inputs,
+/// repair or limits differ from before; a structure that no longer exists loses its choice.
 Result<ImportPlan> planAgain(const ImportPlan& plan, const ImportProgress& progress = {});
 
-/// All structures that came from the same files as these, which are among them; none of scene
-/// files.
+/// Returns all structures that came from the same files as these, including these; none that came
+/// from scene files.
 std::vector<NodeId> ofSameFiles(const ImportPlan& plan, std::span<const NodeId> ids);
 
-/// What of the choices cannot be carried out: ids that are not in the plan, lengths and steps out
+/// Tells which choices cannot be carried out: ids that are not in the plan, lengths and steps out
 /// of range, nothing left to import.
 Status checkChoices(const ImportPlan& plan);
 
 /// Imports as planned, under the ids of the plan. Only label volumes and contours that are to be
-/// smoothed otherwise than they were are read again. Groups of which nothing is imported are left
-/// out.
+/// smoothed otherwise than before are read again. Groups of which nothing is imported are left out.
 Result<Imported> carryOut(const ImportPlan& plan, const ImportProgress& progress = {});
 
 }  // namespace sline::model

@@ -27,7 +27,7 @@ Status readMeshes(ReadInputs& read, const std::vector<fs::path>& meshes, ScansWa
   read.sources =
       collectSources(meshes, options.limits, slices ? ScannerSlices::read : ScannerSlices::leftOut);
   ProgressMeter meter(progress, bytesOf(read.sources));
-  // What might be made of a scan is seen by looking at it.
+  // The user decides what to make of a scan by looking at it.
   options.keepScans = options.keepScans || scans == ScansWanted::all;
   Loaded loaded = loadParts(read.sources, options, meter);
   read.parts = std::move(loaded.parts);
@@ -43,7 +43,7 @@ Status readMeshes(ReadInputs& read, const std::vector<fs::path>& meshes, ScansWa
   return Unit{};
 }
 
-/// All parts of the file; those of scans come of what is in memory.
+/// Reads all parts of the file; those of scans are made from the scans in memory.
 std::vector<Part> readAgain(const ReadInputs& read, std::size_t file, const ImportOptions& options,
                             ProgressMeter& meter) {
   const bool scanned = std::any_of(read.scans.begin(), read.scans.end(),
@@ -75,7 +75,7 @@ Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOpti
   for (const fs::path& input : inputs)
     (isSceneFile(input) ? scenes : meshes).push_back(input);
   if (!scenes.empty()) {
-    // What the options mean for scenes is told when something is decided.
+    // The effect of the options on scenes is reported when decisions are made.
     Result<Imported> opened = openScenes(scenes, {});
     if (!opened.ok())
       return opened.error();

@@ -21,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 using Fate = ReloadedFile::Fate;
 
-/// Files below a folder that are looked at: a search in a whole disk ends.
+/// Limits the files below a folder that are looked at: a search in a whole disk ends.
 constexpr std::size_t mostFiles = 200'000;
 
-/// The files that have one of the names, by name.
+/// Returns the files that have one of the names, by name.
 std::map<std::string, std::set<fs::path>> filesNamed(const std::set<std::string>& names,
                                                      std::span<const fs::path> places,
                                                      std::vector<ImportWarning>& warnings) {
@@ -55,7 +55,7 @@ std::map<std::string, std::set<fs::path>> filesNamed(const std::set<std::string>
   return found;
 }
 
-/// The structures that came from one state of one file.
+/// Holds the structures that came from one state of one file.
 struct Origin {
   std::string file;
   Fingerprint fingerprint;
@@ -82,7 +82,7 @@ std::vector<Origin> originsOf(const Scene& scene) {
   return origins;
 }
 
-/// Which of the file's surfaces that is.
+/// Returns the index of the file's surface that has the name.
 std::optional<std::size_t> partNamed(const std::vector<std::string>& parts,
                                      const std::string& wanted) {
   if (wanted.empty())
@@ -93,14 +93,14 @@ std::optional<std::size_t> partNamed(const std::vector<std::string>& parts,
   return std::size_t(found - parts.begin());
 }
 
-/// A file as it is now.
+/// Describes a file as it is now.
 struct FileNow {
   Fingerprint fingerprint;
   const std::vector<RawMesh>& meshes;
   std::vector<std::string> parts;  ///< the names of the meshes
 };
 
-/// The same that import did to the surface before.
+/// Applies to a surface the steps that the import did to it before.
 Result<MeshPtr> brought(RawMesh raw, Provenance& as, const ReadOptions& options) {
   if (raw.molecule)
     return Error{.reason = "a molecule may have been laid over another one; import both again"};
@@ -109,7 +109,7 @@ Result<MeshPtr> brought(RawMesh raw, Provenance& as, const ReadOptions& options)
     return Error{.reason = "it has no face with area any more"};
   float displacement = raw.displacement;
   if (!raw.smooth) {
-    // So many steps are those of the automatic mode, which looks for the grid of a label map.
+    // The automatic mode, which looks for the grid of a label map, takes just as many steps.
     const bool automatic = as.smoothingSteps == SincFilter().iterations;
     const VoxelGrid grid =
         automatic ? commonGrids(std::array{measureSurface(raw.positions, raw.triangles)}).front()
@@ -126,7 +126,7 @@ Result<MeshPtr> brought(RawMesh raw, Provenance& as, const ReadOptions& options)
   Result<MeshPtr> mesh = placedMesh(std::move(raw), as);
   if (!mesh)
     return mesh;
-  // As many triangles go as before, no farther than they were seen to go then.
+  // As many triangles are removed as before, within the bound of the earlier decimation.
   if (as.decimatedFrom > 0 && as.decimationMm > 0.0f)
     return decimated(std::move(*mesh), as.decimationMm, as, options.goesOn);
   return mesh;
@@ -175,7 +175,7 @@ class Reloader {
         return tell(origin, Fate::failed, now.error().reason);
       if (*now == origin.fingerprint)
         return tell(origin, Fate::unchanged);
-      // What another structure of the same file name came from is not meant.
+      // A file from which another structure of the same file name came is not meant.
       const bool another = std::any_of(origins.begin(), origins.end(), [&](const Origin& o) {
         return o.file == origin.file && o.fingerprint == *now;
       });
@@ -195,7 +195,7 @@ class Reloader {
     read(origin, changed.front().first, changed.front().second);
   }
 
-  /// How readers that smooth what they read were told to: nothing moved where they were not to.
+  /// Returns the smoothing that readers which smooth were told to do: none where nothing moved.
   Smoothing readersSmoothing(const Origin& origin) const {
     float moved = 0.0f;
     int steps = 0;
@@ -208,7 +208,7 @@ class Reloader {
     return steps > 0 ? Smoothing{Smoothing::Mode::steps, steps} : Smoothing{};
   }
 
-  /// What was made of a scan is made of it again.
+  /// Returns the thresholds by which structures were made of a scan, to make them again.
   std::vector<Threshold> thresholdsOf(const Origin& origin) const {
     std::vector<Threshold> thresholds;
     for (const std::size_t i : origin.nodes)

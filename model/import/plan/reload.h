@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading the files of a scene's structures again, where they have changed since.
+// Reads the files of a scene's structures again where they have changed since.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,13 @@
 
 namespace sline::model {
 
-/// What became of a file, or of one of its surfaces.
+/// Describes the fate of a file, or of one of its surfaces.
 struct ReloadedFile {
   enum class Fate {
     replaced,   ///< it has changed; the structures have its surfaces now
-    unchanged,  ///< it is what it was
+    unchanged,  ///< it has not changed
     absent,     ///< no file of the name was found
-    failed      ///< the structures stay as they are; `reason` tells why
+    failed      ///< structures stay as they are; `reason` tells why
   };
   std::string file;
   Fate fate = Fate::unchanged;
@@ -26,7 +26,7 @@ struct ReloadedFile {
   bool operator==(const ReloadedFile&) const = default;
 };
 
-/// A mesh in place of the one a structure had.
+/// Describes a mesh that replaces the one a structure had.
 struct NewMesh {
   NodeId structure;
   MeshPtr before;
@@ -37,23 +37,23 @@ struct NewMesh {
 struct Reloaded {
   Scene scene;
   bool changed = false;
-  std::vector<NewMesh> meshes;      ///< what `scene` has that was not there before
+  std::vector<NewMesh> meshes;      ///< the meshes of `scene` that are new
   std::vector<ReloadedFile> files;  ///< by name
   std::vector<ImportWarning> warnings;
 };
 
 /// Looks for each structure's file (Provenance::file) in the places, which are files or folders
-/// with all below them, and reads it again where its fingerprint is another: in the same frame and
+/// with all below them, and reads it again where its fingerprint differs: in the same frame and
 /// unit, with as many steps of smoothing and refinement, and decimated as far as before. Ids,
 /// names, styles, sections and views stay; annotations on a surface go to the nearest point of the
 /// new one. Of a file with several surfaces each structure takes the one of its name. Where several
-/// files have the name, one that is what it was counts; else it is an error, as it is not known
-/// which is meant.
+/// files have the name, one that is unchanged counts; else it is an error, as it is not known which
+/// is meant.
 Reloaded reload(const Scene& scene, std::span<const std::filesystem::path> places,
                 const ReadOptions& options = {});
 
-/// The same for a scene that was edited meanwhile; structures that no longer have the mesh `before`
-/// stay as they are.
+/// Puts the new meshes into a scene that was edited meanwhile; structures that no longer have the
+/// mesh `before` stay as they are.
 Scene withNewMeshes(const Scene& scene, std::span<const NewMesh> meshes);
 
 }  // namespace sline::model

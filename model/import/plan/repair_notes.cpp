@@ -6,7 +6,7 @@
 namespace sline::model {
 
 namespace {
-/// "214 faces given twice, 120 without area"; empty where neither was found.
+/// Returns "214 faces given twice, 120 without area"; empty where neither was found.
 std::string facesLeftOut(int twice, int withoutArea) {
   const auto faces = [](int count) {
     return std::to_string(count) + (count == 1 ? " face " : " faces ");

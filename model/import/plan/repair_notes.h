@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Repairs without loss are told in one line, so that warnings are left to what a person can act on.
+// Reports repairs without loss in one line, so that warnings are left to matters that the user can
+// act on.
 #pragma once
 
 #include <span>

@@ -9,7 +9,7 @@ namespace sline::model {
 
 namespace {
 
-/// What decided the frame when its first structure was imported.
+/// Returns what decided the frame when the scene's first structure was imported.
 std::string frameReasonOf(const Scene& scene) {
   const auto& nodes = scene.nodes();
   const auto found = std::find_if(nodes.begin(), nodes.end(), [](const Node& node) {
@@ -18,14 +18,15 @@ std::string frameReasonOf(const Scene& scene) {
   return found == nodes.end() ? "scene file" : found->provenance.frameReason;
 }
 
-/// Sections get fresh ids in the scene; those of a view keep theirs, which are its own.
+/// Returns the section with its scope mapped. Sections get fresh ids in the scene; those of a view
+/// keep theirs, which are its own.
 Section moved(Section section, const NewIds& ids) {
   const auto scope = ids.find(section.scope);
   section.scope = scope == ids.end() ? rootId : scope->second;
   return section;
 }
 
-/// On what is not in the scene: nothing, as with a scope.
+/// Returns the new id; nothing for a node that is not in the scene, as with a scope.
 NodeId movedId(NodeId id, const NewIds& ids) {
   const auto found = ids.find(id);
   return found == ids.end() ? NodeId{} : found->second;
@@ -72,7 +73,8 @@ void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& war
 
 NewIds append(Scene& to, const Scene& added) {
   NewIds ids{{rootId, rootId}};
-  // All at once: to append them one by one would look through the whole scene for each.
+  // The nodes are added all at once: appending them one by one would look through the whole scene
+  // for each.
   std::vector<Node> nodes = to.nodes();
   for (Node node : added.nodes()) {
     const NodeId old = node.id;

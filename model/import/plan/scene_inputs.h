@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene files among the inputs: opened as they are and put together with the rest.
+// Opens scene files among the inputs as they are and joins them with the rest.
 #pragma once
 
 #include <filesystem>
@@ -11,21 +11,21 @@
 
 namespace sline::model {
 
-/// Reads the scene files and puts them below each other; the error is of the first that cannot be
-/// read. Warns of options that do not apply to them.
+/// Reads the scene files and puts them below each other; the error is that of the first that cannot
+/// be read. Warns of options that do not apply to them.
 Result<Imported> openScenes(std::span<const std::filesystem::path> files,
                             const ImportOptions& options);
 
-/// Tells of options that do not apply to scene files.
+/// Warns of options that do not apply to scene files.
 void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& warnings);
 
-/// Which id a node of what was added has now.
+/// Maps the id that a node had in the added scene to its id now.
 using NewIds = std::map<NodeId, NodeId>;
 
-/// Adds scans, and nodes, sections, annotations and views under ids that are free in `to`; its own
-/// keep theirs. Its key light goes before the other's.
+/// Adds scans, and nodes, sections, annotations and views under ids that are free in `to`; the
+/// nodes of `to` keep theirs. The key light of `to` takes precedence over the other's.
 NewIds append(Scene& to, const Scene& added);
-/// The same with reports and further files.
+/// Adds reports and further files as well.
 NewIds append(Imported& to, Imported added);
 
 }  // namespace sline::model

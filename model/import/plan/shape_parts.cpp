@@ -33,7 +33,7 @@ std::array<float, 12> rowsOf(const glm::dmat4& matrix) {
   return rows;
 }
 
-/// What the smoothing of itself asks to know of each, where it was not asked while reading.
+/// Measures the parts for smoothing, where they were not measured while reading.
 void measureParts(std::vector<Part>& parts, ProgressMeter& meter) {
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < parts.size(); ++i)
@@ -45,7 +45,7 @@ void measureParts(std::vector<Part>& parts, ProgressMeter& meter) {
   });
 }
 
-/// Each part's own voxel grid, or the one it shares with the parts of its source.
+/// Returns each part's own voxel grid, or the one it shares with the parts of its source.
 std::vector<VoxelGrid> gridsOf(const std::vector<Part>& parts, const Sources& sources) {
   std::vector<VoxelGrid> grids(parts.size());
   for (std::size_t source = 0; source < sources.sources.size(); ++source) {
@@ -63,12 +63,12 @@ std::vector<VoxelGrid> gridsOf(const std::vector<Part>& parts, const Sources& so
   return grids;
 }
 
-/// Of a surface in (x, anterior, superior), x to the left.
+/// Tells whether a surface in (x, anterior, superior) is mirrored because x runs to the left.
 bool isMirrored(const RawMesh& raw, const Provenance& as) {
   return raw.onlySideOpen && as.frame == frameName(Frame::lps);
 }
 
-/// File coordinates → millimetres LPS.
+/// Maps file coordinates → millimetres LPS.
 glm::vec3 placed(const glm::vec3& p, const Provenance& as, const RawMesh& raw,
                  const std::optional<glm::dmat4>& toWorld) {
   glm::vec3 q = raw.yUp ? uprightToLps(p) : p;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts as their files have them → meshes in the scene: smoothed, in place, with fewer triangles.
+// Turns parts as their files have them into meshes in the scene: smoothed, in place, with fewer
+// triangles.
 #pragma once
 
 #include <functional>
@@ -12,11 +13,11 @@
 namespace sline::model {
 
 /// Smooths and refines each part by the grid it shares with the parts of its source, as `smoothing`
-/// asks or its own choice.
+/// or its own choice asks.
 void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,
                  ProgressMeter& meter);
 
-/// The surface in millimetres LPS, by the frame, unit and transform that are told of it. Its
+/// Returns the surface in millimetres LPS, by the frame, unit and transform in `as`. Its
 /// displacement is scaled with it.
 Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as);
 
@@ -24,11 +25,12 @@ Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as);
 void placeParts(std::vector<Part>& parts, const Sources& sources,
                 std::vector<ImportWarning>& warnings);
 
-/// Fewer triangles within `bound` mm or the part's own bound (meshing/simplification.h); 0: all.
+/// Reduces the triangles within `bound` mm or the part's own bound (meshing/simplification.h); 0
+/// keeps all of them.
 void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter);
 
-/// Takes triangles from the mesh without moving it farther than `bound` mm and tells the
-/// provenance of it; the mesh itself where none could go. `goesOn` may end the work early.
+/// Takes triangles from the mesh without moving it farther than `bound` mm and records that in the
+/// provenance; returns the mesh itself where none could go. `goesOn` may end the work early.
 MeshPtr decimated(MeshPtr mesh, float bound, Provenance& as, const std::function<bool()>& goesOn);
 
 }  // namespace sline::model

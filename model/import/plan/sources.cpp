@@ -27,8 +27,8 @@ std::string supportedKinds() {
          fiducialExtensions() + "), or a scene file (.sline)";
 }
 
-/// How often a scene may have all of its files in it: a small one must not fill the memory by
-/// naming a large mesh again and again.
+/// Limits how often a scene may have all of its files in it: a small one must not fill the memory
+/// by naming a large mesh again and again.
 constexpr std::uint64_t mostTimes = 4;
 
 class Collector {
@@ -91,15 +91,15 @@ class Collector {
     return sources.size() - 1;
   }
 
-  /// Whether the file is to be read as a part of a scan.
+  /// Tells whether the file is to be read as a part of a scan.
   bool isSlice(const fs::path& file) const {
     return m_slices == ScannerSlices::read && isDicomFile(file) &&
            !scannerOf(sopClassOf(file)).empty();
   }
 
-  /// Label volumes that came together from one folder are read together: programs that give each
-  /// structure a file of its own write them so, and structures that touch shall share their faces.
-  /// So are the slices of a folder.
+  /// Joins label volumes that came together from one folder, to be read together: programs that
+  /// give each structure a file of its own write them so, and structures that touch must share
+  /// their faces. The slices of a folder are joined too.
   void joinVolumes() {
     std::vector<SourceFile> files;
     std::map<std::tuple<std::size_t, fs::path, bool>, std::size_t> first;
@@ -118,7 +118,8 @@ class Collector {
     m_result.files = std::move(files);
   }
 
-  /// Two files that are one volume are one: the one with the voxels, which changes when they do.
+  /// Adds a volume once where two files make it: the file is the one with the voxels, which changes
+  /// when they do.
   void addOnce(const fs::path& file, std::size_t source, std::vector<std::string> folders) {
     const Result<ImagePair> pair =
         isOfImagePair(file) ? imagePairOf(file) : Result<ImagePair>(ImagePair{file, file});
@@ -143,7 +144,7 @@ class Collector {
     std::vector<fs::path> files;
     DicomLeftOut images;
     std::error_code fault;
-    // Links to folders are not followed, so that no circle of links is.
+    // Links to folders are not followed, so that circles of links do no harm.
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
                                            fault);
     for (const fs::recursive_directory_iterator end; !fault && entry != end;
@@ -244,7 +245,7 @@ class Collector {
   ScannerSlices m_slices;
   Sources m_result;
   DicomLeftOut m_looseImages;
-  fs::path m_imageFile;  ///< the last of them
+  fs::path m_imageFile;  ///< the last of the loose images
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What sources hold beside surfaces, brought into the scene that was built of these.
+// Brings the data that sources hold beside surfaces into the scene that was built of these.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace sline::model {
 
-/// Fiducials become annotations in space, saved views of 3D Slicer become saved views. `frame`
-/// overrides what files of fiducials say of their coordinates, as it does for surfaces; those of a
-/// scene are where the scene has them.
+/// Turns fiducials into annotations in space and saved views of 3D Slicer into saved views. `frame`
+/// overrides the coordinate systems that files of fiducials name, as it does for surfaces; those of
+/// a scene are where the scene has them.
 Scene withViewsAndAnnotations(BuiltScene built, const Sources& sources, std::optional<Frame> frame);
 
 }  // namespace sline::model

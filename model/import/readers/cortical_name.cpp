@@ -12,7 +12,7 @@ namespace sline::model {
 
 namespace {
 
-/// Runs of letters, in small ones.
+/// Returns runs of letters, in small ones.
 std::vector<std::string> letterRuns(std::string_view text) {
   std::vector<std::string> words(1);
   for (const char c : text) {

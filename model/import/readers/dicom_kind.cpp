@@ -21,11 +21,11 @@ struct DicomTag {
 };
 
 struct ObjectClass {
-  std::string_view uid;  ///< or its beginning, for a family of kinds
+  std::string_view uid;  ///< or the beginning of one, for a family of kinds
   std::string_view name;
-  std::string_view scanner = {};  ///< of slices that make a volume
+  std::string_view scanner = {};  ///< for slices that make a volume
 };
-/// The longest beginning that fits names the kind.
+/// The longest matching beginning names the kind.
 constexpr std::array classes = {
     ObjectClass{"1.2.840.10008.5.1.4.1.1.1", "X-ray image"},
     ObjectClass{"1.2.840.10008.5.1.4.1.1.2", "CT image", "CT"},
@@ -85,7 +85,8 @@ std::uint32_t littleEndian(std::string_view text, std::size_t at, std::size_t by
   return value;
 }
 
-/// One element's head in little endian, with explicit or implicit VR as its own bytes tell.
+/// Describes one element's head in little endian, with explicit or implicit VR as its own bytes
+/// tell.
 struct ElementHead {
   DicomTag tag;
   std::size_t size = 8;
@@ -107,13 +108,14 @@ std::optional<ElementHead> headOf(std::string_view text) {
   return head;
 }
 
-/// Without the blanks and zeros that pad it.
+/// Returns the text without the blanks and zeros that pad it.
 std::string_view unpadded(std::string_view text) {
   const std::size_t last = text.find_last_not_of(std::string_view(" \0", 2));
   return text.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
-/// Without a preamble a file begins with its first element, of group 2 (a meta header) or 8.
+/// Tells whether the file begins with an element: without a preamble its first element is of group
+/// 2 (a meta header) or 8.
 bool beginsWithElement(std::string_view text) {
   return text.size() >= 16 && (text[0] == 2 || text[0] == 8) && text[1] == 0 && text[3] == 0 &&
          ((isCapital(text[4]) && isCapital(text[5])) || (text[6] == 0 && text[7] == 0));
@@ -154,7 +156,7 @@ bool beginsLikeDicom(std::string_view text) {
 }
 
 bool mayBeDicom(const std::filesystem::path& file) {
-  // "IM0001", "1.2.840.113619.2.55", "slice.ima"
+  // These are names like "IM0001", "1.2.840.113619.2.55", "slice.ima".
   const std::string extension = file.extension().string();
   const bool digits = std::all_of(extension.begin(), extension.end(),
                                   [](char c) { return c == '.' || (c >= '0' && c <= '9'); });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// FreeSurfer's triangle files (surfer.nmr.mgh.harvard.edu, "FreeSurferWiki: surface files"):
+// Reads FreeSurfer's triangle files (surfer.nmr.mgh.harvard.edu, "FreeSurferWiki: surface files"):
 // big-endian; three bytes, a comment that ends with an empty line, counts, vertices, triangles, and
-// perhaps the volume that the surface was made of. Vertices are told in the axes of that volume,
-// from its middle, which is not the scanner's origin.
+// perhaps the volume from which the surface was made. Vertices are given in the axes of that
+// volume, from its middle, which is not the scanner's origin.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -22,13 +22,13 @@ constexpr std::string_view triangleMagic = "\xff\xff\xfe";
 constexpr const char* saveAgain =
     "Write it again with mris_convert, as a surface of triangles or as GIFTI";
 
-/// Where the volume of a surface lies: its axes and its middle, in the scanner's RAS.
+/// Says where the volume of a surface lies: its axes and its middle, in the scanner's RAS.
 struct VolumeGeometry {
   glm::dmat3 axes{1.0};
   glm::dvec3 middle{0.0};
 };
 
-/// "xras   = -1.0 0.0 0.0", somewhere in the text.
+/// Reads "xras   = -1.0 0.0 0.0", somewhere in the text.
 bool threeBehind(std::string_view text, std::string_view key, glm::dvec3& numbers) {
   const std::size_t found = text.find(key);
   if (found == std::string_view::npos)
@@ -55,12 +55,12 @@ std::optional<VolumeGeometry> geometryIn(std::string_view footer) {
   if (!threeBehind(text, "xras", found.axes[0]) || !threeBehind(text, "yras", found.axes[1]) ||
       !threeBehind(text, "zras", found.axes[2]) || !threeBehind(text, "cras", found.middle))
     return std::nullopt;
-  // Axes are directions: what they span is neither flat nor large.
+  // Axes are directions: their span is neither flat nor large.
   const double span = std::abs(glm::determinant(found.axes));
   return span > 0.5 && span < 2.0 ? std::optional(found) : std::nullopt;
 }
 
-/// The tag by which a surface says that its vertices are in the scanner's RAS already.
+/// Tells whether the surface has the tag that says its vertices are in the scanner's RAS already.
 bool isInScannerRas(std::string_view footer) {
   BinaryValues values(footer.data(), footer.data() + footer.size(), std::endian::big);
   std::int64_t tag = 0;
@@ -135,8 +135,8 @@ class FreeSurferParser {
     return Unit{};
   }
 
-  /// The vertices' axes are those of coronal slices, whatever the volume's: x against its columns,
-  /// y along its slices, z against its rows.
+  /// Places the mesh. The vertices' axes are those of coronal slices, whatever the volume's: x
+  /// against its columns, y along its slices, z against its rows.
   void place(std::string_view footer, RawMesh& mesh, std::vector<ImportWarning>& warnings) {
     if (isInScannerRas(footer)) {
       mesh.frameReason = "scanner RAS, as the surface says";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// GIFTI surfaces (www.nitrc.org/projects/gifti, "Geometry format", version 1.0): XML with one array
-// of vertices and one of triangles, each as text or base64, packed or not.
+// Reads GIFTI surfaces (www.nitrc.org/projects/gifti, "Geometry format", version 1.0): XML with one
+// array of vertices and one of triangles, each as text or base64, packed or not.
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
@@ -17,17 +17,17 @@ namespace sline::model {
 
 namespace {
 
-/// One DataArray: pieces of the file.
+/// Describes one DataArray: pieces of the file.
 struct GiftiArray {
   XmlTag tag;
   std::string_view intent;
   std::string_view data;
-  std::string_view space;    ///< in which the vertices are
-  std::string_view toSpace;  ///< where the matrix leads
+  std::string_view space;    ///< the space of the vertices
+  std::string_view toSpace;  ///< the space to which the matrix leads
   std::string_view matrix;
 };
 
-/// The text that `rest` begins with, blanks around it left out.
+/// Returns the text with which `rest` begins, blanks around it left out.
 std::string_view textBefore(std::string_view rest) {
   constexpr std::string_view cdata = "<![CDATA[";
   TextCursor at(rest);
@@ -56,7 +56,7 @@ std::optional<ScalarType> giftiType(std::string_view name) {
   return std::nullopt;
 }
 
-/// The numbers of an array of three columns, wherever they are.
+/// Reads the numbers of an array of three columns, wherever they are.
 class GiftiNumbers {
  public:
   GiftiNumbers(const Source& source, const GiftiArray& array) : m_source(source), m_array(array) {}
@@ -85,7 +85,8 @@ class GiftiNumbers {
 
   std::size_t rows() const { return m_rows; }
 
-  /// Calls put(row, column, values) for each number in the order of the file; `values` gives it.
+  /// Calls put(row, column, values) for each number in the order of the file; `values` gives the
+  /// number.
   template <class Put>
   Status each(const Put& put) {
     if (m_text)
@@ -199,7 +200,7 @@ class GiftiParser {
   }
 
   Status scan() {
-    // The document type that stands before the first element says nothing that counts.
+    // The document type that stands before the first element has no effect.
     const std::size_t root = m_source.text().find("<GIFTI");
     if (root == std::string_view::npos)
       return m_source.whole("has no element GIFTI", "Check that the file is a GIFTI file");
@@ -292,9 +293,9 @@ class GiftiParser {
     return read;
   }
 
-  /// Vertices stay where the file has them, as other programs show them. Only from coordinates that
-  /// are called unknown, a matrix that leads to the scanner's is followed; one that leads to an
-  /// atlas would change the head's shape.
+  /// Places the vertices. They stay where the file has them, as other programs show them. Only from
+  /// coordinates that are called unknown, a matrix that leads to the scanner's is followed; one
+  /// that leads to an atlas would change the head's shape.
   void place(const GiftiArray& points, RawMesh& mesh) const {
     mesh.frame = Frame::ras;
     mesh.frameReason = "GIFTI is RAS";
@@ -310,7 +311,8 @@ class GiftiParser {
       p = glm::vec3(matrix * glm::dvec4(glm::dvec3(p), 1.0));
   }
 
-  /// Row by row; false where it is none or mirrors, as no way to the scanner's coordinates does.
+  /// Reads a matrix row by row; false where it is none or mirrors, as no way to the scanner's
+  /// coordinates does.
   static bool matrixIn(std::string_view text, glm::dmat4& matrix) {
     TextCursor at(text);
     for (int row = 0; row < 4; ++row)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: vertices and faces; groups and objects become surfaces of their own. Normals,
-// texture coordinates, colours and materials are not read.
+// Reads Wavefront OBJ: vertices and faces; groups and objects become surfaces of their own.
+// Normals, texture coordinates, colours and materials are not read.
 #include <array>
 
 #include "model/import/readers/readers.h"
@@ -10,10 +10,10 @@
 namespace sline::model {
 
 namespace {
-/// A run of faces below one `g` or `o` statement.
+/// Describes a run of faces below one `g` or `o` statement.
 struct ObjGroup {
   std::string name;
-  std::string object;  ///< the enclosing `o`, where the name is a `g`'s
+  std::string object;  ///< the enclosing `o`, where the name belongs to a `g`
   std::size_t firstFace = 0;
 };
 
@@ -66,7 +66,7 @@ class ObjParser {
     return Unit{};
   }
 
-  /// To the next line that does not continue this one.
+  /// Moves to the next line that does not continue this one.
   void skipStatement() {
     bool continued = true;
     while (continued) {
@@ -124,7 +124,7 @@ class ObjParser {
     return Unit{};
   }
 
-  /// 1 is the first vertex, −1 the latest one.
+  /// Resolves an index: 1 is the first vertex, −1 the latest one.
   std::uint32_t resolved(std::int64_t index) const {
     if (index > 0)
       return indexFrom(index - 1);
@@ -135,7 +135,7 @@ class ObjParser {
     const std::string name(m_at.restOfLine());
     if (isObject)
       m_object = name;
-    // Nothing between two statements: the earlier one named nothing.
+    // There is nothing between two statements: the earlier one named nothing.
     if (m_groups.back().firstFace == m_faces.size())
       m_groups.pop_back();
     m_groups.push_back({name, isObject ? std::string() : m_object, m_faces.size()});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geomview OFF as text, with the prefixes ST, C and N (texture coordinates, colours and normals are
-// skipped). One vertex or face a line; # begins a comment.
+// Reads Geomview OFF as text, with the prefixes ST, C and N (texture coordinates, colours and
+// normals are skipped). There is one vertex or face a line; # begins a comment.
 #include "model/import/readers/readers.h"
 #include "model/import/source/surface_assembly.h"
 #include "model/import/source/text_cursor.h"
@@ -23,7 +23,7 @@ class OffParser {
   }
 
  private:
-  /// To the next line that says something.
+  /// Moves to the next line that has content.
   void toContent() {
     m_at.skipSpace();
     while (m_at.peek() == '#') {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PLY, text and binary of either byte order: the elements vertex, face and tristrips, whatever the
-// order and type of their properties; other elements are stepped over.
+// Reads PLY, text and binary of either byte order: the elements vertex, face and tristrips,
+// whatever the order and type of their properties; other elements are stepped over.
 #include "model/import/readers/ply_header.h"
 #include "model/import/readers/readers.h"
 #include "model/import/source/surface_assembly.h"
@@ -8,7 +8,7 @@
 namespace sline::model {
 
 namespace {
-/// Which of a vertex's properties are x, y and z.
+/// Says which of a vertex's properties are x, y and z.
 struct VertexLayout {
   std::size_t axis[3] = {SIZE_MAX, SIZE_MAX, SIZE_MAX};
   bool complete() const {
@@ -63,7 +63,8 @@ class PlyBody {
     if (element.properties.empty())
       return Unit{};
     std::uint64_t atMost = UINT64_MAX;
-    // What one record takes at least; a count above that is a lie and must not reserve memory.
+    // This is the least that one record takes; a count above that is a lie and must not reserve
+    // memory.
     std::uint64_t bytes = 0;
     for (const PlyProperty& property : element.properties)
       bytes += Values::text ? 2 : sizeOf(property.countType.value_or(property.type));
@@ -163,7 +164,7 @@ class PlyBody {
     return true;
   }
 
-  /// One list may hold several strips, −1 between them.
+  /// Reads strips; one list may hold several of them, −1 between them.
   bool readStrip(const PlyProperty& property) {
     const char* place = m_values.at();
     std::uint64_t count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header of a PLY file (Turk 1994, "The PLY Polygon File Format").
+// Reads the header of a PLY file (Turk 1994, "The PLY Polygon File Format").
 #pragma once
 
 #include <bit>
@@ -15,7 +15,7 @@ namespace sline::model {
 struct PlyProperty {
   std::string name;
   ScalarType type = ScalarType::float32;
-  std::optional<ScalarType> countType;  ///< of a list
+  std::optional<ScalarType> countType;  ///< set for a list
 };
 
 struct PlyElement {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// STL, text and binary. Corners of bit-equal coordinates become one vertex.
+// Reads STL, text and binary. Corners of bit-equal coordinates become one vertex.
 #include "model/base/letters.h"
 #include "model/import/readers/readers.h"
 #include "model/import/source/surface_assembly.h"
@@ -72,7 +72,8 @@ Result<RawMeshes> readBinary(const Source& source) {
   return onlySurfaces(source, std::move(result));
 }
 
-/// Text: solid NAME { facet normal x y z, outer loop, vertex x y z …, endloop, endfacet } endsolid.
+/// Reads text: solid NAME { facet normal x y z, outer loop, vertex x y z …, endloop, endfacet }
+/// endsolid.
 class TextParser {
  public:
   explicit TextParser(const Source& source) : m_source(source), m_at(source.text()) {}
@@ -90,7 +91,7 @@ class TextParser {
   }
 
  private:
-  /// The next word beyond comments; empty at the end.
+  /// Returns the next word beyond comments; empty at the end.
   std::string_view next() {
     m_at.skipSpace();
     while (m_at.peek() == '#') {
@@ -182,7 +183,8 @@ class TextParser {
   const char* m_place = nullptr;
 };
 
-/// Binary headers may begin with "solid" too, so the size decides first and then the content.
+/// Tells whether the file is text. Binary headers may begin with "solid" too, so the size decides
+/// first and then the content.
 bool isText(const Source& source) {
   if (source.size() >= headerBytes) {
     BinaryValues count(source.begin() + 80, source.end(), std::endian::little);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// 3D Studio's .3ds: chunks in chunks, each of an id, a length and what it holds. Vertices stand in
-// the scene's own coordinates (+z up), wherever a mesh's axes and its animation say it turns about,
-// so neither is looked at.
+// Reads 3D Studio's .3ds: chunks in chunks, each of an id, a length and its content. Vertices stand
+// in the scene's own coordinates (+z up), wherever a mesh's axes and its animation say it turns
+// about, so neither is looked at.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -38,7 +38,7 @@ enum Chunk3ds : std::uint16_t {
 constexpr std::size_t chunkHeader = 6;
 constexpr bool swap3ds = std::endian::native != std::endian::little;
 
-/// What one chunk holds, behind its header.
+/// Describes the content of one chunk, behind its header.
 struct ChunkSpan {
   std::uint16_t id = 0;
   const char* at = nullptr;
@@ -46,7 +46,7 @@ struct ChunkSpan {
   std::size_t size() const { return std::size_t(end - at); }
 };
 
-/// Text up to a zero, which `chunk` is moved behind.
+/// Returns text up to a zero, and moves `chunk` behind it.
 std::string_view textIn(ChunkSpan& chunk) {
   const char* zero = std::find(chunk.at, chunk.end, '\0');
   const std::string_view text(chunk.at, std::size_t(zero - chunk.at));
@@ -80,7 +80,8 @@ class ThreeDsReader {
   }
 
  private:
-  /// The chunks that stand one after another; one that is longer than what holds it is an error.
+  /// Returns the chunks that stand one after another; one that is longer than the chunk around it
+  /// is an error.
   Result<std::vector<ChunkSpan>> chunksIn(const ChunkSpan& in) const {
     std::vector<ChunkSpan> chunks;
     for (const char* at = in.at; in.end - at >= std::ptrdiff_t(chunkHeader);) {
@@ -104,7 +105,7 @@ class ThreeDsReader {
       const Result<std::vector<ChunkSpan>> entries = chunksIn(part);
       if (!entries)
         return entries.error();
-      // Objects refer to materials, which may stand behind them.
+      // Objects refer to materials, which may stand behind the objects.
       for (const ChunkSpan& entry : *entries)
         if (entry.id == material)
           if (const Status done = readMaterial(entry); !done)
@@ -141,7 +142,8 @@ class ThreeDsReader {
     return Unit{};
   }
 
-  /// Of two kinds of values the one for screens is written first, and stays.
+  /// Takes a colour. If there are two kinds of values, the one for screens is written first, and
+  /// stays.
   static void takeColour(const ChunkSpan& value, Material3ds& read) {
     const bool bytes = value.id == colourBytes || value.id == colourBytesGamma;
     const bool reals = value.id == colourFloat || value.id == colourFloatGamma;
@@ -207,7 +209,7 @@ class ThreeDsReader {
     return part.size() < 2 ? 0 : loadAs<std::uint16_t>(part.at, swap3ds);
   }
 
-  /// Three corners and flags each; behind them, which of them have which material.
+  /// Adds faces: three corners and flags each; behind them, which of them have which material.
   Status addFaces(const ChunkSpan& part, const std::vector<glm::vec3>& positions,
                   std::string_view name) {
     const std::size_t count = countIn(part);
@@ -243,7 +245,7 @@ class ThreeDsReader {
         materialOf[face] = used.size() - 1;
   }
 
-  /// Faces of one mesh that have the same material.
+  /// Holds the faces of one mesh that have the same material.
   struct PaintedFaces {
     const ChunkSpan& part;
     const std::vector<std::size_t>& materialOf;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// 3MF: objects are meshes or put together of other objects; the build says which of them there are,
-// where.
+// Reads 3MF: objects are meshes or put together of other objects; the build says which of them
+// there are, and where.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,11 +21,11 @@ namespace {
 
 constexpr std::size_t deepestObject = 64;
 constexpr std::size_t mostVisits = 100'000;
-/// What instances may make of a file beyond its own meshes.
+/// The bytes that instances may make of a file beyond its own meshes.
 constexpr std::uint64_t alwaysAllowed = std::uint64_t(64) << 20;
 constexpr std::uint64_t bytesPerByte = 16;
 
-/// An object that is to be put somewhere.
+/// Describes an object that is to be put somewhere.
 struct ObjectVisit {
   ThreeMfPart* part = nullptr;
   std::string object;
@@ -33,8 +33,8 @@ struct ObjectVisit {
   std::vector<std::string> groups;
 };
 
-/// Twelve numbers: the rows of a matrix that row vectors are multiplied with (§3.3). The identity
-/// where there is no text.
+/// Reads twelve numbers: the rows of a matrix with which row vectors are multiplied (§3.3). Returns
+/// the identity where there is no text.
 std::optional<glm::dmat4> transformIn(std::string_view text) {
   glm::dmat4 matrix(1.0);
   if (text.empty())
@@ -108,7 +108,7 @@ class ThreeMfReader {
     return Unit{};
   }
 
-  /// All items of the build; in a file without any, the objects that are no component.
+  /// Places all items of the build; in a file without any, the objects that are no component.
   Status placeBuild() {
     ThreeMfPart& root = m_document.root();
     bool any = false;
@@ -132,7 +132,7 @@ class ThreeMfReader {
     return Unit{};
   }
 
-  /// An <item> or <component>, inside what `above` has put somewhere.
+  /// Places an <item> or <component>, inside the placement that `above` has.
   Status place(const XmlNode& node, const ObjectVisit& above, std::size_t depth) {
     ObjectVisit visiting = above;
     visiting.object = node.attribute("objectid").value();
@@ -255,7 +255,8 @@ class ThreeMfReader {
     return mesh;
   }
 
-  /// What most of its triangles are painted with, else what the object is.
+  /// Returns the colour with which most of an object's triangles are painted, else the object's
+  /// own.
   static std::optional<Colour> colourOf(
       const XmlNode& object,
       const std::map<std::pair<std::string_view, std::int64_t>, std::size_t>& painted,
@@ -284,7 +285,7 @@ class ThreeMfReader {
   float m_millimetres = 1.0f;
   std::string m_unitReason;
   RawMeshes m_result;
-  /// Read once, however often they are placed.
+  /// Holds meshes that are read once, however often they are placed.
   std::map<const void*, std::unique_ptr<RawMesh>> m_meshes;
 };
 

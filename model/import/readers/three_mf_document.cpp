@@ -9,7 +9,7 @@ namespace sline::model {
 namespace {
 
 /// XML of coordinates shrinks to a tenth. A tree of it takes sixteen times the text at worst
-/// ("<a/>"), so that a file of 1 MB is worth no more than half a gigabyte.
+/// ("<a/>"), so that a file of 1 MB is granted no more than half a gigabyte.
 constexpr ZipLimits packageLimits{
     .members = 20'000, .unpackedBytes = std::uint64_t(4) << 30, .ratio = 30};
 constexpr const char* relations = "_rels/.rels";
@@ -27,7 +27,7 @@ std::string memberName(std::string_view path) {
   return std::string(path);
 }
 
-/// Where the package says its model is.
+/// Returns where the package says its model is.
 std::string modelNamed(const ZipReader& zip) {
   const ZipReader::Entry* entry = zip.find(relations);
   if (!entry || entry->size > largestRelations)
@@ -42,7 +42,7 @@ std::string modelNamed(const ZipReader& zip) {
   return usualModel;
 }
 
-/// "#RRGGBB" or "#RRGGBBAA", sRGB.
+/// Reads "#RRGGBB" or "#RRGGBBAA", sRGB.
 std::optional<Colour> colourIn(std::string_view text) {
   return text.size() == 9 ? colourFrom(text.substr(0, 7)) : colourFrom(text);
 }

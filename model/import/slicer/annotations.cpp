@@ -12,7 +12,7 @@ namespace sline::model {
 
 namespace {
 
-/// Many nodes may refer to one file.
+/// Limits the fiducials, because many nodes may refer to one file.
 constexpr std::size_t mostFiducials = 100'000;
 
 bool isFull(const SlicerScene& result) {
@@ -61,7 +61,7 @@ class FiducialReader {
 
   void annotation(const XmlNode& node, AnnotationKind kind) {
     Fiducial fiducial{.kind = kind, .text = node.attribute("name").value()};
-    // "x y z|x y z", RAS
+    // The points are "x y z|x y z", RAS.
     std::string_view rest = node.attribute("ctrlPtsCoord").value();
     while (!rest.empty() && fiducial.places.size() <= anchorCount(kind)) {
       const std::string_view one = rest.substr(0, rest.find('|'));

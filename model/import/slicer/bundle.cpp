@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Meshes and scenes as text shrink to a tenth; a bundle that grows more is none.
+/// Meshes and scenes as text shrink to a tenth; a file that grows more is no bundle.
 constexpr ZipLimits bundleLimits{
     .members = 20'000, .unpackedBytes = std::uint64_t(4) << 30, .ratio = 50};
 constexpr const char* remedy = "Save the bundle again in 3D Slicer";
@@ -34,7 +34,7 @@ bool isScene(const std::string& name) {
   return equalsIgnoringCase(fs::path(name).extension().string(), ".mrml");
 }
 
-/// What a surface's or a volume's file may have its numbers in.
+/// Tells whether the file is one in which a surface or a volume may have its numbers.
 bool isData(const std::string& name) {
   constexpr std::array<std::string_view, 4> endings{".raw", ".zraw", ".gz", ".bin"};
   const std::string extension = fs::path(name).extension().string();

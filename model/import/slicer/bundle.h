@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// 3D Slicer's bundle (.mrb): one ZIP with a scene and all that it refers to.
+// Reads 3D Slicer's bundle (.mrb): one ZIP with a scene and all the files that it refers to.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +14,9 @@ struct SlicerBundle {
   std::filesystem::path scene;  ///< the .mrml in it
 };
 
-/// Unpacks what a scene may need into a folder that is gone when the value is. Refuses what
-/// ZipReader refuses, and a bundle without a scene; of several scenes the outermost is taken, and
-/// of these the first by name.
+/// Unpacks the files that a scene may need into a folder that is deleted with the value. Refuses
+/// what ZipReader refuses, and a bundle without a scene; of several scenes the outermost is taken,
+/// and of these the first by name.
 Result<SlicerBundle> unpackBundle(const std::filesystem::path& file, const ReadLimits& limits);
 
 }  // namespace sline::model

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two formats of fiducials, from text in memory (private to model/import/fiducials).
+// Reads the two formats of fiducials from text in memory (private to model/import/fiducials).
 #pragma once
 
 #include <string_view>
@@ -8,9 +8,9 @@
 
 namespace sline::model {
 
-/// .fcsv; `file` is for messages.
+/// Reads .fcsv; `file` is for messages.
 Result<Fiducials> fiducialsInTable(std::string_view text, const std::filesystem::path& file);
-/// .mrk.json; `name` is what a line without a name of its own is called.
+/// Reads .mrk.json; `name` is the name given to a line without one of its own.
 Result<Fiducials> fiducialsInMarkups(std::string_view text, const std::filesystem::path& file,
                                      const std::string& name);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// .mrk.json: 3D Slicer's markups, of which points and lines come over.
+// Reads .mrk.json: 3D Slicer's markups, of which points and lines are imported.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -66,7 +66,7 @@ class MarkupsReader {
       std::move(points.begin(), points.end(), std::back_inserter(m_all.items));
   }
 
-  /// "mm", or a code: ["mm", "UCUM", "millimeter"].
+  /// Returns the length of "mm", or of a code: ["mm", "UCUM", "millimeter"].
   static double millimetres(const JsonValue& value) {
     const Json& json = value.json();
     const bool coded = json.is_array() && !json.empty();
@@ -97,7 +97,7 @@ class MarkupsReader {
     return !visible || visible->flag();
   }
 
-  /// None where the user has not set it yet.
+  /// Returns a point, or nothing where the user has not set it yet.
   static std::optional<Fiducial> controlPoint(const JsonValue& value, const Fiducial& model,
                                               double unit) {
     JsonObject object(value);

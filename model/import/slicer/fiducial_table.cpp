@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// .fcsv: comments that say how, then one line of comma-separated values per point.
+// Reads .fcsv: comments that give settings, then one line of comma-separated values per point.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -13,7 +13,7 @@ namespace sline::model {
 
 namespace {
 
-/// Fields of a line; one in double quotes may hold commas, and two such quotes for one.
+/// Returns the fields of a line; one in double quotes may hold commas, and two such quotes for one.
 std::vector<std::string> fieldsOf(std::string_view line) {
   std::vector<std::string> fields(1);
   bool quoted = false;
@@ -91,7 +91,7 @@ class TableReader {
             .remedy = "Save the fiducials again in 3D Slicer"};
   }
 
-  /// "# key = value"
+  /// Reads "# key = value".
   Status setting(std::string_view text) {
     const std::size_t cut = text.find('=');
     if (cut == std::string_view::npos)

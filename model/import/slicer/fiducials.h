@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// 3D Slicer's files of points and lines: .fcsv (Slicer 3 and 4) and .mrk.json (Slicer 4.11 and
-// later).
+// Reads 3D Slicer's files of points and lines: .fcsv (Slicer 3 and 4) and .mrk.json (Slicer 4.11
+// and later).
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace sline::model {
 
-/// A point (kind pin) or a line (kind distance).
+/// Describes a point (kind pin) or a line (kind distance).
 struct Fiducial {
   AnnotationKind kind = AnnotationKind::pin;
   std::vector<glm::dvec3> places;  ///< in the file's coordinates, millimetres
@@ -30,16 +30,17 @@ struct Fiducials {
   std::vector<ImportWarning> warnings;
 };
 
-/// By the name's ending; case is ignored.
+/// Tells whether the file is one of fiducials by the name's ending; case is ignored.
 bool isFiducialFile(const std::filesystem::path& file);
-/// ".fcsv or .mrk.json"
+/// Returns ".fcsv or .mrk.json".
 std::string fiducialExtensions();
 
-/// The error says which line or member is wrong. Curves, angles, planes and regions are left out
-/// with a warning. Where the file names no coordinate system, .fcsv is RAS and .mrk.json LPS.
+/// Reads the file; the error says which line or member is wrong. Curves, angles, planes and regions
+/// are left out with a warning. Where the file names no coordinate system, .fcsv is RAS and
+/// .mrk.json LPS.
 Result<Fiducials> readFiducials(const std::filesystem::path& file, const ReadLimits& limits);
 
-/// With its places in LPS, as an annotation of no scene yet.
+/// Returns an annotation with its places in LPS, in no scene yet.
 Annotation annotationOf(const Fiducial& fiducial);
 
 }  // namespace sline::model

@@ -12,14 +12,14 @@ namespace sline::model {
 
 namespace {
 
-/// One item of either hierarchy: a model, a group, or a group that stands for a model.
+/// Describes one item of either hierarchy: a model, a group, or a group that stands for a model.
 struct Item {
   std::string parent;
   std::string model;  ///< id of the model it shows; empty for a group
   XmlNode node;
   Style style;
 };
-/// By id, in the scene's order.
+/// Holds the items by id, in the scene's order.
 struct Items {
   std::vector<std::string> order;
   std::unordered_map<std::string, Item> byId;
@@ -39,7 +39,7 @@ Items modelHierarchy(const SlicerDocument& document) {
     if (item.model.empty())
       item.model = SlicerNodes::reference(node, "model");  // Slicer 3
     item.node = node;
-    // Only a collapsed node ("expanded" off) forces its style on what is below it.
+    // Only a collapsed node ("expanded" off) forces its style on the nodes below it.
     item.style = slicerStyle(document.nodes.referred(node, "display"));
     if (flag(node, "expanded", true))
       item.style.visible.reset();
@@ -55,7 +55,7 @@ Items subjectHierarchy(const SlicerDocument& document) {
   for (const XmlNode& top : document.scene.children("SubjectHierarchy")) {
     const std::string owner = SlicerNodes::reference(top, "associated");
     if (!owner.empty() || top.attribute("parentNodeRef")) {
-      // Slicer 4.2 to 4.8: one node per item.
+      // Slicer 4.2 to 4.8 have one node per item.
       items.add(top.attribute("id").value(),
                 {SlicerNodes::reference(top, "parent"), owner, top, {}});
       continue;
@@ -92,7 +92,7 @@ class Tree {
   }
 
  private:
-  /// The ids from the item up to the top; stops at a circle, with a warning.
+  /// Returns the ids from the item up to the top; stops at a circle, with a warning.
   std::vector<std::string> chain(std::string id) {
     std::vector<std::string> ids;
     std::set<std::string> seen;

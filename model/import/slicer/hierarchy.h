@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree of a .mrml scene: ModelHierarchy nodes (Slicer 3 and 4) or the SubjectHierarchy (4.9 and
-// later). Private to the reader.
+// Reads the tree of a .mrml scene: ModelHierarchy nodes (Slicer 3 and 4) or the SubjectHierarchy
+// (4.9 and later). Private to the reader.
 #pragma once
 
 #include <string>
@@ -22,10 +22,11 @@ struct SlicerDocument {
 std::unordered_map<std::string, std::size_t> readSlicerHierarchy(const SlicerDocument& document,
                                                                  SlicerScene& result);
 
-/// Colour, opacity and visibility of a ModelDisplay node; an empty node says nothing.
+/// Returns colour, opacity and visibility of a ModelDisplay node; an empty node says nothing.
 Style slicerStyle(const XmlNode& display);
 
-/// Of a SegmentationDisplay node: opacity and visibility; its segments have colours of their own.
+/// Returns opacity and visibility of a SegmentationDisplay node; its segments have colours of their
+/// own.
 Style slicerSegmentsStyle(const XmlNode& display);
 
 }  // namespace sline::model

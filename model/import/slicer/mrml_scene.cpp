@@ -20,10 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Scenes of whole bodies have some thousands.
+/// Scenes of whole bodies have some thousands of nodes.
 constexpr std::ptrdiff_t mostNodes = 100'000;
 
-/// Where a byte of the file lies, for people.
+/// Returns where a byte of the file lies, for people.
 std::string lineOf(std::string_view text, std::ptrdiff_t offset) {
   const std::string_view before = text.substr(0, std::size_t(std::max<std::ptrdiff_t>(0, offset)));
   return "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n'));
@@ -47,8 +47,8 @@ Result<std::string> wholeFile(const fs::path& file, const ReadLimits& limits) {
   return text;
 }
 
-/// "Slicer4.4.0" → 404; "Slicer4" → 400; nothing where no version is given. Scenes from 4.11 on
-/// wrote LPS, those before RAS.
+/// Reads "Slicer4.4.0" → 404; "Slicer4" → 400; nothing where no version is given. Scenes from 4.11
+/// on wrote LPS, those before RAS.
 std::optional<int> slicerVersion(const XmlNode& scene) {
   std::string_view text = scene.attribute("version").value();
   if (text.starts_with("Slicer"))
@@ -78,7 +78,7 @@ class SceneReader {
     const bool bare = result.models.empty();
     for (const XmlNode& node : m_scene.children("Segmentation"))
       readSegments(node, result);
-    // Scenes keep the label map their models were made from; then it is not drawn again.
+    // Scenes keep the label map from which their models were made; then it is not drawn again.
     if (bare && result.models.empty())
       for (const XmlNode& node : m_scene.children("LabelMapVolume"))
         readSegments(node, result);
@@ -139,7 +139,7 @@ void SceneReader::readModel(const XmlNode& node,
   result.models.push_back(std::move(model));
 }
 
-/// A segmentation or a label map: a group with a structure for each of its labels.
+/// Reads a segmentation or a label map: a group with a structure for each of its labels.
 void SceneReader::readSegments(const XmlNode& node, SlicerScene& result) {
   const std::string written = m_nodes.referred(node, "storage").attribute("fileName").value();
   const std::string name = node.attribute("name").value();

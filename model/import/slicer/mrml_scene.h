@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// 3D Slicer's scene file (.mrml, XML; Slicer 3, 4 and 5): which models it shows, where their files
-// are, their colours, places and hierarchy; its points and rulers; its camera and saved views.
+// Reads 3D Slicer's scene file (.mrml, XML; Slicer 3, 4 and 5): which models it shows, where their
+// files are, their colours, places and hierarchy; its points and rulers; its camera and saved
+// views.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +18,7 @@
 namespace sline::model {
 
 struct SlicerGroup {
-  std::string id;  ///< of its node in the scene
+  std::string id;  ///< id of its node in the scene
   std::string name;
   std::optional<std::size_t> parent;  ///< index of an earlier group
   Style style;
@@ -30,32 +31,34 @@ struct SlicerModel {
   std::optional<std::size_t> group;
   Style style;
   std::optional<glm::dmat4> toWorld;  ///< RAS → RAS, millimetres; parents' transforms included
-  Frame frame = Frame::ras;           ///< of the file, unless the file's own header says another
+  Frame frame = Frame::ras;           ///< the file's, unless its own header says another
   std::string frameReason;
-  bool segments = false;  ///< of a segmentation: its surfaces have names and colours of their own
+  bool segments = false;  ///< it is a segmentation: its surfaces have names and colours of their
+                          ///< own
 };
 
-/// A saved view, or with the camera alone what the scene was last seen from.
+/// Holds a saved view, or, if it has the camera alone, the last view of the scene.
 struct SlicerView {
   std::string name;
   Camera camera;                ///< LPS, millimetres
   std::vector<Style> groups;    ///< one for each of the scene's groups
   std::vector<Style> models;    ///< likewise; empty with `groups`: it leaves them as they are
-  std::vector<bool> fiducials;  ///< which of the scene's fiducials are shown; likewise
+  std::vector<bool> fiducials;  ///< which of the scene's fiducials are shown; empty: as they are
 };
 
 struct SlicerScene {
   std::vector<SlicerGroup> groups;  ///< parents first
   std::vector<SlicerModel> models;  ///< in the scene's order
   std::vector<Fiducial> fiducials;
-  std::vector<std::string> fiducialIds;  ///< of the node that each of them is of
+  std::vector<std::string> fiducialIds;  ///< ids of the nodes from which `fiducials` come
   std::vector<SlicerView> views;
   std::size_t named = 0;  ///< models and segmentations with a file, whether or not it is there
   std::vector<ImportWarning> warnings;
 };
 
-/// Broken XML or a file that is no scene is an error; models whose file is absent, lies outside the
-/// scene's folder or hangs on a cycle of references are left out or untransformed, with a warning.
+/// Reads the scene. Broken XML or a file that is no scene is an error; models with a file that is
+/// absent, lies outside the scene's folder or hangs on a cycle of references are left out or
+/// untransformed, with a warning.
 Result<SlicerScene> readSlicerScene(const std::filesystem::path& file, const ReadLimits& limits);
 
 }  // namespace sline::model

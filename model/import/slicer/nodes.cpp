@@ -24,7 +24,7 @@ std::string SlicerNodes::reference(const XmlNode& node, const char* role) {
     if (!ids.empty())
       return std::string(ids.substr(0, ids.find(' ')));
   }
-  // references="display:ID1 ID2;storage:ID3;"
+  // The attribute reads "display:ID1 ID2;storage:ID3;".
   std::string_view rest = node.attribute("references").value();
   while (!rest.empty()) {
     const std::string_view entry = rest.substr(0, rest.find(';'));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the nodes of a .mrml scene have their files, and which transforms lie over them. Private to
+// Finds the files of the nodes of a .mrml scene, and the transforms that apply to them. Private to
 // the reader.
 #pragma once
 
@@ -15,33 +15,34 @@
 
 namespace sline::model {
 
-/// Whether the relative path stays in the folder that it is relative to.
+/// Tells whether the relative path stays in the folder that it is relative to.
 bool staysInside(const std::filesystem::path& relative);
 
-/// The file that a node of the scene calls `written`, if it is there and inside the scene's folder;
-/// else nothing, with a warning.
+/// Returns the file that a node of the scene calls `written`, if it is there and inside the scene's
+/// folder; else nothing, with a warning.
 std::optional<std::filesystem::path> fileOfSlicer(const std::filesystem::path& scene,
                                                   const std::string& written,
                                                   std::vector<ImportWarning>& warnings);
 
 class SlicerTransforms {
  public:
-  /// `file` is the scene's name, for warnings. All must outlive it.
+  /// `file` is the scene's name, for warnings. All must outlive this object.
   SlicerTransforms(const SlicerNodes& nodes, std::string file, std::vector<ImportWarning>& warnings)
       : m_nodes(nodes), m_file(std::move(file)), m_warnings(warnings) {}
 
-  /// RAS → RAS, millimetres, of all transforms above the node; nothing where there are none or they
-  /// cannot be used (with a warning). `name` is what the node is called in it.
+  /// Returns the RAS → RAS transform in millimetres of all transforms above the node; nothing where
+  /// there are none or they cannot be used (with a warning). `name` is the name of the node in the
+  /// warning.
   std::optional<glm::dmat4> above(const XmlNode& node, const std::string& name);
 
  private:
-  /// Of a transform and all above it; absent where one cannot be used, and then `fault` says why
-  /// unless that was told already.
+  /// Holds the combined transform of a node and all above it; absent where one cannot be used, and
+  /// then `fault` says why unless that was reported already.
   struct World {
     std::optional<glm::dmat4> matrix;
     std::string fault;
   };
-  /// Each transform is looked at once, however much hangs below it.
+  /// Returns the combined transform. Each transform is looked at once, however much hangs below it.
   const World& worldOf(const std::string& id);
   std::optional<glm::dmat4> ownMatrix(const XmlNode& transform) const;
   void warn(std::string reason) const { m_warnings.push_back({m_file, std::move(reason)}); }

@@ -11,7 +11,7 @@ namespace sline::model {
 
 namespace {
 
-/// Views hold a copy of the scene each: more than this is no scene that a person made.
+/// Views hold a copy of the scene each: no scene made by a person has more than this.
 constexpr std::size_t mostViews = 200;
 constexpr const char* ownCamera = "3D Slicer's camera";
 
@@ -27,8 +27,8 @@ std::optional<float> numberIn(const XmlNode& node, const char* attribute) {
   return value ? std::optional(narrowed(value->front())) : std::nullopt;
 }
 
-/// What a camera node says: RAS, millimetres, the full vertical opening angle (VTK's 30° where it
-/// is not said), and half of what the height of a parallel view shows.
+/// Reads a camera node: RAS, millimetres, the full vertical opening angle (VTK's 30° where it is
+/// not said), and half of the height that a parallel view shows.
 std::optional<Camera> cameraOf(const XmlNode& node) {
   const auto eye = pointIn(node, "position");
   const auto target = pointIn(node, "focalPoint");
@@ -46,7 +46,7 @@ std::optional<Camera> cameraOf(const XmlNode& node) {
   return camera;
 }
 
-/// Of several cameras that of a 3D view.
+/// Returns the camera; of several that of a 3D view.
 std::optional<Camera> cameraIn(const XmlNode& scene) {
   std::optional<Camera> found;
   for (const XmlNode& node : scene.children("Camera")) {
@@ -59,7 +59,7 @@ std::optional<Camera> cameraIn(const XmlNode& scene) {
   return found;
 }
 
-/// A copy of the scene as it was when the view was saved.
+/// Represents a copy of the scene as it was when the view was saved.
 class SavedScene {
  public:
   explicit SavedScene(const XmlNode& scene) : m_nodes(scene) {
@@ -72,8 +72,8 @@ class SavedScene {
     }
   }
 
-  /// A group that is collapsed draws all that is in it in its own style; one that is not says
-  /// nothing.
+  /// Returns the style of a group. A group that is collapsed draws everything in it in its own
+  /// style; one that is not collapsed says nothing.
   Style group(const std::string& id) const {
     const XmlNode node = m_nodes.find(id);
     Style style;
@@ -105,7 +105,7 @@ class SavedScene {
   }
 
  private:
-  /// The outermost.
+  /// Returns the outermost collapsed group above the model.
   XmlNode collapsedAbove(const std::string& model) const {
     XmlNode outermost;
     std::set<std::string> seen;

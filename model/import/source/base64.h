@@ -7,12 +7,12 @@
 
 namespace sline::model {
 
-/// The bytes of base64 text (RFC 4648 §4), padding optional, white space skipped; none where
-/// another character occurs or the length does not fit.
+/// Returns the bytes of base64 text (RFC 4648 §4), padding optional, white space skipped; nothing
+/// where another character occurs or the length does not fit.
 std::optional<std::string> decodeBase64(std::string_view text);
 
-/// The first `count` bytes of base64 text, or none where it holds fewer; nothing behind is looked
-/// at.
+/// Returns the first `count` bytes of base64 text, or nothing where it holds fewer; the text behind
+/// them is not looked at.
 std::optional<std::string> decodeBase64Prefix(std::string_view text, std::size_t count);
 
 }  // namespace sline::model

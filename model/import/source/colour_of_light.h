@@ -10,8 +10,9 @@
 
 namespace sline::model {
 
-/// Amounts of light, 0 … 1 each, as colours of materials are told in formats made for renderers,
-/// through the sRGB transfer function (IEC 61966-2-1). What is no number counts as none.
+/// Converts amounts of light, 0 … 1 each, in which formats made for renderers give colours of
+/// materials, through the sRGB transfer function (IEC 61966-2-1). A value that is no number counts
+/// as no light.
 inline Colour colourOfLight(const glm::dvec3& linear) {
   const auto encoded = [](double light) {
     const double c = std::isnan(light) ? 0.0 : std::clamp(light, 0.0, 1.0);

@@ -7,8 +7,8 @@
 
 namespace sline::model {
 
-/// The file that `file` refers to as `name`, if it lies in `file`'s folder or below, links
-/// followed: what comes from outside must not be able to read any other file of its reader.
+/// Returns the file that `file` refers to as `name`, if it lies in `file`'s folder or below, links
+/// followed: a file from outside must not be able to make its reader read any other file.
 std::optional<std::filesystem::path> fileInFolder(const std::filesystem::path& file,
                                                   std::string_view name);
 

@@ -77,7 +77,7 @@ class Hex : public PackedBytes::Unpacker {
 class Deflated : public PackedBytes::Unpacker {
  public:
   explicit Deflated(std::string_view packed) : m_packed(packed) {
-    // 15: the largest window; + 32: gzip and zlib told apart by their beginning.
+    // 15 is the largest window; + 32 tells gzip and zlib apart by their beginning.
     m_open = inflateInit2(&m_stream, 15 + 32) == Z_OK;
     broken = !m_open;
   }
@@ -114,13 +114,14 @@ class Deflated : public PackedBytes::Unpacker {
     if (m_stream.avail_in > 0 || m_packed.empty())
       return;
     const std::size_t piece = std::min(m_packed.size(), mostAtOnce);
-    // zlib's interface is older than const.
+    // zlib's interface is older than the keyword const.
     m_stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(m_packed.data()));
     m_stream.avail_in = uInt(piece);
     m_packed.remove_prefix(piece);
   }
 
-  /// gzip files may be concatenated; what follows and is no gzip member is none of ours.
+  /// Moves to the next member: gzip files may be concatenated; bytes that follow and are no gzip
+  /// member are ignored.
   void nextMember() {
     feed();
     const bool more =
@@ -225,7 +226,7 @@ bool PackedBytes::cutOff() const {
 std::uint64_t mostUnpacked(std::uint64_t packed, Packing packing) {
   switch (packing) {
     case Packing::deflated:
-      // A match of 258 bytes takes two bits at least.
+      // A match of 258 bytes takes at least two bits.
       return packed * 1032;
     case Packing::bzip2:
       return std::numeric_limits<std::uint64_t>::max();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes as files store them, unpacked piece by piece: whatever the packed bytes claim to hold,
-// only the piece asked for is in memory.
+// Unpacks bytes as files store them, piece by piece: whatever the packed bytes claim to hold, only
+// the piece asked for is in memory.
 #pragma once
 
 #include <cstddef>
@@ -19,20 +19,20 @@ enum class Packing {
 
 class PackedBytes {
  public:
-  /// `packed` must outlive it.
+  /// `packed` must outlive this object.
   PackedBytes(std::string_view packed, Packing packing);
   ~PackedBytes();
   PackedBytes(PackedBytes&&) noexcept;
   PackedBytes& operator=(PackedBytes&&) noexcept;
 
-  /// Unpacks the next `count` bytes to `to`; fewer only where the data end or cannot be unpacked
-  /// any further.
+  /// Unpacks the next `count` bytes to `to`; returns fewer only where the data end or cannot be
+  /// unpacked any further.
   std::size_t read(char* to, std::size_t count);
-  /// Passes over `count` bytes; true if there were that many.
+  /// Passes over `count` bytes; returns true if there were that many.
   bool skip(std::uint64_t count);
-  /// The packed bytes are not what they should be, rather than at their end.
+  /// Tells whether the packed bytes are not what they should be, rather than at their end.
   bool broken() const;
-  /// Deflated bytes end in the middle of what they hold.
+  /// Tells whether deflated bytes end in the middle of their content.
   bool cutOff() const;
 
   struct Unpacker;
@@ -41,17 +41,17 @@ class PackedBytes {
   std::unique_ptr<Unpacker> m_unpacker;
 };
 
-/// The most that packed bytes can hold, from what the method can reach. bzip2 packs long runs
-/// almost without limit, so that this says little about it.
+/// Returns the most that packed bytes can hold, by the best ratio the method can reach. bzip2 packs
+/// long runs almost without limit, so that this says little about it.
 std::uint64_t mostUnpacked(std::uint64_t packed, Packing packing);
 
-/// The most that so many packed bytes of a surface are worth being unpacked: far more than any
-/// surface packs by, and little enough that no small file fills the memory.
+/// Returns the most bytes to which so many packed bytes of a surface may be unpacked: far more than
+/// any surface packs by, and little enough that no small file fills the memory.
 constexpr std::uint64_t mostOfSurface(std::uint64_t packed) {
   return (std::uint64_t(64) << 20) + 64 * packed;
 }
 
-/// Whether the bytes begin as those of gzip do.
+/// Tells whether the bytes begin as those of gzip do.
 inline bool beginsLikeGzip(std::string_view bytes) {
   return bytes.starts_with("\x1f\x8b");
 }

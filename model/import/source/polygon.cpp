@@ -16,8 +16,8 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// The loop seen along its Newell normal, counter-clockwise: the axis of the normal's largest
-/// component is dropped.
+/// Returns the loop as seen along its Newell normal, counter-clockwise: the axis of the normal's
+/// largest component is dropped.
 Plane projected(std::span<const std::uint32_t> loop, std::span<const glm::vec3> positions) {
   const glm::dvec3 origin(positions[loop[0]]);
   glm::dvec3 normal(0.0);
@@ -46,7 +46,7 @@ bool isConvex(const Plane& plane) {
   return true;
 }
 
-/// The loop that is left while ears are cut off it, as a ring of links.
+/// Holds the loop that is left while ears are cut off it, as a ring of links.
 struct Ring {
   const Plane& plane;
   std::vector<std::uint32_t> before;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A polygon in space → triangles.
+// Cuts a polygon in space into triangles.
 #pragma once
 
 #include <cstdint>

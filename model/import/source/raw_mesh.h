@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a reader hands on: one surface as it stands in its file, before frame, unit, repair and
-// smoothing are decided.
+// Describes the result of a reader: one surface as it stands in its file, before frame, unit,
+// repair and smoothing are decided.
 #pragma once
 
 #include <filesystem>
@@ -18,45 +18,47 @@
 
 namespace sline::model {
 
-/// How the x, y, z of a file map to the patient (LPS: left, posterior, superior; RAS: right,
+/// Says how the x, y, z of a file map to the patient (LPS: left, posterior, superior; RAS: right,
 /// anterior, superior); `file` leaves coordinates alone.
 enum class Frame { lps, ras, file };
 
 struct GreyVolume;  // volumes/grey_volume.h
 
 struct RawMesh {
-  std::string name;                 ///< the group's or node's name in the file; may be empty
-  std::vector<std::string> groups;  ///< enclosing named groups in the file, outermost first
-  std::string origin;               ///< told in place of the file's name, which may say whose it is
+  std::string name;                  ///< the group's or node's name in the file; may be empty
+  std::vector<std::string> groups;   ///< enclosing named groups in the file, outermost first
+  std::string origin;                ///< shown in place of the file's name, which may name the
+                                     ///< patient
   std::vector<glm::vec3> positions;  ///< in the file's own coordinates and unit
   std::vector<Triangle> triangles;   ///< polygons and strips already cut into triangles
   std::optional<Colour> colour;      ///< where the file gives the surface one colour
   std::optional<Opacity> opacity;
-  std::optional<Frame> frame;       ///< where the file's own header says so
-  std::string frameReason;          ///< which part of the header
+  std::optional<Frame> frame;       ///< set where the file's own header says so
+  std::string frameReason;          ///< the part of the header that says so
   float millimetresPerUnit = 1.0f;  ///< glTF: 1000 (its unit is the metre)
-  std::string unitReason;           ///< what in the file or its format fixes the unit; empty: none
-                                    ///< does, and it may be guessed
-  bool yUp = false;  ///< +y up and +z to the front of what faces its viewer, not +z up and −y;
-                     ///< `frame` is that after a quarter turn about x (uprightToLps)
+  std::string unitReason;           ///< the feature of the file or its format that fixes the unit;
+                                    ///< empty: none does, and it may be guessed
+  bool yUp = false;  ///< +y up and +z to the front of an object that faces its viewer, not +z up
+                     ///< and −y to the front; `frame` is that after a quarter turn about x
+                     ///< (uprightToLps)
   bool onlySideOpen = false;    ///< +y anterior and +z superior are known, and the frame says
                                 ///< only which way x runs: LPS mirrors it, in place of a turn
   std::string file;             ///< its own file's name where several were read together
   bool smooth = false;          ///< made smooth by its reader: not smoothed or refined again
-  std::optional<bool> visible;  ///< where the reader would rather hide it at first
+  std::optional<bool> visible;  ///< set where the reader would rather hide it at first
   std::optional<MoleculePart> molecule;  ///< cut from a molecule: named, grouped and coloured by
                                          ///< its reader, not by anatomy
-  float displacement = 0.0f;  ///< the farthest that reader moved a vertex, in the file's unit
-  std::optional<Threshold> threshold;  ///< what made it of a scan, with the bounds it came to
+  float displacement = 0.0f;  ///< the farthest that the reader moved a vertex, in the file's unit
+  std::optional<Threshold> threshold;  ///< made it from a scan; has resolved bounds
 };
 
-/// A scan as it stands in its file.
+/// Holds a scan as it stands in its file.
 struct RawScan {
   std::string file;  ///< as RawMesh::file
   std::shared_ptr<const GreyVolume> volume;
 };
 
-/// Something left out or mended on the way in; the rest of the file was read.
+/// Describes something left out or mended on the way in; the rest of the file was read.
 struct ImportWarning {
   std::string file;
   std::string reason;
@@ -66,7 +68,7 @@ struct ImportWarning {
 struct RawMeshes {
   std::vector<RawMesh> meshes;
   std::vector<ImportWarning> warnings;
-  std::vector<std::string> notes = {};  ///< what was done that is no loss
+  std::vector<std::string> notes = {};  ///< actions that are no loss
   std::vector<RawScan> scans = {};      ///< where they are asked for
 };
 

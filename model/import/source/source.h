@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One file, read once into memory, and the errors that point into it.
+// Reads one file once into memory, and makes errors that point into it.
 #pragma once
 
 #include <cstddef>
@@ -14,16 +14,16 @@
 
 namespace sline::model {
 
-/// The bytes of a file and its name as the user gave it. Every parser reads from here, so a place
-/// in a file is a pointer into `text()`.
+/// Holds the bytes of a file and its name as the user gave it. Every parser reads from here, so a
+/// place in a file is a pointer into `text()`.
 class Source {
  public:
-  /// Refuses folders, devices, empty files and files above `limits.fileBytes`. What is called .gz
-  /// and packed by gzip is unpacked, within the same limit and what so many packed bytes are worth
-  /// (mostOfSurface); places in it are then those in the unpacked text.
+  /// Refuses folders, devices, empty files and files above `limits.fileBytes`. A file that is
+  /// called .gz and packed by gzip is unpacked, within the same limit and the bound for so many
+  /// packed bytes (mostOfSurface); places in it are then those in the unpacked text.
   static Result<Source> read(const std::filesystem::path& file, const ReadLimits& limits);
-  /// The same, packed or not as it is stored: for readers that unpack piece by piece. `most`:
-  /// no more than so many bytes from the file's beginning are read.
+  /// Reads the file packed or not as it is stored, for readers that unpack piece by piece. No more
+  /// than `most` bytes from the file's beginning are read.
   static Result<Source> readStored(const std::filesystem::path& file, const ReadLimits& limits,
                                    std::size_t most = SIZE_MAX);
 
@@ -34,19 +34,20 @@ class Source {
   const std::string& file() const { return m_file; }
   const ReadLimits& limits() const { return m_limits; }
 
-  /// The remedy is "export the mesh again" unless one is given.
+  /// Makes an error about the whole file. The remedy is "export the mesh again" unless one is
+  /// given.
   Error whole(std::string reason, std::string remedy = {}) const;
-  /// `place` is told as the line it stands in.
+  /// Makes an error that gives `place` as the line it stands in.
   Error atLine(const char* place, std::string reason, std::string remedy = {}) const;
-  /// `place` is told as bytes from the file's beginning.
+  /// Makes an error that gives `place` as bytes from the file's beginning.
   Error atByte(const char* place, std::string reason, std::string remedy = {}) const;
-  /// `where` names a place that is neither line nor byte: "accessors[3]".
+  /// Makes an error at `where`, which names a place that is neither line nor byte: "accessors[3]".
   Error at(std::string where, std::string reason, std::string remedy = {}) const;
   ImportWarning warning(std::string reason) const { return {m_file, std::move(reason)}; }
 
  private:
   Source() = default;
-  /// Puts what the bytes hold in their place.
+  /// Replaces the packed bytes by their unpacked content.
   Status unpack();
   std::unique_ptr<char[]> m_bytes;
   std::size_t m_size = 0;
@@ -54,11 +55,12 @@ class Source {
   ReadLimits m_limits;
 };
 
-/// A frame of reference named in a comment or title, "SPACE=LPS" or "SPACE=RAS" as 3D Slicer
-/// writes.
+/// Returns a frame of reference named in a comment or title, "SPACE=LPS" or "SPACE=RAS" as 3D
+/// Slicer writes.
 std::optional<Frame> frameInText(std::string_view text);
 
-/// `word` shortened and with control characters replaced, so that it may stand in a message.
+/// Returns `word` shortened and with control characters replaced, so that it may stand in a
+/// message.
 std::string inQuotes(std::string_view word);
 
 }  // namespace sline::model

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all readers do once a file's vertices and faces are known: cut faces into triangles, judge
-// faces that point nowhere, leave out vertices that are no numbers, keep the limits.
+// Does what all readers do once a file's vertices and faces are known: cuts faces into triangles,
+// judges faces that point nowhere, leaves out vertices that are no numbers, keeps the limits.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace sline::model {
 
-/// Faces as a file lists them. `place` in the file is kept for the highest index only: it is where
-/// an index beyond the vertices is reported.
+/// Holds faces as a file lists them. `place` in the file is kept for the highest index only: it is
+/// where an index beyond the vertices is reported.
 class FaceList {
  public:
   void reserve(std::size_t faces, std::size_t corners) {
@@ -46,25 +46,25 @@ class FaceList {
 };
 
 /// Cuts a triangle strip: every other triangle is turned so that all face the same way. Triangles
-/// with a repeated corner only steer the strip and are left out. `place` as in FaceList::add.
+/// with a repeated corner only steer the strip and are left out. `place` is as in FaceList::add.
 void addStrip(std::span<const std::uint32_t> strip, FaceList& faces, const char* place);
 
-/// How the faces of a file fared.
+/// Counts how the faces of a file fared.
 struct CutTally {
   std::size_t faces = 0;
   std::size_t outOfRange = 0;
   std::size_t tooShort = 0;  ///< fewer than three corners
-  std::size_t vertices = 0;  ///< of the file
+  std::size_t vertices = 0;  ///< number of vertices in the file
 };
 
-/// Faces [first, last) of a list.
+/// Denotes faces [first, last) of a list.
 struct FaceRange {
   const FaceList& faces;
   std::size_t first = 0;
   std::size_t last = 0;
 };
 
-/// Appends the triangles of the faces; those at fault are counted and left out.
+/// Appends the triangles of the faces; faulty ones are counted and left out.
 void cutFaces(const FaceRange& range, std::span<const glm::vec3> positions,
               std::vector<Triangle>& triangles, CutTally& tally);
 
@@ -74,17 +74,17 @@ enum class BadFaces { areErrors, fewAreDropped };
 Status judge(const Source& source, const FaceList& faces, const CutTally& tally, BadFaces policy,
              std::vector<ImportWarning>& warnings);
 
-/// A copy of the vertices that triangles use, in the file's order, and the triangles renumbered.
-/// `scratch` is as long as `positions` or empty and is kept between calls.
+/// Keeps a copy of the vertices that triangles use, in the file's order, and renumbers the
+/// triangles. `scratch` is as long as `positions` or empty and is kept between calls.
 void keepUsed(std::span<const glm::vec3> positions, std::vector<std::uint32_t>& scratch,
               RawMesh& mesh);
 
-/// Adds a finished surface: triangles at vertices that are no finite numbers are left out with a
-/// warning while such vertices are at most a tenth (else an error), a surface without triangles is
-/// left out with a warning.
+/// Adds a finished surface. Triangles at vertices that are no finite numbers are left out with a
+/// warning while such vertices are at most a tenth (else it is an error); a surface without
+/// triangles is left out with a warning.
 Status finish(const Source& source, RawMesh mesh, RawMeshes& into);
 
-/// The one-surface case: cut, judge, finish; an error where no triangle is left.
+/// Cuts, judges and finishes the one surface of a file; returns an error where no triangle is left.
 Result<RawMeshes> assemble(const Source& source, RawMesh mesh, const FaceList& faces,
                            BadFaces policy, std::vector<ImportWarning> warnings = {});
 

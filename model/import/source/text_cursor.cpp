@@ -10,14 +10,15 @@
 namespace sline::model {
 
 namespace {
-/// What may follow a number: a number that runs into other text is not one.
+/// Tells whether a number may end here: a number that runs into other text is not one.
 bool endsNumber(const char* at, const char* end) {
   if (at == end || TextCursor::isSpace(*at))
     return true;
   return *at == '#' || *at == '\\' || *at == '\0';
 }
 
-/// from_chars reports overflow and underflow alike; tells them apart by the digits themselves.
+/// Returns the value of digits that are out of range. from_chars reports overflow and underflow
+/// alike; the digits themselves tell them apart.
 double outOfRangeValue(std::string_view digits) {
   const std::size_t exponent = digits.find_first_of("eE");
   const bool small = exponent == std::string_view::npos
@@ -26,7 +27,7 @@ double outOfRangeValue(std::string_view digits) {
   return small ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
-/// Microsoft's runtime writes 1.#QNAN, -1.#IND and 1.#INF.
+/// Skips 1.#QNAN, -1.#IND and 1.#INF, which Microsoft's runtime writes.
 bool skipMicrosoftNonFinite(const char*& at, const char* end) {
   if (at == end || *at != '#' || end - at < 4 || (at[1] != 'I' && at[1] != 'Q' && at[1] != 'S'))
     return false;

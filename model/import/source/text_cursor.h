@@ -7,7 +7,7 @@
 
 namespace sline::model {
 
-/// Reading position in [at, end). Lines end with \n, \r\n or \r.
+/// Is a reading position in [at, end). Lines end with \n, \r\n or \r.
 class TextCursor {
  public:
   TextCursor(const char* begin, const char* end) : m_at(begin), m_end(end) {}
@@ -37,22 +37,23 @@ class TextCursor {
     while (m_at != m_end && isSpace(*m_at))
       ++m_at;
   }
-  /// To the beginning of the next line.
+  /// Moves to the beginning of the next line.
   void skipLine();
   bool atLineEnd() const { return m_at == m_end || isLineEnd(*m_at); }
-  /// What is left of the line without blanks around it; moves to the next line.
+  /// Returns the rest of the line without blanks around it; moves to the next line.
   std::string_view restOfLine();
-  /// Up to the next blank or line end; empty at one.
+  /// Returns the text up to the next blank or line end; empty at one.
   std::string_view word();
-  /// The word at the position, which stays.
+  /// Returns the word at the position, which stays.
   std::string_view peekWord() const { return TextCursor(*this).word(); }
 
-  /// A decimal number at the position; "nan", "inf" and what overflows give a non-finite value, a
-  /// leading + is accepted. False, without moving, where there is none or it runs into other text.
+  /// Reads a decimal number at the position; "nan", "inf" and numbers that overflow give a
+  /// non-finite value, a leading + is accepted. Returns false, without moving, where there is none
+  /// or it runs into other text.
   bool number(float& value);
   bool number(double& value);
-  /// A whole number with sign; false, without moving, where there is none or it runs into letters,
-  /// a dot or a sign.
+  /// Reads a whole number with sign; returns false, without moving, where there is none or it runs
+  /// into letters, a dot or a sign.
   bool integer(std::int64_t& value);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers in a file's body, binary of either byte order or text, behind one shape, so that a format
-// that has both is parsed by one template.
+// Reads numbers in a file's body, binary of either byte order or text, behind one shape, so that a
+// format that has both is parsed by one template.
 #pragma once
 
 #include <algorithm>
@@ -29,12 +29,12 @@ enum class ScalarType : std::uint8_t {
   float64
 };
 
-/// Whether no coordinate of the point is infinite or not a number.
+/// Tells whether no coordinate of the point is infinite or not a number.
 inline bool isFinite(const glm::vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-/// Whether no entry of the matrix is infinite or not a number.
+/// Tells whether no entry of the matrix is infinite or not a number.
 inline bool isFinite(const glm::dmat4& matrix) {
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)
@@ -60,14 +60,14 @@ constexpr std::size_t sizeOf(ScalarType type) {
   }
 }
 
-/// The index of no vertex; what cannot be an index is read as this.
+/// The index of no vertex; a value that cannot be an index is read as this.
 inline constexpr std::uint32_t noVertex = 0xffffffffu;
 
 inline std::uint32_t indexFrom(std::int64_t value) {
   return value >= 0 && value < std::int64_t(noVertex) ? std::uint32_t(value) : noVertex;
 }
 
-/// The T stored at `at` (aligned or not), its bytes reversed where `swap`.
+/// Returns the T stored at `at` (aligned or not), its bytes reversed where `swap`.
 template <class T>
 T loadAs(const char* at, bool swap) {
   unsigned char bytes[sizeof(T)];
@@ -79,7 +79,7 @@ T loadAs(const char* at, bool swap) {
   return value;
 }
 
-/// A double narrowed to float; beyond its range it is infinite, never undefined.
+/// Returns a double narrowed to float; beyond its range it is infinite, never undefined.
 inline float narrowed(double value) {
   if (std::abs(value) <= double(std::numeric_limits<float>::max()) || !std::isfinite(value))
     return static_cast<float>(value);
@@ -112,7 +112,7 @@ inline float loadFloat(ScalarType type, const char* at, bool swap) {
   return 0.0f;
 }
 
-/// A real number as a whole one; −1 where it is none.
+/// Returns a real number as a whole one, or −1 where it is none.
 inline std::int64_t wholeNumber(double value) {
   return std::abs(value) < 9e15 && value == std::floor(value) ? std::int64_t(value) : -1;
 }
@@ -143,7 +143,7 @@ inline std::int64_t loadInteger(ScalarType type, const char* at, bool swap) {
   return -1;
 }
 
-/// Binary values one after another. Every read returns false, without moving, past the end.
+/// Reads binary values one after another. Every read returns false, without moving, past the end.
 class BinaryValues {
  public:
   static constexpr bool text = false;
@@ -173,7 +173,7 @@ class BinaryValues {
     m_at += count * sizeOf(type);
     return true;
   }
-  /// How many values of the type can still follow: a count above it is a lie.
+  /// Returns how many values of the type can still follow: a count above it is a lie.
   std::uint64_t atMost(ScalarType type) const { return std::uint64_t(m_end - m_at) / sizeOf(type); }
   void beginRecord() {}
   void endRecord() {}
@@ -185,7 +185,7 @@ class BinaryValues {
   bool m_swap;
 };
 
-/// Values as text, separated by blanks and line ends.
+/// Reads values as text, separated by blanks and line ends.
 class TextValues {
  public:
   static constexpr bool text = true;
@@ -218,7 +218,7 @@ class TextValues {
   std::uint64_t atMost(ScalarType) const {
     return (std::uint64_t(m_cursor.end() - m_cursor.at()) + 1) / 2;
   }
-  /// A record is a line; some writers put comments between them.
+  /// Begins a record, which is a line; some writers put comments between records.
   void beginRecord() {
     m_cursor.skipSpace();
     while (m_cursor.peek() == 'c' && m_cursor.peekWord() == "comment") {

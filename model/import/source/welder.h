@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Corners that lie at the same place become one vertex.
+// Merges corners that lie at the same place into one vertex.
 #pragma once
 
 #include <array>

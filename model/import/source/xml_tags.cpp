@@ -8,7 +8,7 @@ namespace sline::model {
 namespace {
 constexpr std::size_t nowhere = std::string_view::npos;
 
-/// One past the > that ends the tag at `at`, quotes respected.
+/// Returns the place one past the > that ends the tag at `at`, quotes respected.
 std::size_t tagEnd(std::string_view text, std::size_t at) {
   char quote = '\0';
   for (; at < text.size(); ++at) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tags of an XML file, one after another, without building a tree: enough to check numbers in a
-// file before a library that trusts them reads it.
+// Reads the tags of an XML file, one after another, without building a tree: enough to check
+// numbers in a file before a library that trusts them reads it.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct XmlTag {
   bool empty = false;                                                     ///< <name/>
   std::vector<std::pair<std::string_view, std::string_view>> attributes;  ///< entities unresolved
 
-  /// The attribute's text, or an empty one.
+  /// Returns the attribute's text, or an empty one.
   std::string_view attribute(std::string_view key) const;
   const char* begin() const { return text.data(); }
   const char* end() const { return text.data() + text.size(); }
@@ -27,10 +27,10 @@ class XmlTags {
  public:
   explicit XmlTags(std::string_view text) : m_text(text) {}
 
-  /// The next element tag; comments, declarations and text between, CDATA too, are stepped over.
-  /// None at the end and where a tag is malformed: `failure()` tells which.
+  /// Returns the next element tag; comments, declarations and text between, CDATA too, are stepped
+  /// over. Returns nothing at the end and where a tag is malformed: `failure()` tells which.
   std::optional<XmlTag> next();
-  /// Where the first malformed tag or document type declaration is, else null.
+  /// Returns where the first malformed tag or document type declaration is, else null.
   const char* failure() const { return m_failure; }
 
  private:

@@ -14,14 +14,15 @@ bool isCrossed(unsigned corners, unsigned edge) {
   return holds(corners, start) != holds(corners, start | 1u << edge / 4);
 }
 
-/// The edge between two corners that differ in one bit.
+/// Returns the edge between two corners that differ in one bit.
 unsigned edgeBetween(unsigned p, unsigned q) {
   const unsigned bit = p ^ q;
   const unsigned axis = bit == 1 ? 0 : bit == 2 ? 1 : 2;
   return cellEdge(axis, p >> (axis + 1) % 3 & 1u, p >> (axis + 2) % 3 & 1u);
 }
 
-/// The edges before and after one in its cycle; each lies in another of its two faces.
+/// Holds the edges before and after an edge in its cycle; each lies in another of that edge's two
+/// faces.
 using Links = std::array<std::uint8_t, 2>;
 
 void linkInFace(unsigned corners, unsigned face, bool joined, std::array<Links, 12>& links) {

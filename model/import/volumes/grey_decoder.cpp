@@ -14,7 +14,7 @@ namespace {
 constexpr double leastCode = std::numeric_limits<std::int16_t>::min();
 constexpr double mostCode = std::numeric_limits<std::int16_t>::max();
 
-/// What the numbers span, to put them into 16 bits.
+/// Holds the span of the numbers, to put them into 16 bits.
 struct Span {
   double least = std::numeric_limits<double>::max();
   double greatest = std::numeric_limits<double>::lowest();
@@ -37,7 +37,7 @@ void widen(Span& span, const VoxelRun& run) {
   }
 }
 
-/// number = step × code + zero.
+/// Converts by number = step × code + zero.
 struct Coding {
   double step = 1.0;
   double zero = 0.0;
@@ -70,7 +70,7 @@ Error greyFault(std::string reason, std::string remedy) {
   return Error{{}, {}, std::move(reason), std::move(remedy)};
 }
 
-/// The runs of the first layer, each with its numbers' type as visit<T>(run).
+/// Visits the runs of the first layer, each with its numbers' type as visit<T>(run).
 template <class Visit>
 Status forEachOfFirst(const VoxelLayout& layout, const VoxelBytes& stored, std::uint64_t all,
                       const std::function<bool()>& goesOn, const Visit& visit) {

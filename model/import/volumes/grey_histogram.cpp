@@ -64,7 +64,8 @@ double GreyHistogram::otsu() const {
   double dark = 0.0;
   double darkSum = 0.0;
   double best = -1.0;
-  double first = m_least;  // where the variance is the same from one intensity to another, between
+  double first = m_least;  // where the variance is the same between several intensities, the
+                           // middle of them is taken
   double last = m_least;
   for (std::size_t code = 0; code < m_counts.size() && intensity(code) < brightest; ++code) {
     dark += double(m_counts[code]);

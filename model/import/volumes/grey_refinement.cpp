@@ -15,7 +15,8 @@ constexpr std::size_t fewVoxels = std::size_t(1) << 23;
 constexpr std::size_t mostVoxels = std::size_t(1) << 26;
 constexpr double mostOblong = 1.6;
 
-/// Never beyond both neighbours: at the edge to air a cubic swings over as far as bone.
+/// Interpolates, but never goes beyond both neighbours: at the edge to air a cubic swings over as
+/// far as bone.
 std::int16_t between(int a, int b, int c, int d) {
   const int sum = 9 * (b + c) - a - d;
   return std::int16_t(std::clamp((sum + (sum < 0 ? -8 : 8)) / 16, std::min(b, c), std::max(b, c)));
@@ -56,7 +57,7 @@ double sideOf(const GreyVolume& volume, int axis) {
   return glm::length(glm::dvec3(volume.toLps[axis]));
 }
 
-/// The axis to go on with, or −1.
+/// Returns the axis to go on with, or −1.
 int coarsest(const GreyVolume& volume) {
   int longest = 0;
   double shortest = sideOf(volume, 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scanned volume of intensities, as CT and MR give: what a threshold makes a structure of.
+// Represents a scanned volume of intensities, as CT and MR give, from which a threshold makes a
+// structure.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,7 @@
 
 namespace sline::model {
 
-/// A grid of 16-bit intensities. The intensity of a voxel is slope × stored + intercept, in
+/// Holds a grid of 16-bit intensities. The intensity of a voxel is slope × stored + intercept, in
 /// Hounsfield units where `hounsfield` says so, else in the unit of the scanner.
 struct GreyVolume {
   glm::ivec3 size{0};
@@ -24,7 +25,7 @@ struct GreyVolume {
   bool hounsfield = false;
   std::string name;       ///< "CT"; never a patient's
   glm::dmat4 toLps{1.0};  ///< indices (a voxel's centre at whole numbers) → mm, LPS; invertible
-  std::optional<Frame> frame;  ///< in which the file speaks, as LabelVolume::frame
+  std::optional<Frame> frame;  ///< frame in which the file speaks, as LabelVolume::frame
   std::string frameReason;
   bool onlySideOpen = false;  ///< as RawMesh::onlySideOpen
   std::string unitReason;

@@ -10,7 +10,7 @@ std::uint16_t LabelCodes::of(std::int64_t value) {
   if (value == 0)
     return 0;
   if (value < 0) {
-    // Some programs mark what is outside their field of view with one value below zero.
+    // Some programs mark voxels outside their field of view with one value below zero.
     m_secondNegative = m_secondNegative || (m_negative != 0 && m_negative != value);
     m_negative = value;
     return 0;

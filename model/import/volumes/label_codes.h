@@ -12,13 +12,14 @@
 
 namespace sline::model {
 
-/// Numbers the values that stand in a volume in the order in which they come, and notices where
-/// they are no labels.
+/// Numbers the values in a volume in the order in which they occur, and notices where they are no
+/// labels.
 class LabelCodes {
  public:
   LabelCodes() : m_small(smallValues, 0) {}
 
-  /// 0 for background. What is no label becomes 0 as well, and `refusal` says so.
+  /// Returns the code of a value, 0 for background. A value that is no label becomes 0 as well, and
+  /// `refusal` says so.
   template <class T>
   std::uint16_t operator()(T value) {
     const std::uint16_t code = codeOf(value);
@@ -27,12 +28,13 @@ class LabelCodes {
     return code;
   }
 
-  /// What speaks against labels, given how many voxels are not background; empty: nothing.
+  /// Returns what speaks against labels, given how many voxels are not background; empty where
+  /// nothing does.
   std::string refusal(std::size_t taken) const;
-  /// Known as soon as it is certain.
+  /// Tells whether the values are no labels, as soon as that is certain.
   bool refused() const { return m_fractions || m_secondNegative || m_values.size() > mostValues; }
 
-  /// Labels by ascending value; codes in `voxels` are changed to match.
+  /// Returns labels by ascending value; codes in `voxels` are changed to match.
   std::vector<Label> sorted(std::vector<std::uint16_t>& voxels) const;
 
  private:
@@ -56,8 +58,8 @@ class LabelCodes {
 
   std::vector<std::uint16_t> m_small;
   std::unordered_map<std::int64_t, std::uint16_t> m_large;
-  std::vector<std::int64_t> m_values;  ///< of codes 1, 2, …
-  std::uint64_t m_changes = 0;         ///< how often a voxel's label was not that of the one before
+  std::vector<std::int64_t> m_values;  ///< value of codes 1, 2, …
+  std::uint64_t m_changes = 0;         ///< how often a voxel's label differed from the one before
   std::uint16_t m_last = 0;
   std::int64_t m_negative = 0;
   bool m_secondNegative = false;

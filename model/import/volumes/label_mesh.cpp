@@ -80,15 +80,16 @@ class Mesher {
     }
   }
 
-  /// Two sheets may run through the same two cells and be one node in each.
+  /// Tells whether an edge occurs twice: two sheets may run through the same two cells and be one
+  /// node in each.
   bool isTwice(std::uint32_t a, std::uint32_t b) const {
     const std::span<const LabelSheets::Side> sides = m_sheets.sidesOf(a);
     return sides.size() > 4 && std::count_if(sides.begin(), sides.end(),
                                              [b](const auto& side) { return side.next == b; }) > 1;
   }
 
-  /// The vertex between two nodes on the sheet of the face. The sheets are told apart by the voxel
-  /// at which they turn, one of those that are parted in the face between the two cells.
+  /// Returns the vertex between two nodes on the sheet of the face. The sheets are told apart by
+  /// the voxel at which they turn, one of those that are parted in the face between the two cells.
   std::uint32_t middle(std::uint32_t face, std::uint32_t a, std::uint32_t b) {
     unsigned side = 0;
     while (m_net.neighbours[cell(a)][side] != cell(b))
@@ -110,8 +111,8 @@ class Mesher {
     return std::uint32_t(found->second);
   }
 
-  /// True where, in the diagonal face behind the cell along the axis, not the structure's voxels
-  /// are parted but those of the higher label at the other two corners.
+  /// Returns true where, in the diagonal face behind the cell along the axis, not the structure's
+  /// voxels are parted but those of the higher label at the other two corners.
   bool higherParted(const SurfaceNet::Cell& low, unsigned axis) const {
     std::array<std::uint16_t, 4> others{};
     std::size_t count = 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t quadGrain = 8192;
 
-/// A cell's corners and the labels that stand there.
+/// Holds a cell's corners and the labels that stand there.
 struct CellLabels {
   std::array<std::uint16_t, 8> corners{};
   std::array<std::uint16_t, 8> labels{};  ///< ascending, each once
@@ -33,7 +33,7 @@ struct CellLabels {
     return bits;
   }
 
-  /// Faces in which a higher label lies at both other corners of the label's diagonal.
+  /// Returns the faces in which a higher label lies at both other corners of the label's diagonal.
   unsigned joined(std::uint16_t label, unsigned bits) const {
     unsigned faces = 0;
     for (unsigned face = 0; face < 6; ++face) {
@@ -69,7 +69,7 @@ class SheetBuilder {
   }
 
  private:
-  /// Calls visit(face, label) for both structures at each voxel edge whose ends differ.
+  /// Calls visit(face, label) for both structures at each voxel edge with ends that differ.
   template <class Visit>
   void forFaces(const Visit& visit) const {
     for (std::uint32_t i = 0; i < m_net.cells.size(); ++i) {
@@ -96,7 +96,7 @@ class SheetBuilder {
       first[i] += first[i - 1];
   }
 
-  /// Nodes of a cell stand together: by label, then by sheet.
+  /// Makes the nodes; those of a cell stand together: by label, then by sheet.
   void makeNodes() {
     const std::size_t count = m_net.cells.size();
     m_firstNode.assign(count + 1, 0);
@@ -130,7 +130,7 @@ class SheetBuilder {
     });
   }
 
-  /// The label's node in the cell on the sheet that crosses the edge.
+  /// Returns the label's node in the cell on the sheet that crosses the edge.
   std::uint32_t node(std::uint32_t cellIndex, std::uint16_t label, bool structureAtStart,
                      unsigned edge) const {
     const SurfaceNet::Cell& cell = m_net.cells[cellIndex];
@@ -153,7 +153,8 @@ class SheetBuilder {
     std::vector<std::size_t>& first = m_sheets.firstQuad;
     m_sheets.quads.resize(first.back());
     m_labels.resize(first.back());
-    // Each structure's beginning walks to its end, where the next one begins.
+    // The beginning of each structure's quads advances to their end, where the next structure's
+    // begin.
     forFaces([&](std::uint32_t face, std::uint16_t label) {
       m_labels[first[label]] = label;
       m_sheets.quads[first[label]++].face = face;
@@ -174,8 +175,8 @@ class SheetBuilder {
     const std::uint32_t nearB = m_net.neighbours[far][2 * b];
     const std::uint32_t nearC = m_net.neighbours[far][2 * c];
     const std::uint32_t near = m_net.neighbours[nearB][2 * c];
-    // Counter-clockwise seen from the edge's end, which is outside if the structure is at its
-    // start.
+    // The order is counter-clockwise seen from the edge's end, which is outside if the structure is
+    // at its start.
     std::array<std::uint32_t, 4> nodes = {node(near, label, atStart, cellEdge(axis, 1, 1)),
                                           node(nearC, label, atStart, cellEdge(axis, 0, 1)),
                                           node(far, label, atStart, cellEdge(axis, 0, 0)),
@@ -205,9 +206,9 @@ class SheetBuilder {
   const SurfaceNet& m_net;
   CellSheetTable m_table;
   LabelSheets m_sheets;
-  std::vector<std::uint32_t> m_firstNode;   ///< of each cell, and one more
-  std::vector<std::uint32_t> m_firstPoint;  ///< likewise
-  std::vector<std::uint16_t> m_labels;      ///< of each quad
+  std::vector<std::uint32_t> m_firstNode;   ///< start of each cell's nodes, and one more
+  std::vector<std::uint32_t> m_firstPoint;  ///< likewise for points
+  std::vector<std::uint16_t> m_labels;      ///< label of each quad
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface net taken apart into the closed surfaces of its structures, which keep sharing the
-// points at which they touch.
+// Splits a surface net into the closed surfaces of its structures, which keep sharing the points at
+// which they touch.
 #pragma once
 
 #include <array>
@@ -12,29 +12,30 @@
 
 namespace sline::model {
 
-/// A point is a place: the one of a cell, or one for each sheet where two structures meet in
-/// several sheets in it. A node is one structure's vertex at a point; around each node the
-/// structure's faces form one fan. Where structures or parts of one meet at diagonally neighbouring
-/// voxels, those of the higher label are parted.
+/// Holds points and nodes. A point is a place: the one of a cell, or one for each sheet where two
+/// structures meet in several sheets in it. A node is one structure's vertex at a point; around
+/// each node the structure's faces form one fan. Where structures or parts of one meet at
+/// diagonally neighbouring voxels, those of the higher label are parted.
 struct LabelSheets {
-  /// A face across the edge between two voxels, counter-clockwise seen from outside the structure.
+  /// Describes a face across the edge between two voxels, counter-clockwise seen from outside the
+  /// structure.
   struct Quad {
     std::array<std::uint32_t, 4> nodes;
-    /// The cell at its far end × 8, the axis of the voxel edge × 2, and whether the structure lies
-    /// at that edge's end rather than at its beginning.
+    /// Encodes the cell at its far end × 8, the axis of the voxel edge × 2, and whether the
+    /// structure lies at that edge's end rather than at its beginning.
     std::uint32_t face;
   };
-  /// The nodes after and before a node in one of its quads.
+  /// Holds the nodes after and before a node in one of its quads.
   struct Side {
     std::uint32_t next;
     std::uint32_t last;
   };
 
-  std::vector<std::uint32_t> cellOf;   ///< of each point
-  std::vector<std::uint32_t> pointOf;  ///< of each node
+  std::vector<std::uint32_t> cellOf;   ///< cell of each point
+  std::vector<std::uint32_t> pointOf;  ///< point of each node
   std::vector<Quad> quads;             ///< by label
   std::vector<std::size_t> firstQuad;  ///< label n has those from firstQuad[n − 1] to firstQuad[n]
-  std::vector<std::uint32_t> firstSide;  ///< of each node in `sides`, and one more
+  std::vector<std::uint32_t> firstSide;  ///< start of each node's sides in `sides`, and one more
   std::vector<Side> sides;
 
   std::span<const Quad> quadsOf(std::size_t label) const {
@@ -45,7 +46,8 @@ struct LabelSheets {
   }
 };
 
-/// `labels`: the highest there is. Quads beyond `mostQuads` are not made: none at all then.
+/// Returns the sheets; `labels` is the highest label there is. Where there are more than
+/// `mostQuads` quads, none are made.
 LabelSheets labelSheets(const VoxelBox& box, const SurfaceNet& net, std::size_t labels,
                         std::uint64_t mostQuads);
 

@@ -26,8 +26,8 @@ Error cancelled() {
   return surfaceFault("the import was cancelled", "Import it again");
 }
 
-/// The finest voxels are an electron microscope's; and what is computed in single precision must
-/// not vanish beside the longest side.
+/// Tells whether the matrix can be used. The finest voxels are an electron microscope's; and
+/// lengths computed in single precision must not vanish beside the longest side.
 bool isUsable(const glm::dmat4& matrix) {
   constexpr double shortest = 1e-9;  // mm
   constexpr double farthest = 1e7;
@@ -39,12 +39,12 @@ bool isUsable(const glm::dmat4& matrix) {
   const glm::dvec3 sides(glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])),
                          glm::length(glm::dvec3(matrix[2])));
   const auto [least, most] = std::minmax({sides.x, sides.y, sides.z});
-  // A sheared grid is fine, one whose axes lie in a plane is not.
+  // A sheared grid is fine, one with axes in a plane is not.
   return least >= shortest && most <= mostOblong * least &&
          std::abs(glm::determinant(glm::dmat3(matrix))) > 1e-4 * sides.x * sides.y * sides.z;
 }
 
-/// Millions of points take fewer steps, so that no volume takes minutes.
+/// Returns the relaxation; millions of points take fewer steps, so that no volume takes minutes.
 Relaxation relaxationOf(const Smoothing& smoothing, std::size_t points) {
   constexpr std::size_t pointSteps = 120'000'000;
   Relaxation relaxation;
@@ -117,7 +117,7 @@ class Surfacer {
     mesh.smooth = true;
     mesh.triangles = std::move(found.triangles);
     mesh.positions.reserve(found.positions.size());
-    // Files that speak RAS are given back what they say: half a turn, which keeps handedness.
+    // Files in RAS get coordinates back in RAS: half a turn, which keeps handedness.
     const double turn = m_volume.frame == Frame::ras ? -1.0 : 1.0;
     const glm::dmat3 axes(m_volume.toLps);
     double farthest = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surfaces of a label volume's structures.
+// Makes the surfaces of a label volume's structures.
 #pragma once
 
 #include <functional>
@@ -14,29 +14,29 @@
 
 namespace sline::model {
 
-/// One closed, outward oriented, manifold surface per label that has a voxel, in the order of
-/// `labels`, in millimetres in the volume's own frame. Structures that touch share their faces,
+/// Returns one closed, outward oriented, manifold surface per label that has a voxel, in the order
+/// of `labels`, in millimetres in the volume's own frame. Structures that touch share their faces,
 /// vertex for vertex. Where a label reaches the border of the volume its surface closes half a
 /// voxel outside the last voxel's centre.
 ///
 /// `options.smoothing`: `off` leaves each vertex in the middle of its cell, `steps` relaxes it that
 /// often within its cell, by less than half a voxel along any axis, `automatic` until steps are
 /// gone, by less than a voxel (net_relaxation.h). RawMesh::displacement says how far the farthest
-/// moved. Errors: more vertices or triangles than the limits allow, a matrix that cannot be
+/// vertex moved. Errors: more vertices or triangles than the limits allow, a matrix that cannot be
 /// inverted, and `goesOn` having said no; they name no file.
 Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& options);
 
-/// A volume's net with its sheets; a place is (x, y, z) of voxels of the box times `spacing`.
+/// Holds a volume's net with its sheets; a place is (x, y, z) of voxels of the box times `spacing`.
 struct LabelNet {
   const VoxelBox& box;
   const SurfaceNet& net;
   const LabelSheets& sheets;
   glm::vec3 spacing;
 };
-/// Where each point of the net comes to lie; nothing where it was told to give up.
+/// Returns where each point of the net comes to lie; nothing where it was told to give up.
 using NetPlacement = std::function<std::vector<glm::vec3>(const LabelNet&)>;
 
-/// The same where something else says where the surfaces pass.
+/// Returns the surfaces with vertices at the places that `placement` gives.
 Result<RawMeshes> placedSurfaces(const LabelVolume& volume, const ReadOptions& options,
                                  const NetPlacement& placement);
 

@@ -14,14 +14,15 @@ namespace sline::model {
 namespace {
 
 constexpr std::size_t pointGrain = 4096;
-/// Of a voxel: vertices of neighbouring cells stay apart, so that no face loses its area.
+/// A vertex moves by at most this share of a voxel: vertices of neighbouring cells stay apart, so
+/// that no face loses its area.
 constexpr float mostShift = 0.48f;
 constexpr float mostLooseShift = 0.98f;
-/// Along the mean of the neighbours; half of the stable range.
+/// A step towards the mean of the neighbours has this length, half of the stable range.
 constexpr float stepLength = 0.5f;
-/// Curvature around is measured anew after so many steps, when what was found before keeps most of
-/// its weight and is averaged over the neighbours once for each step; and now and then afresh, so
-/// that no step of the voxels that is gone lives on in it. It comes from six voxels around.
+/// Curvature around is measured anew after so many steps, when the earlier result keeps most of its
+/// weight and is averaged over the neighbours once for each step; and now and then afresh, so that
+/// a step of the voxels that is gone does not live on in it. It comes from six voxels around.
 constexpr int stepsPerMeasure = 4;
 constexpr float newShare = 0.05f;
 constexpr int stepsPerFreshMeasure = 20;
@@ -56,7 +57,7 @@ class Relaxer {
 
  private:
   struct Stride {
-    float mostShift;  ///< from the cell's centre, of a voxel
+    float mostShift;  ///< from the cell's centre, as a share of a voxel
     float momentum;
   };
 
@@ -79,8 +80,8 @@ class Relaxer {
     m_firstNode.pop_back();
   }
 
-  /// The points that pull at each one: its neighbours on every structure's surface. Two structures
-  /// that meet in one sheet have the same.
+  /// Gathers the points that pull at each one: its neighbours on every structure's surface. Two
+  /// structures that meet in one sheet have the same.
   void gatherPulls() {
     m_firstPull.assign(m_at.size() + 1, 0);
     const auto pulling = [this](std::size_t point) {
@@ -115,8 +116,8 @@ class Relaxer {
     return true;
   }
 
-  /// What each point is pulled by that belongs to the form of its surroundings and is not to be
-  /// followed: `m_target`.
+  /// Measures `m_target`, the part of each point's pull that belongs to the form of its
+  /// surroundings and is not to be followed.
   void measureCurvature(bool afresh) {
     const float share = afresh ? 1.0f : newShare;
     parallelFor(m_normals.size(), pointGrain, [this, share](std::size_t i) {
@@ -135,9 +136,9 @@ class Relaxer {
     });
   }
 
-  /// How far the mean of a node's neighbours lies outside its surface, and the mean square of their
-  /// distances; the ratio is half the mean curvature where they lie evenly, however densely that
-  /// is. Sets the normal.
+  /// Returns how far the mean of a node's neighbours lies outside its surface, and the mean square
+  /// of their distances; the ratio is half the mean curvature where they lie evenly, however
+  /// densely that is. Sets the normal.
   glm::vec2 curvature(std::size_t node) {
     const glm::vec3& at = place(std::uint32_t(node));
     const std::span<const LabelSheets::Side> sides = m_sheets.sidesOf(node);
@@ -156,8 +157,8 @@ class Relaxer {
     return {glm::dot(m_normals[node], sum) / float(sides.size()), m_squares[node]};
   }
 
-  /// The share of the pull that is the form's. Averaging pull and square apart rather than their
-  /// ratio keeps the volume: crowded nodes would have too much to say.
+  /// Returns the share of the pull that belongs to the form. Averaging pull and square apart rather
+  /// than their ratio keeps the volume: crowded nodes would have too much weight.
   float wanted(std::uint32_t node) const {
     const glm::vec2& around = m_curvature[node];
     return around.y > 0.0f ? around.x / around.y * m_squares[node] : 0.0f;
@@ -171,8 +172,8 @@ class Relaxer {
     return sum / float(sides.size() + 1);
   }
 
-  /// One step with heavy-ball momentum (B. T. Polyak, USSR Comput. Math. Math. Phys. 4(5), 1964),
-  /// without which a step twenty voxels long would take hundreds.
+  /// Makes one step with heavy-ball momentum (B. T. Polyak, USSR Comput. Math. Math. Phys. 4(5),
+  /// 1964), without which a step twenty voxels long would take hundreds.
   void move(const Stride& stride) {
     const glm::vec3 most = stride.mostShift * m_spacing;
     parallelFor(m_at.size(), pointGrain, [&](std::size_t i) {
@@ -192,18 +193,18 @@ class Relaxer {
   const SurfaceNet& m_net;
   const LabelSheets& m_sheets;
   glm::vec3 m_spacing;
-  std::vector<std::uint32_t> m_firstNode;  ///< of each point in m_nodes, and one more
+  std::vector<std::uint32_t> m_firstNode;  ///< start of each point's nodes in m_nodes, and one more
   std::vector<std::uint32_t> m_nodes;
   std::vector<std::uint32_t> m_firstPull;  ///< likewise in m_pulls
   std::vector<std::uint32_t> m_pulls;
   std::vector<glm::vec3> m_at;
-  std::vector<glm::vec3> m_ahead;  ///< where the momentum leads from m_at
+  std::vector<glm::vec3> m_ahead;  ///< where the momentum leads, starting from m_at
   std::vector<glm::vec3> m_nextAhead;
   std::vector<glm::vec3> m_target;
-  std::vector<glm::vec3> m_normals;    ///< of nodes
+  std::vector<glm::vec3> m_normals;    ///< one for each node
   std::vector<glm::vec2> m_curvature;  ///< likewise
   std::vector<glm::vec2> m_averaged;
-  std::vector<float> m_squares;  ///< of the distances to a node's neighbours, their mean
+  std::vector<float> m_squares;  ///< mean square of the distances to a node's neighbours
 };
 
 }  // namespace

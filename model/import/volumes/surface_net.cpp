@@ -18,7 +18,7 @@ bool uniform(const Corners& c, std::size_t a, std::size_t b, std::size_t d, std:
   return c[a] == c[b] && c[a] == c[d] && c[a] == c[e];
 }
 
-/// Bit n: the surface crosses face n.
+/// Returns a mask in which bit n says that the surface crosses face n.
 unsigned crossedFaces(const Corners& c) {
   return unsigned(!uniform(c, 0, 2, 4, 6)) | unsigned(!uniform(c, 1, 3, 5, 7)) << 1 |
          unsigned(!uniform(c, 0, 1, 4, 5)) << 2 | unsigned(!uniform(c, 2, 3, 6, 7)) << 3 |
@@ -104,7 +104,7 @@ class NetBuilder {
     });
   }
 
-  /// The cell at x in the row; it is there because the surface crosses the face towards it.
+  /// Returns the cell at x in the row; it is there because the surface crosses the face towards it.
   std::uint32_t find(std::size_t row, std::uint16_t x) const {
     const auto begin = m_net.cells.begin() + m_first[row];
     const auto end = m_net.cells.begin() + m_first[row + 1];
@@ -134,7 +134,7 @@ class NetBuilder {
   const std::function<bool()>& m_goesOn;
   glm::ivec3 m_size;
   std::atomic<bool> m_stopped = false;
-  std::vector<std::uint32_t> m_first;  ///< of each row's cells, and one more
+  std::vector<std::uint32_t> m_first;  ///< start of each row's cells, and one more
   std::vector<std::uint8_t> m_crossed;
   SurfaceNet m_net;
 };

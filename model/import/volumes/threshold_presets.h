@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a threshold can make of a scan without a number being known: one table for the command line,
-// the dialog and the reader.
+// Lists the structures that a threshold can make of a scan without a number being known: one table
+// for the command line, the dialog and the reader.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,14 @@
 namespace sline::model {
 
 struct ThresholdPreset {
-  /// How the low bound is found in scans without Hounsfield units.
+  /// Says how the low bound is found in scans without Hounsfield units.
   enum class Brightness {
     unknown,   ///< not at all: there bone is as dark as air
-    body,      ///< what parts the body from the air around
+    body,      ///< where the body is best parted from the air around
     brightest  ///< the brightest fiftieth of the body
   };
 
-  std::string_view name;  ///< what the structure is called; anatomical names colour it
+  std::string_view name;  ///< the structure's name; anatomical names colour it
   double hounsfield;      ///< the low bound in CT
   Brightness otherwise;
   bool outerSurface;  ///< the largest piece alone, with all that it encloses in axial slices
@@ -30,12 +30,12 @@ struct ThresholdPreset {
 };
 
 std::span<const ThresholdPreset> thresholdPresets();
-/// By its name; case is ignored. Null where there is none.
+/// Returns the preset by its name; case is ignored. Null where there is none.
 const ThresholdPreset* presetNamed(std::string_view name);
-/// "bone, skin or vessels"
+/// Returns "bone, skin or vessels".
 std::string presetList();
 
-/// Where a structure's intensities lie; at least one of both is there.
+/// Holds the bounds of a structure's intensities; at least one of both is there.
 struct IntensityBounds {
   std::optional<double> low;
   std::optional<double> high;
@@ -44,9 +44,10 @@ struct IntensityBounds {
   }
 };
 
-/// The threshold's own, else those of its preset in this scan. The error says why there are none.
+/// Returns the threshold's own bounds, else those of its preset in this scan. The error says why
+/// there are none.
 Result<IntensityBounds> boundsOf(const Threshold& threshold, const GreyVolume& volume);
-/// The same where the histogram is at hand.
+/// Does the same where the histogram is at hand.
 Result<IntensityBounds> boundsOf(const Threshold& threshold, bool hounsfield,
                                  const GreyHistogram& histogram);
 

@@ -25,7 +25,7 @@ Error thresholdFault(std::string reason, std::string remedy) {
   return Error{{}, {}, std::move(reason), std::move(remedy)};
 }
 
-/// Volumes as people tell them.
+/// Writes volumes as people do.
 std::string volumeText(double cubicMillimetres) {
   const bool large = cubicMillimetres >= 1000.0;
   const double value = large ? cubicMillimetres / 1000.0 : cubicMillimetres;
@@ -79,7 +79,7 @@ class Thresholder {
   }
   double voxelVolume() const { return std::abs(glm::determinant(glm::dmat3(m_volume.toLps))); }
 
-  /// False where nothing is within the bounds.
+  /// Makes the mask; returns false where nothing is within the bounds.
   bool makeMask() {
     std::vector<std::uint8_t> within(65536);
     for (std::size_t code = 0; code < within.size(); ++code)
@@ -139,7 +139,7 @@ class Thresholder {
                               : thresholdFault("the import was cancelled", "Import it again");
   }
 
-  /// Cavities as small as specks are noise like them; nobody sees them.
+  /// Fills cavities as small as specks, which are noise like them; they cannot be seen.
   Status fillCavities(double specks) {
     const std::optional<VoxelPieces> hollows = VoxelPieces::find(m_mask, true, m_options.goesOn);
     if (!hollows)
@@ -151,7 +151,7 @@ class Thresholder {
     return Unit{};
   }
 
-  /// The axis of the grid along the body.
+  /// Returns the axis of the grid along the body.
   int longAxis() const {
     int best = 2;
     double most = -1.0;
@@ -166,8 +166,9 @@ class Thresholder {
     return best;
   }
 
-  /// How far between two voxels' middles the bounds are crossed, from the one inside; amid them
-  /// where their intensities do not tell: what was filled or left out, and the volume's border.
+  /// Returns how far between two voxels' middles the bounds are crossed, from the one inside; the
+  /// middle where their intensities do not tell: voxels that were filled or left out, and the
+  /// volume's border.
   double crossing(double inside, std::optional<double> outside) const {
     if (!outside || !m_bounds.contain(inside) || m_bounds.contain(*outside))
       return 0.5;
@@ -214,7 +215,8 @@ class Thresholder {
     return relaxedAt;
   }
 
-  /// What takes the voxels' steps and noise away; skin is even over a wider reach.
+  /// Returns the relaxation that takes the voxels' steps and noise away; skin is even over a wider
+  /// reach.
   Relaxation relaxationHere() const {
     if (m_options.smoothing.mode == Smoothing::Mode::off)
       return {.steps = 0, .looseSteps = 0};
@@ -238,7 +240,7 @@ class Thresholder {
 
 Result<ThresholdSurface> thresholdSurface(const GreyVolume& volume, const Threshold& threshold,
                                           const ReadOptions& options) {
-  // Bounds that are found by what the scan holds are found in what was measured.
+  // Bounds that depend on the scan's contents are found in the measured data.
   const Result<IntensityBounds> bounds = boundsOf(threshold, volume);
   if (!bounds)
     return bounds.error();

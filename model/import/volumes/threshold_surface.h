@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface of all that has an intensity within bounds.
+// Makes the surface around all voxels that have an intensity within bounds.
 #pragma once
 
 #include <string>
@@ -12,15 +12,15 @@
 namespace sline::model {
 
 struct ThresholdSurface {
-  RawMesh mesh;                    ///< RawMesh::threshold says which bounds it came to
-  std::vector<std::string> notes;  ///< what was left out of it and why
+  RawMesh mesh;                    ///< RawMesh::threshold holds the resolved bounds
+  std::vector<std::string> notes;  ///< says which pieces were left out of it and why
 };
 
-/// One closed, outward oriented, manifold surface in the volume's own frame, as labelSurfaces makes
-/// it of a mask; each vertex lies in the mean of where intensities cross the bounds on the edges
-/// around it, and is then relaxed within its cell. `options.smoothing` says how often; `off` leaves
-/// it where it is. Left out are pieces that are smaller than the specks of the preset of the
-/// threshold's name and than a thousandth of the largest piece. Errors: no bounds
+/// Returns one closed, outward oriented, manifold surface in the volume's own frame, as
+/// labelSurfaces makes it of a mask; each vertex lies in the mean of where intensities cross the
+/// bounds on the edges around it, and is then relaxed within its cell. `options.smoothing` says how
+/// often; `off` leaves it where it is. Pieces are left out that are smaller than the specks of the
+/// preset of the threshold's name and than a thousandth of the largest piece. Errors: no bounds
 /// (threshold_presets.h), nothing within them, those of labelSurfaces; they name no file.
 Result<ThresholdSurface> thresholdSurface(const GreyVolume& volume, const Threshold& threshold,
                                           const ReadOptions& options);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By the name's ending.
+/// Opens the volume by the name's ending.
 Result<VolumeFile> openVolume(const fs::path& file, const ReadOptions& options) {
   fs::path name = file;
   if (equalsIgnoringCase(name.extension().string(), ".gz"))
@@ -54,7 +54,8 @@ std::string shortNumber(double value) {
   return text.str();
 }
 
-/// Nothing of an MR or PET image is that far below zero.
+/// Tells whether the values look like Hounsfield units: no value of an MR or PET image is that far
+/// below zero.
 bool looksLikeHounsfield(const GreyVolume& volume) {
   constexpr double air = -800.0;
   constexpr double dense = 150.0;

@@ -24,7 +24,7 @@ constexpr std::size_t atATime = 3;
 bool sameGrid(const LabelVolume& a, const LabelVolume& b) {
   if (a.size != b.size || a.frame != b.frame)
     return false;
-  // Two programs may round the same place differently: a hundredth of a voxel is none.
+  // Two programs may round the same place differently: a hundredth of a voxel is no difference.
   const double voxel = glm::length(glm::dvec3(a.toLps[0]));
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 3; ++row) {
@@ -42,7 +42,7 @@ bool overlap(const LabelVolume& a, const LabelVolume& b) {
   return false;
 }
 
-/// "liver" of "liver.nii.gz" and of "liver.seg.nrrd".
+/// Returns "liver" for "liver.nii.gz" and for "liver.seg.nrrd".
 std::string nameOf(const fs::path& file) {
   fs::path name = file.filename();
   for (const char* ending : {".gz", ".nii", ".hdr", ".img", ".mgz", ".mgh", ".nrrd", ".nhdr",
@@ -52,7 +52,7 @@ std::string nameOf(const fs::path& file) {
   return name.string();
 }
 
-/// A volume under way and the file behind each of its labels.
+/// Holds a volume under way and the file behind each of its labels.
 struct Open {
   LabelVolume volume;
   std::vector<std::string> files;
@@ -168,8 +168,8 @@ class Set {
     std::vector<std::string> names;
     for (const Label& label : open.volume.labels)
       names.push_back(label.name);
-    // Surfaces come in the labels' order, without those that have no voxel; the place in the list
-    // goes with each as its name.
+    // Surfaces come in the labels' order, without those that have no voxel; each carries its place
+    // in the list as its name.
     for (std::size_t i = 0; i < names.size(); ++i)
       open.volume.labels[i].name = std::to_string(i);
     LabelVolumes volumes;

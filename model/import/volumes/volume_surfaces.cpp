@@ -13,8 +13,8 @@ namespace sline::model {
 
 namespace {
 
-/// Real segmentations have up to three vertices for each packed byte, small ones fewer than a
-/// million in all.
+/// Bounds the options: real segmentations have up to three vertices for each packed byte, small
+/// ones fewer than a million in all.
 ReadOptions boundedBy(ReadOptions options, std::uint64_t bytes) {
   options.limits.vertices = std::min(options.limits.vertices, (std::uint64_t(1) << 20) + 2 * bytes);
   options.limits.triangles =
@@ -22,7 +22,7 @@ ReadOptions boundedBy(ReadOptions options, std::uint64_t bytes) {
   return options;
 }
 
-/// Layers share what their file is allowed.
+/// Spends a part of the limit; layers share the budget of their file.
 void spend(std::uint64_t& limit, std::size_t count) {
   limit -= std::min<std::uint64_t>(limit, count);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Volume files → surfaces, as the table of file kinds wants them.
+// Makes surfaces of volume files, as the table of file kinds wants them.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,17 @@
 
 namespace sline::model {
 
-/// The surfaces of all volumes that came from a file of `bytes` bytes: what a small file may cost
-/// is bounded by its size. Errors as those of labelSurfaces.
+/// Returns the surfaces of all volumes that came from a file of `bytes` bytes: the cost of a small
+/// file is bounded by its size. Errors are those of labelSurfaces.
 Result<RawMeshes> volumeSurfaces(const LabelVolumes& volumes, std::uint64_t bytes,
                                  const ReadOptions& options);
 
-/// A structure for each threshold that is meant for the scan, which came from the file or folder of
-/// that name, and the scan itself where scans are kept. What a threshold finds nothing for becomes
-/// a warning; an error only where nothing came of any.
+/// Returns a structure for each threshold that is meant for the scan, which came from the file or
+/// folder of that name, and the scan itself where scans are kept. A threshold that finds nothing
+/// becomes a warning; it is an error only where nothing is left.
 Result<RawMeshes> scanSurfaces(const RawScan& scan, const ReadOptions& options);
 
-/// Label volumes and scans of any format.
+/// Reads label volumes and scans of any format.
 Result<RawMeshes> readVolumeSurfaces(const std::filesystem::path& file, const ReadOptions& options);
 
 }  // namespace sline::model

@@ -29,7 +29,7 @@ class Decoder {
     }
   }
 
-  /// False as soon as the values are certain to be no labels.
+  /// Takes the run; returns false as soon as the values are certain to be no labels.
   bool take(const VoxelRun& run) {
     withNumberType(run.type, [&]<class T>(T) { takeAs<T>(run); });
     return std::none_of(m_codes.begin(), m_codes.end(),
@@ -48,7 +48,7 @@ class Decoder {
   }
 
  private:
-  /// A label that is off a whole number by what its scale was rounded by is that number.
+  /// Returns the label; one that is off a whole number by the rounding of its scale is that number.
   double scaledLabel(double stored) const {
     const double value = m_layout.slope * stored + m_layout.intercept;
     const double whole = std::round(value);
@@ -70,7 +70,7 @@ class Decoder {
     }
   }
 
-  /// Most voxels are what the one before is.
+  /// Most voxels have the value of the one before.
   template <class T>
   void takeOfOneLayer(const VoxelRun& run) {
     std::uint16_t* to = m_volumes[0].voxels.data() + run.first;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a volume's stored numbers to the structures its voxels belong to.
+// Converts a volume's stored numbers to the structures that its voxels belong to.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,12 @@ namespace sline::model {
 
 struct DecodedLabels {
   std::vector<LabelVolume> volumes;  ///< one per layer
-  std::string image;  ///< what shows that its values are an image's; there are no volumes then
+  std::string image;                 ///< evidence that the values are an image's; no volumes then
 };
 
-/// The volumes have neither names, directions nor place; a label's name is empty. Voxels whose
-/// value is not a number count as background, and so does one negative value. Errors are those of
-/// forEachRun, with the file's name.
+/// Decodes the volumes, which have neither names, directions nor place; a label's name is empty.
+/// Voxels with a value that is not a number count as background, and so does one negative value.
+/// Errors are those of forEachRun, with the file's name.
 Result<DecodedLabels> decodeLabels(const VoxelLayout& layout, const VoxelBytes& stored,
                                    const std::function<bool()>& goesOn);
 

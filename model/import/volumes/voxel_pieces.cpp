@@ -80,7 +80,7 @@ void VoxelPieces::joinRows(std::size_t row, std::size_t other) {
 }
 
 void VoxelPieces::number() {
-  // A root stands before all that belong to it.
+  // A root stands before all runs that belong to it.
   for (std::uint32_t run = 0; run < m_runs.size(); ++run) {
     Run& own = m_runs[run];
     if (own.piece == run) {
@@ -114,7 +114,7 @@ void fillSlices(LabelVolume& mask, int axis) {
     const auto voxel = [&](int x, int y) -> std::uint16_t& {
       return begin[std::size_t(x) * stride[u] + std::size_t(y) * stride[v]];
     };
-    // Outside is what an edge of the slice leads to.
+    // The outside is everything that an edge of the slice leads to.
     std::vector<bool> outside(std::size_t(width) * std::size_t(height), false);
     std::vector<std::array<int, 2>> front;
     const auto reach = [&](int x, int y) {

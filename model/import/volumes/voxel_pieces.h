@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mask of voxels, by its connected pieces.
+// Splits a mask of voxels into its connected pieces.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,18 @@
 
 namespace sline::model {
 
-/// Voxels that are not 0, or those that are, belong together where they share a face. Held as runs
-/// along rows: memory is that of the mask's surface rather than of its volume.
+/// Groups voxels that are not 0, or those that are, into pieces of voxels that share a face. They
+/// are held as runs along rows: memory is that of the mask's surface rather than of its volume.
 class VoxelPieces {
  public:
-  /// None where `goesOn` says no, or where a third of all voxels or more begin runs of their own.
+  /// Returns the pieces, or nothing where `goesOn` says no, or where a third of all voxels or more
+  /// begin runs of their own.
   static std::optional<VoxelPieces> find(const LabelVolume& mask, bool ofBackground,
                                          const std::function<bool()>& goesOn);
 
-  /// How many voxels each piece has.
+  /// Returns the number of voxels of each piece.
   const std::vector<std::uint64_t>& sizes() const { return m_sizes; }
-  /// Turns those pieces into the other kind.
+  /// Turns the marked pieces into the other kind.
   void invert(LabelVolume& mask, const std::vector<bool>& pieces) const;
 
  private:
@@ -37,11 +38,12 @@ class VoxelPieces {
 
   bool m_background = false;
   std::vector<Run> m_runs;
-  std::vector<std::size_t> m_firstRun;  ///< of each row (z slowest), and one more
+  std::vector<std::size_t> m_firstRun;  ///< first run of each row (z slowest), and one more
   std::vector<std::uint64_t> m_sizes;
 };
 
-/// Fills what is enclosed in each slice across the axis: all that does not reach the slice's edge.
+/// Fills the regions enclosed in each slice across the axis: all that do not reach the slice's
+/// edge.
 void fillSlices(LabelVolume& mask, int axis);
 
 }  // namespace sline::model

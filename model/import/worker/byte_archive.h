@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values as bytes in the machine's own order, for two programs on one machine. Each type's fields
-// are listed once, in a function `visitFields(archive, value)`, which the writer and the reader
-// share.
+// Writes values as bytes in the machine's own order, for two programs on one machine. Each type's
+// fields are listed once, in a function `visitFields(archive, value)`, which the writer and the
+// reader share.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace sline::model {
 template <class T>
 concept PlainValue = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
-/// Values that are copied byte by byte: numbers, and arrays and vectors of them.
+/// Is true for values that are copied byte by byte: numbers, and arrays and vectors of them.
 template <class T>
 inline constexpr bool copiesAsBytes = PlainValue<T>;
 
@@ -77,7 +77,7 @@ class ByteReader {
   void operator()(T&... values) {
     (take(values), ...);
   }
-  /// Whether all was there, and nothing more.
+  /// Tells whether all values were there, and nothing more.
   bool complete() const { return m_good && m_bytes.empty(); }
   bool good() const { return m_good; }
   void fail() { m_good = false; }

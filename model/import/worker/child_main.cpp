@@ -74,12 +74,12 @@ int runReadingChild(std::span<const ChildReader> readers) {
   const Result<ReadRequest> request = decodedRequest(bytes);
   if (!request || request->files.empty())
     return 2;
-  // A child that ends without a word has not answered.
+  // A child that ends without an answer has left the file empty.
   if (ftruncate(exchangeDescriptor, 0) != 0)
     return 1;
   confineThisProcess({request->limits.childBytes, request->limits.childSeconds});
-  // What libraries do at the end of a program cannot spoil an answer that is there, and a checker
-  // of leaks would find itself refused what it needs.
+  // Ending here keeps library code that runs at the end of a program from spoiling the answer; a
+  // checker of leaks would find itself refused the system calls it needs.
   _exit(writeAll(encodedAnswer(answerTo(*request, readers))) ? 0 : 1);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reading child's side: takes the request, reads under confinement, answers.
+// Implements the reading child's side: takes the request, reads under confinement, answers.
 #pragma once
 
 #include <filesystem>
@@ -11,23 +11,23 @@
 
 namespace sline::model {
 
-/// A reader that works in a child, by the kind of file it is for.
+/// Describes a reader that works in a child, by its kind of file.
 struct ChildReader {
   std::string_view kind;  ///< FileKind::name
   Result<RawMeshes> (*read)(std::span<const std::filesystem::path>, const ReadOptions&);
 };
 
-/// A reader of one file as a ChildReader wants it.
+/// Adapts a reader of one file to ChildReader.
 template <auto reader>
 Result<RawMeshes> readingFirst(std::span<const std::filesystem::path> files,
                                const ReadOptions& options) {
   return reader(files.front(), options);
 }
 
-/// Descriptor over which request and answer go: a file in memory.
+/// The descriptor over which request and answer go: a file in memory.
 inline constexpr int exchangeDescriptor = 3;
 
-/// Does what the request on `exchangeDescriptor` asks for, writes the answer in its place and ends
+/// Does the work of the request on `exchangeDescriptor`, writes the answer in its place and ends
 /// the process. Returns only where there was no request, with the status to end with.
 int runReadingChild(std::span<const ChildReader> readers);
 

@@ -39,7 +39,8 @@ void limit(__rlimit_resource resource, std::uint64_t amount) {
 constexpr sock_filter load(std::size_t offset) {
   return {BPF_LD | BPF_W | BPF_ABS, 0, 0, unsigned(offset)};
 }
-/// Jumps over so many instructions where the loaded number is `value`, and on to the next else.
+/// Jumps over `over` instructions where the loaded number is `value`, and on to the next one
+/// otherwise.
 constexpr sock_filter jumpIf(unsigned value, unsigned char over) {
   return {BPF_JMP | BPF_JEQ | BPF_K, over, 0, value};
 }
@@ -47,7 +48,7 @@ constexpr sock_filter answer(unsigned value) {
   return {BPF_RET | BPF_K, 0, 0, value};
 }
 
-/// The kernel answers "not permitted" to the calls listed.
+/// Makes the kernel answer "not permitted" to the calls listed.
 void refuseCalls() {
   if (machine == 0 || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
     return;

@@ -24,7 +24,7 @@ inline constexpr bool copiesAsBytes<Triangle> = true;
 template <>
 inline constexpr bool copiesAsBytes<Colour> = true;
 
-// Names for all fields of a type: the compiler refuses the list when a field is added.
+// The functions name all fields of a type: the compiler refuses the list when a field is added.
 
 template <class Archive>
 void visitFields(Archive& archive, ReadLimits& limits) {

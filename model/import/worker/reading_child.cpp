@@ -28,7 +28,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int millisecondsBetweenLooks = 20;
-/// A child that waits, for a disc that hangs or for itself, uses no time of computing.
+/// A child that waits, for a disc that hangs or for itself, uses no computing time.
 constexpr std::uint64_t waitingFactor = 6;
 
 /// A descriptor that closes with its owner.
@@ -47,7 +47,7 @@ class Descriptor {
   int m_number;
 };
 
-/// Ends and reaps the child, however one leaves.
+/// Ends and reaps the child, however the scope is left.
 class Child {
  public:
   explicit Child(pid_t id) : m_id(id), m_handle(int(syscall(SYS_pidfd_open, id, 0))) {}
@@ -61,7 +61,7 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Waits a moment; true once the child has ended.
+  /// Waits a moment; returns true once the child has ended.
   bool hasEnded() {
     pollfd handle{m_handle.number(), POLLIN, 0};
     // Without a handle (kernels before 5.3) this just waits.
@@ -87,7 +87,7 @@ std::optional<pid_t> started(const std::filesystem::path& program, int exchange)
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  // Libraries talk; what matters comes with the answer.
+  // Libraries print messages; the important ones come with the answer.
   posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, exchange, exchangeDescriptor);
@@ -103,13 +103,13 @@ std::optional<pid_t> started(const std::filesystem::path& program, int exchange)
   return std::nullopt;
 }
 
-/// What is at most two digits long and says how much.
+/// Returns the size in gigabytes with one decimal.
 std::string gigabytes(std::uint64_t bytes) {
   const std::uint64_t tenths = bytes / 100'000'000;
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " GB";
 }
 
-/// With what stands for "the usual" replaced by it.
+/// Returns the limits with the usual values in place of their stand-ins.
 ReadLimits settled(ReadLimits limits, std::span<const std::filesystem::path> files) {
   if (limits.childBytes == 0)
     limits.childBytes =
@@ -129,7 +129,7 @@ Error ended(const std::string& reason) {
   return {{}, {}, reason, "It may be damaged: export it again, or in another format"};
 }
 
-/// Why there is no answer.
+/// Returns why there is no answer.
 Error faultOf(int status, std::string_view kind, const ReadLimits& limits) {
   const std::string reader = "the reader of " + std::string(kind) + " files ";
   if (WIFEXITED(status) && WEXITSTATUS(status) == outOfMemoryStatus)
@@ -158,7 +158,7 @@ Result<RawMeshes> answerIn(int exchange) {
   return answer;
 }
 
-/// The answer of the child, without the file's name in errors.
+/// Returns the answer of the child, without the file's name in errors.
 Result<RawMeshes> askChild(const std::filesystem::path& program, const ReadRequest& request,
                            const std::function<bool()>& goesOn) {
   const Descriptor exchange(memfd_create("sline-reader", MFD_CLOEXEC));

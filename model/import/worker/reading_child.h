@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading in a process of its own, for kinds of file whose readers stand on libraries that a
-// spoiled file may bring down: whatever happens there becomes an error here.
+// Reads in a process of its own, for kinds of file with readers that stand on libraries that a
+// damaged file may bring down: whatever happens there becomes an error here.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace sline::model {
 
-/// The program that reads: what the environment names in SLINE_READER, else `sline-reader` beside
-/// the running program or in ../lib/sline. Empty where there is none.
+/// Returns the program that reads: the one that the environment names in SLINE_READER, else
+/// `sline-reader` beside the running program or in ../lib/sline. Empty where there is none.
 std::filesystem::path readerProgram();
 
 /// Asks the child to read files that belong together, most often one. It is ended as soon as

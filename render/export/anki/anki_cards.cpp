@@ -16,10 +16,11 @@ namespace sline::render {
 
 namespace {
 
-/// Pixels: no screen for cards shows more, and collections travel over the net.
+/// Pixels: no screen for cards shows more, and collections are sent over networks.
 constexpr int widestCard = 1600;
 
-/// Without a word on it, as pictures are drawn: averaged where pixels are not fine enough.
+/// Returns the picture without any text, drawn as pictures are: averaged where pixels are not fine
+/// enough.
 Result<Image> groundOf(const ExportOrder& order) {
   const Result<HeadlessPicture> picture = HeadlessPicture::create();
   if (!picture.ok())
@@ -32,7 +33,7 @@ Result<Image> groundOf(const ExportOrder& order) {
                             samplesAtOnce(size));
 }
 
-/// The plate with those labels alone.
+/// Returns the plate with those labels alone.
 LabelPlate onlyThose(const LabelPlate& plate, std::size_t asked, bool others) {
   LabelPlate some{.style = plate.style, .labels = {}, .texts = {}, .layout = plate.layout};
   for (std::size_t i = 0; i < plate.labels.size(); ++i)
@@ -58,7 +59,8 @@ class Cards {
     return painted(onlyThose(m_plate, i, m_order.of<AnkiOptions>().othersShown), nullptr);
   }
 
-  /// The text's place is told by the leader alone: a box as long as the text would tell much.
+  /// Returns the picture of a question. Only the leader tells the text's place: a box as long as
+  /// the text would give much away.
   Result<std::string> question(std::size_t i) const {
     LabelPlate plate = m_plate;
     plate.texts[i].lines.clear();
@@ -71,7 +73,7 @@ class Cards {
   }
 
  private:
-  /// At that side of the label's own box that faces the place.
+  /// Returns a box at the side of the label's own box that faces the place.
   LabelBox boxFor(const PlacedLabel& placed, const glm::vec2& place) const {
     const float height = 1.3f * lineHeightMm(m_plate.style);
     const float width = 2.0f * height;
@@ -130,7 +132,7 @@ class Cards {
   const Marks& m_marks;
 };
 
-/// Its name stands for its bytes.
+/// Adds a picture; its name is derived from its bytes.
 std::string addPicture(AnkiDeck& deck, std::string png) {
   std::string name = "sline-" + hexOf(fingerprintOf(png)) + ".png";
   const bool known = std::any_of(deck.media.begin(), deck.media.end(),

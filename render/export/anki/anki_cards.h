@@ -7,8 +7,8 @@
 namespace sline::render {
 
 /// Draws the order's picture once and over it, for each label that has a place in it, a question (a
-/// box at the end of the leader) and the answer; they are no wider than 1600 pixels. The error says
-/// where there are no labels; progress may stop it (`givenUp`).
+/// box at the end of the leader) and the answer; the pictures are no wider than 1600 pixels. The
+/// error reports a scene without labels; progress may stop it (`givenUp`).
 Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progress);
 
 }  // namespace sline::render

@@ -7,7 +7,7 @@ namespace sline::render {
 
 std::string htmlText(std::string_view text) {
   QString clean = QString::fromUtf8(text.data(), qsizetype(text.size())).simplified();
-  // What no text shows could end a field of Anki's.
+  // Characters that no text shows could end a field of Anki's.
   for (QChar& c : clean)
     if (c.category() == QChar::Other_Control)
       c = QChar::ReplacementCharacter;

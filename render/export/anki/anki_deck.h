@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A deck of cards for Anki, before it is written in one form or another.
+// Holds a deck of cards for Anki before it is written in one form or another.
 #pragma once
 
 #include <cstdint>
@@ -12,29 +12,29 @@
 namespace sline::render {
 
 struct AnkiNote {
-  std::string id;        ///< the same for the same label of the same deck, so that it is replaced
+  std::string id;  ///< the same for the same label of the same deck, so that the card is replaced
   std::string question;  ///< name of a picture
-  std::string answer;    ///< likewise
+  std::string answer;    ///< name of a picture
   std::string label;     ///< plain text
 };
 
 struct AnkiDeck {
   std::string name;
-  std::string description;        ///< plain text; packages alone have a place for it
+  std::string description;        ///< plain text; only packages have a place for it
   std::vector<std::string> tags;  ///< without spaces
   std::vector<AnkiNote> notes;
-  /// Pictures, each once. Their names stand for what they show and are ASCII, as all decks of a
-  /// person share one folder.
+  /// Pictures, each once. Their names are derived from their contents and are ASCII, as all decks
+  /// of a user share one folder.
   std::vector<model::ZipMember> media;
 };
 
-/// The text as HTML shows it, on one line; bytes that are no UTF-8 become U+FFFD.
+/// Returns the text as HTML shows it, on one line; bytes that are not UTF-8 become U+FFFD.
 std::string htmlText(std::string_view text);
-/// A tag of a name: spaces and what Anki gives a meaning become "_".
+/// Makes a tag of a name: spaces and characters to which Anki gives a meaning become "_".
 std::string ankiTag(std::string_view name);
-/// FNV-1a, 64 bits.
+/// Returns the FNV-1a hash, 64 bits.
 std::uint64_t fingerprintOf(std::string_view bytes);
-/// 16 hexadecimal digits.
+/// Returns 16 hexadecimal digits.
 std::string hexOf(std::uint64_t value);
 
 }  // namespace sline::render

@@ -5,9 +5,9 @@
 
 namespace sline::render {
 
-/// Cards that ask for the labels of the order's picture (`ankiCards`). A name that ends with .apkg
-/// becomes a package that Anki opens; with .zip, deck.txt and the pictures in a ZIP; any other a
-/// new folder of those.
+/// Writes cards that ask for the labels of the order's picture (`ankiCards`). A name that ends with
+/// .apkg gives a package that Anki opens; .zip gives a ZIP of deck.txt and the pictures; any other
+/// name gives a new folder of those.
 Status writeAnki(const ExportOrder& order, const std::filesystem::path& target,
                  const ExportProgress& progress);
 

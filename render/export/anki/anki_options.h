@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of decks of cards that ask for labels.
+// Declares the options of decks of cards that ask for labels.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace sline::render {
 
 struct AnkiOptions {
-  std::string deck;          ///< its name; empty: the view's, or "Anatomy"
-  bool othersShown = false;  ///< a card shows the other labels, too
+  std::string deck;          ///< the deck's name; empty: the view's, or "Anatomy"
+  bool othersShown = false;  ///< a card also shows the other labels
 };
 
 OptionList ankiOptions();

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Value = std::variant<std::int64_t, std::string>;
 
-/// Anki takes these numbers for moments, in milliseconds; ours stand for no day.
+/// Anki takes these numbers for times in milliseconds; ours stand for no particular day.
 constexpr std::int64_t firstId = 1'400'000'000'000;
 constexpr std::int64_t noteType = firstId + 1;
 constexpr std::int64_t begun = 1'400'000'000;
@@ -87,7 +87,7 @@ class Database {
     sqlite3_finalize(prepared);
   }
 
-  /// The whole as a file has it.
+  /// Returns the whole database as the bytes of a file.
   Result<std::string> bytes() const {
     sqlite3_int64 size = 0;
     const std::unique_ptr<unsigned char, void (*)(void*)> data(
@@ -133,7 +133,7 @@ Json noteTypes(std::int64_t deck) {
             {"type", 0},
             {"mod", begun},
             {"usn", -1},
-            // Notes are told apart by their labels.
+            // Notes are distinguished by their labels.
             {"sortf", 0},
             {"did", deck},
             {"tmpls", Json::array({std::move(card)})},
@@ -190,7 +190,8 @@ Json deckOptions() {
          {{"delays", {10}}, {"mult", 0}, {"minInt", 1}, {"leechFails", 8}, {"leechAction", 0}}}}}};
 }
 
-/// The first 32 bits of the SHA-1 of the first field, by which Anki finds notes that are alike.
+/// Returns the first 32 bits of the SHA-1 of the first field, by which Anki finds notes that are
+/// alike.
 std::int64_t checksum(const std::string& text) {
   const QByteArray hash =
       QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha1);
@@ -205,7 +206,7 @@ void addNotes(Database& database, const AnkiDeck& deck, std::int64_t deckId) {
   std::int64_t due = 0;
   for (const AnkiNote& note : deck.notes) {
     const std::string label = htmlText(note.label);
-    // Fields are parted by U+001F.
+    // Fields are separated by U+001F.
     const std::string fields =
         label + "\x1f<img src=\"" + note.question + "\">\x1f<img src=\"" + note.answer + "\">";
     const std::int64_t id = idOf(note.id);
@@ -237,7 +238,7 @@ Result<std::string> ankiPackage(const AnkiDeck& deck) {
   if (!collection.ok())
     return collection.error();
   std::vector<model::ZipMember> members{{"collection.anki2", std::move(*collection)}};
-  // Pictures go by numbers; a table has their names.
+  // Pictures are stored under numbers; a table has their names.
   Json names = Json::object();
   for (std::size_t i = 0; i < deck.media.size(); ++i) {
     names[std::to_string(i)] = deck.media[i].name;

@@ -14,7 +14,7 @@ std::string picture(const std::string& name) {
 }  // namespace
 
 std::string ankiText(const AnkiDeck& deck) {
-  // A header is no HTML, but one line.
+  // A header is a single line, not HTML.
   std::string name = deck.name;
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');

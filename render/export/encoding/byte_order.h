@@ -7,7 +7,7 @@
 
 namespace sline::render {
 
-/// The number's lowest `count` bytes, the highest first.
+/// Returns the number's lowest `count` bytes, the highest first.
 inline std::string bigEndian(std::uint64_t value, std::size_t count) {
   std::string bytes;
   for (std::size_t i = count; i-- > 0;)

@@ -38,7 +38,7 @@ void write(const IccProfile& profile, cmsTagSignature tag, const char* text) {
   cmsWriteTag(profile.get(), tag, words.get());
 }
 
-/// The profile's bytes, of a version (2.1) that every reader knows.
+/// Returns the profile's bytes, in a version (2.1) that every reader knows.
 std::string bytesOf(const IccProfile& profile, const char* description) {
   cmsSetProfileVersion(profile.get(), 2.1);
   write(profile, cmsSigProfileDescriptionTag, description);
@@ -47,7 +47,8 @@ std::string bytesOf(const IccProfile& profile, const char* description) {
   cmsSaveProfileToMem(profile.get(), nullptr, &size);
   std::string bytes(size, '\0');
   cmsSaveProfileToMem(profile.get(), bytes.data(), &size);
-  // The date (ICC.1:2001-04, 6.1.6), which the library takes from the clock, is the same in all.
+  // The date (ICC.1:2001-04, 6.1.6), which the library takes from the clock, is the same in every
+  // profile.
   constexpr std::string_view date("\x07\xD0\0\x01\0\x01\0\0\0\0\0\0", 12);
   return bytes.replace(24, date.size(), date);
 }

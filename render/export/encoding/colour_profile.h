@@ -5,9 +5,9 @@
 
 namespace sline::render {
 
-/// An ICC profile (version 2.1) of sRGB, IEC 61966-2-1.
+/// Returns an ICC profile (version 2.1) of sRGB, IEC 61966-2-1.
 std::string srgbProfile();
-/// The same for pictures in grey: sRGB's tone curve.
+/// Returns such a profile for pictures in grey: sRGB's tone curve.
 std::string greyProfile();
 
 }  // namespace sline::render

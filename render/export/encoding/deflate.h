@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// zlib's deflate on all cores.
+// Runs zlib's deflate on all cores.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace sline::render {
 
-/// The bytes as one complete zlib stream.
+/// Returns the bytes as one complete zlib stream.
 std::string zlibStream(std::span<const std::byte> bytes);
 
-/// One zlib stream that grows; its parts are deflated at the same time, each knowing the 32 KiB
-/// before it.
+/// Makes one zlib stream that grows; its parts are deflated at the same time, each knowing the 32
+/// KiB before it.
 class DeflateStream {
  public:
   DeflateStream();
-  /// What comes next of the stream, in pieces of moderate length. `parts` together are the bytes
-  /// that follow, side by side in memory.
+  /// Returns the next part of the stream, in pieces of moderate length. `parts` together are the
+  /// bytes that follow, side by side in memory.
   std::vector<std::string> add(std::span<const std::span<const std::byte>> parts);
-  /// Its end.
+  /// Returns the end of the stream.
   std::string finish() const;
 
  private:

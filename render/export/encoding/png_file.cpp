@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG (ISO/IEC 15948:2004), deflated on all cores.
+// Writes PNG (ISO/IEC 15948:2004), deflated on all cores.
 #include <zlib.h>
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 #include <cstring>
 
 #include "model/base/parallel.h"
-#include "render/export/encoding/xmp_packet.h"
 #include "render/export/encoding/byte_order.h"
 #include "render/export/encoding/colour_profile.h"
 #include "render/export/encoding/deflate.h"
 #include "render/export/encoding/row_file.h"
+#include "render/export/encoding/xmp_packet.h"
 
 namespace sline::render {
 
@@ -36,7 +36,7 @@ std::string profileChunk(const std::string& profile) {
                std::string("Grey") + '\0' + '\0' + zlibStream(std::as_bytes(std::span(profile))));
 }
 
-/// sRGB's own chunk, and what stands for it where that is not known.
+/// Returns sRGB's own chunk, and the chunks that replace it for readers that do not know it.
 std::string srgbChunks() {
   std::string primaries;
   for (const unsigned value : {31270u, 32900u, 64000u, 33000u, 30000u, 60000u, 15000u, 6000u})
@@ -45,7 +45,7 @@ std::string srgbChunks() {
          chunk("cHRM", primaries);
 }
 
-/// A text in UTF-8 that is not deflated, in no language.
+/// Returns a chunk of UTF-8 text that is not deflated and has no language.
 std::string textChunk(const std::string& keyword, const std::string& text) {
   return text.empty() ? std::string() : chunk("iTXt", keyword + std::string(5, '\0') + text);
 }
@@ -123,7 +123,7 @@ class PngFile : public RowFile {
     return Unit{};
   }
 
-  /// Takes the filter whose differences are the smallest. Drawings repeat what is left of them or
+  /// Chooses the filter with the smallest differences. Drawings repeat the pixels to the left or
   /// above, so these two are enough; single bits deflate best as they are.
   void filterRow(std::span<const std::byte> row, std::span<const std::byte> above,
                  std::span<std::byte> out) const {

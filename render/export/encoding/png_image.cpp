@@ -29,17 +29,14 @@ std::vector<std::uint8_t> withoutAlpha(const Image& image) {
 
 Result<std::string> pngOf(const Image& image, const ExportCredit& credit) {
   const bool opaque = isOpaque(image);
-  const PixelLayout layout{.width = image.width,
-                           .height = image.height,
-                           .channels = opaque ? 3 : 4,
-                           .credit = credit};
+  const PixelLayout layout{
+      .width = image.width, .height = image.height, .channels = opaque ? 3 : 4, .credit = credit};
   std::string bytes;
   const std::unique_ptr<RowFile> png = pngRows(layout, [&bytes](std::string_view more) -> Status {
     bytes += more;
     return Unit{};
   });
-  const std::vector<std::uint8_t> rgb =
-      opaque ? withoutAlpha(image) : std::vector<std::uint8_t>();
+  const std::vector<std::uint8_t> rgb = opaque ? withoutAlpha(image) : std::vector<std::uint8_t>();
   if (Status added = png->add(std::as_bytes(std::span(opaque ? rgb : image.rgba))); !added.ok())
     return added.error();
   if (Status finished = png->finish(); !finished.ok())

@@ -9,8 +9,8 @@
 
 namespace sline::render {
 
-/// The image as a PNG file that says nothing beside it but the credit; without alpha where nothing
-/// is clear.
+/// Returns the image as a PNG file that says nothing besides it but the credit; there is no alpha
+/// where no pixel is clear.
 Result<std::string> pngOf(const Image& image, const ExportCredit& credit = {});
 
 }  // namespace sline::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of pictures that are written row by row, from the top down.
+// Describes files of pictures that are written row by row, from the top down.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,15 @@ struct PixelLayout {
   int width = 0;
   int height = 0;
   int channels = 3;  ///< 1 grey, 2 grey and alpha, 3 colour, 4 colour and alpha
-  /// Of a channel: 1, 8 or 16; 32: floats in linear light with alpha multiplied in, else sRGB and
-  /// straight alpha.
+  /// Bits per channel: 1, 8 or 16; 32: floats in linear light with premultiplied alpha. Integers
+  /// are sRGB with straight alpha.
   int bits = 8;
-  float dpi = 0.0f;  ///< 0: not said
+  float dpi = 0.0f;  ///< 0: not given
   ExportCredit credit = {};
 
   bool hasAlpha() const { return channels % 2 == 0; }
   bool isGrey() const { return channels < 3; }
-  /// Rows begin at whole bytes.
+  /// Returns the bytes of a row; rows begin at whole bytes.
   std::size_t rowBytes() const {
     return (std::size_t(width) * std::size_t(channels) * std::size_t(bits) + 7) / 8;
   }
@@ -35,10 +35,10 @@ struct PixelLayout {
 class RowFile {
  public:
   virtual ~RowFile() = default;
-  /// The next rows, as many as there are: tightly packed, in the machine's byte order, single bits
-  /// from the highest down with 1 for white.
+  /// Adds the next rows, any number of them: tightly packed, in the machine's byte order, single
+  /// bits from the highest down with 1 for white.
   virtual Status add(std::span<const std::byte> rows) = 0;
-  /// When all rows were added.
+  /// Completes the file; to be called when all rows were added.
   virtual Status finish() = 0;
 };
 

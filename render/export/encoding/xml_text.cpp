@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";
 
-/// How many bytes the character that starts the text takes; 0 where it is none, by the shortest
-/// form alone (RFC 3629).
+/// Returns how many bytes the character that starts the text takes; 0 where it is not a character,
+/// by the shortest form alone (RFC 3629).
 std::size_t utf8Length(std::string_view text, std::uint32_t& code) {
   const auto byte = [&text](std::size_t i) { return std::uint8_t(text[i]); };
   const std::uint8_t first = byte(0);
@@ -32,7 +32,8 @@ std::size_t utf8Length(std::string_view text, std::uint32_t& code) {
   return code >= least[length] && code <= 0x10FFFF ? length : 0;
 }
 
-/// The Char of XML 1.0, without line breaks, tabs and the controls that XML discourages.
+/// Tells whether the code is a Char of XML 1.0, without line breaks, tabs and the controls that XML
+/// discourages.
 bool isXmlCharacter(std::uint32_t code) {
   return (code >= 0x20 && code < 0x7F) || (code >= 0xA0 && code <= 0xD7FF) ||
          (code >= 0xE000 && code <= 0xFFFD) || (code >= 0x10000 && (code & 0xFFFE) != 0xFFFE);

@@ -6,12 +6,13 @@
 
 namespace sline::render {
 
-/// Text from anywhere as XML 1.0 may hold it, between tags or in double quotes: markup is escaped,
-/// and what is no UTF-8, no character of XML or would break the line becomes U+FFFD.
+/// Returns text of any origin as XML 1.0 may hold it, between tags or in double quotes: markup is
+/// escaped, and anything that is not UTF-8, not a character of XML or would break the line becomes
+/// U+FFFD.
 std::string xmlText(std::string_view text);
 
-/// Text from anywhere as one line of UTF-8: blanks for what breaks the line, U+FFFD for what is no
-/// character; none at its ends.
+/// Returns text of any origin as one line of UTF-8: blanks replace what breaks the line, U+FFFD
+/// what is not a character; there are no blanks at its ends.
 std::string plainLine(std::string_view text);
 
 }  // namespace sline::render

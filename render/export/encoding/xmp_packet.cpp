@@ -8,7 +8,7 @@ namespace sline::render {
 std::string xmpPacket(const ExportCredit& credit) {
   if (credit.empty())
     return {};
-  // Names and the packet's id as §7 has them.
+  // The names and the packet's id are those of §7.
   std::string xmp =
       "<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
       "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">\n"

@@ -7,8 +7,8 @@
 
 namespace sline::render {
 
-/// The credit as an XMP packet (ISO 16684-1) of Dublin Core's creator and rights; empty where there
-/// is none.
+/// Returns the credit as an XMP packet (ISO 16684-1) of Dublin Core's creator and rights; empty
+/// where there is none.
 std::string xmpPacket(const ExportCredit& credit);
 
 }  // namespace sline::render

@@ -25,7 +25,8 @@ void append(std::string& bytes, const glm::vec3& p) {
     append(bytes, std::bit_cast<std::uint32_t>(p[axis]));
 }
 
-/// glTF wants a unit vector at each vertex, at one without faces or of faces without area too.
+/// Returns the unit vectors that glTF requires at each vertex, even at one without faces or with
+/// faces without area.
 std::vector<glm::vec3> unitNormals(const model::Mesh& mesh) {
   std::vector<glm::vec3> normals = model::vertexNormals(mesh, model::VertexFaces(mesh));
   for (glm::vec3& n : normals)
@@ -60,7 +61,7 @@ int GltfBuffer::points(std::span<const glm::vec3> values, bool withBounds) {
                  {"count", values.size()},
                  {"type", "VEC3"}};
   if (withBounds) {
-    // To the last bit: readers compare them with the values.
+    // Exact to the last bit: readers compare them with the values.
     described["min"] = {double(box.low.x), double(box.low.y), double(box.low.z)};
     described["max"] = {double(box.high.x), double(box.high.y), double(box.high.z)};
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The binary part of a GLB file and the tables that say what lies where in it (glTF 2.0 §3.6).
+// Builds the binary part of a GLB file and the tables that tell where everything lies in it (glTF
+// 2.0 §3.6).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace sline::render {
 
-/// Indices of accessors.
+/// Holds indices of accessors.
 struct GltfSurface {
   int positions = 0;
   int normals = 0;
@@ -21,12 +22,12 @@ struct GltfSurface {
 
 class GltfBuffer {
  public:
-  /// Of a mesh with triangles; structures that share a mesh share it here too.
+  /// Returns the surface of a mesh with triangles; structures that share a mesh share it here too.
   const GltfSurface& surfaceOf(const model::MeshPtr& mesh);
 
   const Json& accessors() const { return m_accessors; }
   const Json& views() const { return m_views; }
-  /// Little-endian; its length is a multiple of 4.
+  /// Returns the bytes, little-endian; their length is a multiple of 4.
   const std::string& bytes() const { return m_bytes; }
 
  private:

@@ -38,7 +38,7 @@ class Document {
   Result<std::string> bytes() const;
 
  private:
-  /// Structures that are visible and have a surface, and the groups above them.
+  /// Keeps structures that are visible and have a surface, and the groups above them.
   void keepShown() {
     const auto& nodes = m_order.scene.nodes();
     m_shown.assign(nodes.size(), false);
@@ -69,8 +69,8 @@ class Document {
     return found == m_places.end() ? m_top : found->second;
   }
 
-  /// Everything in LPS millimetres is below it. It has no name, so that it is no group to those
-  /// who make groups of named nodes.
+  /// Adds the node above everything in LPS millimetres. It has no name, so that programs that make
+  /// groups of named nodes make none of it.
   void addTop() {
     const glm::dmat3 turn = double(metresPerMillimetre) * uprightFromLps();
     Json matrix = Json::array();
@@ -107,7 +107,7 @@ class Document {
     return m_meshes.size() - 1;
   }
 
-  /// Structures of one colour and opacity share a material.
+  /// Returns the material, which structures of one colour and opacity share.
   std::size_t materialOf(const model::ResolvedStyle& style) {
     const float opacity = style.opacity.value();
     const auto key = std::make_pair(style.colour, opacity);
@@ -124,7 +124,7 @@ class Document {
           {"roughnessFactor", 0.8}}}};
     if (opacity < 1.0f)
       material["alphaMode"] = "BLEND";
-    // Sheets and what is cut open are seen from both sides in our pictures, too.
+    // Sheets and cut structures are seen from both sides in our pictures, too.
     material["doubleSided"] = true;
     m_materials.push_back(std::move(material));
     return m_materialPlaces[key] = m_materials.size() - 1;
@@ -199,7 +199,7 @@ void append(std::string& bytes, std::uint64_t value) {
     bytes.push_back(char(value >> (8 * i)));
 }
 
-/// §4.4: a chunk's length, type and bytes, filled up to a multiple of 4.
+/// Appends a chunk by §4.4: its length, type and bytes, filled up to a multiple of 4.
 void appendChunk(std::string& glb, const char* type, std::string_view bytes, char filler) {
   const std::size_t length = (bytes.size() + 3) / 4 * 4;
   append(glb, length);
@@ -208,7 +208,8 @@ void appendChunk(std::string& glb, const char* type, std::string_view bytes, cha
   glb.append(length - bytes.size(), filler);
 }
 
-/// §3.2: the copyright is for those who show it; it has no other place for a name.
+/// Returns the asset (§3.2). Its copyright is for programs that show it; it has no other place for
+/// a name.
 Json assetOf(const ExportCredit& credit) {
   Json asset{{"version", "2.0"}, {"generator", "Sline " SLINE_VERSION}};
   if (!credit.empty())

@@ -7,10 +7,11 @@
 
 namespace sline::render {
 
-/// The visible structures as a binary glTF 2.0 file (.glb): groups and structures are nodes under
-/// one that turns LPS millimetres into metres with +y up; colours and opacity are materials.
-/// Annotations that are shown are nodes, saved views are cameras; what else Sline says of them is
-/// in extras. Surfaces are whole where sections cut the picture. Progress may stop it (`givenUp`).
+/// Returns the visible structures as a binary glTF 2.0 file (.glb): groups and structures are nodes
+/// under one that turns LPS millimetres into metres with +y up; colours and opacity are materials.
+/// Annotations that are shown are nodes, and saved views are cameras; whatever else Sline knows
+/// about them is in extras. Surfaces are whole where sections cut the picture. Progress may stop it
+/// (`givenUp`).
 Result<std::string> glbBytes(const ExportOrder& order, const ExportProgress& progress);
 
 }  // namespace sline::render

@@ -9,7 +9,7 @@ namespace sline::render {
 Status writeGltf(const ExportOrder& order, const std::filesystem::path& target,
                  const ExportProgress& progress);
 
-/// What of the order no such file has: cuts, which its extras describe.
+/// Notes what no such file has: cuts, which its extras describe.
 ExportNotes gltfNotes(const ExportOrder& order);
 
 }  // namespace sline::render

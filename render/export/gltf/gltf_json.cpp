@@ -11,7 +11,7 @@
 namespace sline::render {
 
 glm::dmat3 uprightFromLps() {
-  // Columns: where x, y and z of LPS go.
+  // The columns are where x, y and z of LPS go.
   return {glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, -1.0), glm::dvec3(0.0, 1.0, 0.0)};
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array<const char*, 4> kindNames{"label", "callout", "pin", "distance"};
 
-/// Returns what a style says itself, as in scene files but for the form of the keys.
+/// Returns what a style itself defines, as in scene files but for the form of the keys.
 Json ownStyleExtras(const model::Style& style) {
   Json extras = Json::object();
   const Json own = model::styleJson(style);
@@ -31,12 +31,12 @@ Json ownStyleExtras(const model::Style& style) {
 }  // namespace
 
 Json styleExtras(const model::ResolvedStyle& style) {
-  // The material says those two, and a hidden structure is not there.
+  // The material has those two, and a hidden structure is not in the file.
   model::Style said = model::answersOf(style);
   said.colour.reset();
   said.opacity.reset();
   said.visible.reset();
-  // Last, as not every structure has one.
+  // Comes last, as not every structure has one.
   const std::optional<Colour> ink = std::exchange(said.inkColour, std::nullopt);
   Json extras = ownStyleExtras(said);
   extras.update(ownStyleExtras({.inkColour = ink}));
@@ -48,7 +48,8 @@ Json gltfCamera(const model::Camera& camera, const model::Box& bounds) {
   const float size = bounds.empty() ? distance : glm::length(bounds.size());
   const float middle = bounds.empty() ? distance : glm::length(camera.eye - bounds.centre());
   const float far = metresPerMillimetre * (middle + size);
-  // A parallel projection's near plane may be at the eye; a perspective one's must be before it.
+  // A parallel projection's near plane may be at the eye; a perspective one's must be in front of
+  // it.
   const float near = std::max(metresPerMillimetre * (middle - size), far / 4096.0f);
   if (camera.projection == model::Projection::perspective)
     return {{"type", "perspective"},
@@ -56,7 +57,7 @@ Json gltfCamera(const model::Camera& camera, const model::Box& bounds) {
              {{"yfov", double(camera.fovyDegrees) * std::numbers::pi / 180.0},
               {"zfar", jsonNumber(far)},
               {"znear", jsonNumber(near)}}}};
-  // Half of what the picture shows; whoever draws widens it to the picture's shape.
+  // Half of what the picture shows; the viewer widens it to the picture's shape.
   const Json half = jsonNumber(0.5f * metresPerMillimetre * camera.heightMm);
   return {
       {"type", "orthographic"},

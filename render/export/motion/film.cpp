@@ -130,7 +130,7 @@ Result<Film::Sweep> Film::sweepOf(const ExportOrder& order) {
 
 FilmFrame Film::at(int frame) const {
   if (const auto* turn = std::get_if<Turn>(&m_motion))
-    // The view's name would be true of where the turn begins alone.
+    // The view's name would be true only where the turn begins.
     return {turn->scene, turn->table.at(double(frame) / double(m_frames)), {}, true};
   if (const auto* tour = std::get_if<Tour>(&m_motion))
     return atTime(*tour, double(frame) / double(m_framesPerSecond));
@@ -156,7 +156,7 @@ FilmFrame Film::atPart(const Sweep& sweep, double part) const {
   const double moving =
       std::clamp((part - sweep.hold) / std::max(1.0 - 2.0 * sweep.hold, 1e-9), 0.0, 1.0);
   FilmFrame frame{sweep.scene, sweep.camera, sweep.viewName};
-  // As locks protect from edits, not from being looked at, the nodes are set themselves.
+  // Locks protect from edits, not from being looked at, so the nodes are set directly.
   std::vector<model::Node> nodes = sweep.scene.nodes();
   for (model::Node& node : nodes)
     if (std::binary_search(sweep.swept.begin(), sweep.swept.end(), node.id))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each frame of a film shows, before anything is drawn.
+// Decides what each frame of a film shows, before anything is drawn.
 #pragma once
 
 #include <variant>
@@ -13,7 +13,7 @@
 
 namespace sline::render {
 
-/// Pixels: of the page's shape, both even, as films want it.
+/// Returns the size in pixels: it has the page's shape, and both sides are even, as films require.
 glm::ivec2 filmSize(const ExportOrder& order);
 int filmFrames(const FilmOptions& options);
 
@@ -26,15 +26,15 @@ struct FilmFrame {
 
 class Film {
  public:
-  /// The error says what the film lacks: views for a tour, time for its rests. `share` as for
-  /// Turntable.
+  /// Creates the film. The error says what it lacks: views for a tour, time for its rests. `share`
+  /// is as for Turntable.
   static Result<Film> create(const ExportOrder& order, const glm::vec2& share = glm::vec2(1.0f));
 
   int frames() const { return m_frames; }
   int framesPerSecond() const { return m_framesPerSecond; }
-  /// As `filmSize`.
+  /// Returns what `filmSize` returns.
   glm::ivec2 size() const { return m_size; }
-  /// After the last frame the first follows as any other: nothing is doubled.
+  /// Tells whether the first frame follows the last like any other: no frame is doubled.
   bool loops() const { return std::holds_alternative<Turn>(m_motion); }
   FilmFrame at(int frame) const;
 
@@ -52,7 +52,7 @@ class Film {
   struct Tour {
     std::vector<Leg> legs;
     double hold = 0.0;  ///< seconds at each view
-    double way = 0.0;   ///< seconds between two
+    double way = 0.0;   ///< seconds between two views
     FilmFrame first;
   };
   struct Sweep {

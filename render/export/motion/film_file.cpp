@@ -26,14 +26,14 @@ Error filmNotWritten(const fs::path& file, int code) {
 
 namespace {
 
-/// One film on its way into its file.
+/// Writes one film into its file.
 class Filming {
  public:
   Filming(const ExportOrder& order, const fs::path& target, const ExportProgress& progress,
           bool transparency = true)
       : m_order(order), m_target(target), m_progress(progress), m_transparency(transparency) {}
 
-  /// What is needed before a file is begun.
+  /// Prepares what is needed before a file is begun.
   Status prepare() {
     if (!tell(0.0, "preparing surfaces"))
       return givenUp(m_target);
@@ -57,7 +57,7 @@ class Filming {
             .credit = m_order.credit};
   }
 
-  /// Of a few frames, evenly over the film.
+  /// Returns the palette of a few frames, spread evenly over the film.
   Result<GifPalette> palette() {
     constexpr int most = 5;
     std::vector<Image> looks;
@@ -107,12 +107,12 @@ class Filming {
   const ExportOrder& m_order;
   const fs::path& m_target;
   const ExportProgress& m_progress;
-  bool m_transparency;  ///< the kind of file has it
+  bool m_transparency;  ///< whether the kind of file has it
   std::unique_ptr<FilmPainter> m_painter;
   std::optional<Film> m_film;
 };
 
-/// `newSink(filming, file)` begins the file.
+/// Writes the film; `newSink(file)` begins the file.
 template <class Begin>
 Status writeFilm(Filming& filming, const fs::path& target, const Begin& newSink) {
   if (Status ready = filming.prepare(); !ready.ok())
@@ -138,7 +138,7 @@ ExportNotes filmNotes(const ExportOrder& order, bool transparency) {
                     .names = {},
                     .detail = std::to_string(size.x) + " × " + std::to_string(size.y)});
   const double seconds = double(filmFrames(film)) / double(std::max(film.framesPerSecond, 1));
-  constexpr double told = 0.005;  // its half hundredth
+  constexpr double told = 0.005;  // half of a hundredth, to which it is told
   if (std::abs(seconds - film.seconds) > told) {
     const auto hundredths = std::to_string(100 + std::lround(100.0 * seconds) % 100);
     addNote(notes, {.kind = ExportNote::Kind::filmStretched,
@@ -158,7 +158,7 @@ Status writeWebp(const ExportOrder& order, const fs::path& target, const ExportP
 Status writeGif(const ExportOrder& order, const fs::path& target, const ExportProgress& progress) {
   Filming filming(order, target, progress);
   return writeFilm(filming, target, [&](const fs::path& file) -> NewSink {
-    // The file first: one that cannot be written need not wait for colours.
+    // The file comes first: if it cannot be written, no colours need to be found.
     if (NewSink trial = gifSink(file, filming.shape(), GifPalette::of({})); !trial.ok())
       return trial;
     Result<GifPalette> palette = filming.palette();

@@ -52,7 +52,7 @@ constexpr ExportOption filmHeight{
                          QT_TRANSLATE_NOOP("sline::render::ExportOption", "px")),
     .field = boundTo([](auto& o) -> auto& { return o.template of<FilmOptions>().height; })};
 
-/// Below 0 where the film decides itself.
+/// A value below 0 means that the film decides.
 constexpr OptionField holdField{
     [](const ExportOrder& o) { return optionValue(o.of<FilmOptions>().hold.value_or(-1.0)); },
     [](ExportOrder& o, const OptionValue& value) {

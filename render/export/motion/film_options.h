@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of films.
+// Declares the options of films.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace sline::render {
 
-/// What moves in a film: the camera once around the scene; from saved view to saved view; Γ from 0
-/// to 5.
+/// Tells what moves in a film: the camera once around the scene; the camera from saved view to
+/// saved view; Γ from 0 to 5.
 enum class Motion { turntable, tour, gammaSweep };
 
 struct FilmOptions {
@@ -18,13 +18,13 @@ struct FilmOptions {
   double seconds = 8.0;  ///< of the whole film
   int framesPerSecond = 25;
   int height = 720;  ///< pixels; the page's shape gives the width
-  /// Seconds of rest at each view, or at either end of Γ; absent: 2/5 or 1/6 of the film together.
+  /// Seconds of rest at each view, or at either end of Γ; absent: 2/5 or 1/6 of the film in total.
   std::optional<double> hold;
-  std::vector<model::NodeId> swept;  ///< whose Γ changes; none: everything's
+  std::vector<model::NodeId> swept;  ///< structures of which Γ changes; empty: all
 };
 inline constexpr Limits<double> filmSecondsLimits{0.1, 600.0};
 inline constexpr Limits<int> framesPerSecondLimits{1, 60};
-/// Of its height, and of its width.
+/// Limits of the film's height, and of its width.
 inline constexpr Limits<int> filmHeightLimits{16, 4320};
 inline constexpr Limits<double> holdLimits{0.0, 600.0};
 

@@ -14,7 +14,7 @@ namespace sline::render {
 
 namespace {
 
-/// What was in any of a film's frames, and what should have been.
+/// Knows what was in any of a film's frames, and what should have been.
 class Sightings {
  public:
   void add(const FilmFrame& frame, const FigurePlate& plate, const std::string& language) {
@@ -68,8 +68,8 @@ struct FilmPainter::Data {
   std::unique_ptr<Typesetting> typesetting;
   HeadlessPicture picture;
   model::MeshTrees trees;
-  std::optional<LabelLayout> layout;  ///< of the frame before
-  EdgeRoom edges;                     ///< what marks take in any frame: labels keep out of it
+  std::optional<LabelLayout> layout;  ///< that of the frame before
+  EdgeRoom edges;  ///< the room that marks take in any frame: labels keep out of it
   Sightings sightings;
 
   bool labelled() const { return order.labels.mode != LabelMode::off; }
@@ -130,7 +130,7 @@ FigurePlate FilmPainter::Data::plateOf(const FilmFrame& frame) {
 void FilmPainter::settle(const Film& film) {
   if (!m_data->labelled())
     return;
-  // Marks come and go; labels are not to give way each time.
+  // Marks come and go; labels should not give way each time.
   const int step = std::max(film.frames() / 48, 1);
   EdgeRoom& edges = m_data->edges;
   for (int i = 0; i < film.frames(); i += step) {
@@ -146,14 +146,14 @@ void FilmPainter::settle(const Film& film) {
 }
 
 Result<Image> FilmPainter::Data::drawn(const FilmFrame& frame, const glm::ivec2& size) {
-  // As pictures are drawn: averaged where pixels are not fine enough by themselves.
+  // Draws as pictures are drawn: averaged where pixels are not fine enough by themselves.
   return picture->render(frame.scene, frame.camera,
                          {.width = size.x, .height = size.y, .environment = order.environment},
                          samplesAtOnce(size));
 }
 
 void FilmPainter::Data::paint(Image& image, const FigurePlate& plate) const {
-  // QPainter blends right only where colours are multiplied by their alpha.
+  // QPainter blends correctly only where colours are multiplied by their alpha.
   QImage canvas = QImage(image.rgba.data(), image.width, image.height, qsizetype(4) * image.width,
                          QImage::Format_RGBA8888)
                       .convertToFormat(QImage::Format_RGBA8888_Premultiplied);

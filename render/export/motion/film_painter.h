@@ -9,23 +9,23 @@
 
 namespace sline::render {
 
-/// Draws a film's frames one after the other: what can be kept from one to the next is, and labels
-/// start from where they were.
+/// Draws a film's frames one after the other. It keeps what it can from one frame to the next, and
+/// labels start from where they were.
 class FilmPainter {
  public:
-  /// Makes a context without a display, and what text needs. The order must outlive it.
+  /// Makes a context without a display and what text needs. The order must outlive the painter.
   static Result<std::unique_ptr<FilmPainter>> create(const ExportOrder& order);
   ~FilmPainter();
 
-  /// What of the width and the height labels and marks leave to the anatomy.
+  /// Returns the share of the width and the height that labels and marks leave to the anatomy.
   glm::vec2 anatomyShare() const;
-  /// Finds what room marks take in any of the frames, and where labels stand when the film comes
-  /// round: of one that loops, the first frame follows the last as any other.
+  /// Finds the room that marks take in any of the frames, and where labels stand when the film
+  /// repeats: in a film that loops, the first frame follows the last like any other.
   void settle(const Film& film);
   Result<Image> draw(const Film& film, int frame);
-  /// Of all frames that were drawn: labels and marks that were in none of them.
+  /// Returns the labels and marks that were in none of the frames drawn.
   ExportNotes notes() const;
-  /// The same, but as if no other frame was before it: for a look at the film.
+  /// Draws a frame as if there were no other before it, for a glance at the film.
   Result<Image> drawAlone(const Film& film, int frame);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where frames go, one after the other, so that a film never lies in memory as pixels.
+// Takes frames one after the other, so that a film never lies in memory as pixels.
 #pragma once
 
 #include <filesystem>
@@ -24,24 +24,24 @@ struct FilmShape {
 class FilmSink {
  public:
   virtual ~FilmSink() = default;
-  /// Frames have the film's size.
+  /// Adds a frame, which must have the film's size.
   virtual Status add(const Image& frame) = 0;
-  /// After the last frame: the file is whole when this succeeds. Without it what was written is of
-  /// no use, and processes that were started end with the sink.
+  /// Ends the film after the last frame: the file is whole when this succeeds. Without this call
+  /// the written part is of no use, and processes that were started end with the sink.
   virtual Status finish() = 0;
 };
 using NewSink = Result<std::unique_ptr<FilmSink>>;
 
-/// Each begins its file at once, so that one that cannot be written is known before anything is
-/// drawn.
+/// Each of these begins its file at once, so that a file that cannot be written is known before
+/// anything is drawn.
 NewSink webpSink(const std::filesystem::path& file, const FilmShape& shape);
 NewSink gifSink(const std::filesystem::path& file, const FilmShape& shape, GifPalette palette);
-/// Through the program ffmpeg; the error says where it is missing.
+/// Writes through the program ffmpeg; the error says where it is missing.
 NewSink mp4Sink(const std::filesystem::path& file, const FilmShape& shape);
-/// "frame_0001.png" … in a folder that is there.
+/// Writes "frame_0001.png" … to an existing folder.
 NewSink frameSink(const std::filesystem::path& folder, const FilmShape& shape);
 
-/// A file that cannot be written, with the system's reason (errno).
+/// Returns the error for a file that cannot be written, with the system's reason (errno).
 Error filmNotWritten(const std::filesystem::path& file, int code);
 
 }  // namespace sline::render

@@ -11,13 +11,13 @@ namespace {
 
 using Rgb = GifPalette::Rgb;
 
-/// Where a colour stands in a cube of that many cells each way.
+/// Returns the index of a colour in a cube of that many cells each way.
 std::size_t cellOf(const Rgb& colour, std::size_t side) {
   const std::size_t width = 256 / side;
   return (colour[0] / width * side + colour[1] / width) * side + colour[2] / width;
 }
 
-/// Colours that share 5 bits of each channel.
+/// Holds colours that share 5 bits of each channel.
 struct Bin {
   std::array<double, 3> sum{};
   double count = 0.0;
@@ -57,12 +57,12 @@ Bins binsOf(std::span<const Image> frames) {
   return result;
 }
 
-/// A run of bins and how much their colours differ from their mean, pixels as their square root:
-/// the ground is large, and a small structure's colours count too.
+/// A run of bins and how much their colours differ from their mean, with pixels counted by their
+/// square root: the ground is large, and a small structure's colours count too.
 struct Box {
   std::size_t begin = 0;
   std::size_t end = 0;
-  int channel = 0;  ///< along which they differ most
+  int channel = 0;  ///< the channel along which they differ most
   double spread = 0.0;
 };
 
@@ -91,7 +91,7 @@ Box measured(const std::vector<Bin>& bins, std::size_t begin, std::size_t end) {
   return box;
 }
 
-/// The two parts of a box, cut at its mean.
+/// Returns the two parts of a box, cut at its mean.
 std::pair<Box, Box> cut(std::vector<Bin>& bins, const Box& box) {
   const auto first = bins.begin() + std::ptrdiff_t(box.begin);
   const auto last = bins.begin() + std::ptrdiff_t(box.end);

@@ -12,7 +12,7 @@ namespace sline::render {
 namespace {
 
 constexpr int clear = GifPalette::mostColours;  // an index without a colour
-constexpr int mostGifFramesPerSecond = 50;      // programs show shorter frames for a tenth
+constexpr int mostGifFramesPerSecond = 50;  // programs show shorter frames for a tenth of a second
 
 struct Place {
   int left = 0;
@@ -50,7 +50,7 @@ class GifSink : public FilmSink {
     const bool described =
         EGifPutScreenDesc(m_gif, m_shape.size.x, m_shape.size.y, 8, 0, colours) == GIF_OK;
     GifFreeMapObject(colours);
-    // Again and again (Netscape's extension, which all programs know).
+    // Repeats forever (Netscape's extension, which all programs know).
     const bool begun = described &&
                        EGifPutExtensionLeader(m_gif, APPLICATION_EXT_FUNC_CODE) == GIF_OK &&
                        EGifPutExtensionBlock(m_gif, 11, "NETSCAPE2.0") == GIF_OK &&
@@ -82,7 +82,7 @@ class GifSink : public FilmSink {
   }
   Error broken() const { return filmNotWritten(m_file, errno ? errno : EIO); }
 
-  /// A comment, in UTF-8; GIF has no other place.
+  /// Writes the credit as a comment, in UTF-8; GIF has no other place for it.
   bool putCredit() {
     const ExportCredit& credit = m_shape.credit;
     std::string comment = credit.author.empty() ? "" : "Author: " + credit.author;
@@ -109,8 +109,8 @@ class GifSink : public FilmSink {
     return std::size_t(y) * std::size_t(m_shape.size.x) + std::size_t(x);
   }
 
-  /// The smallest part of the frame that differs from the one before; a pixel where none does, as
-  /// each frame has one.
+  /// Returns the smallest part of the frame that differs from the one before; a single pixel where
+  /// nothing differs, as each frame needs one.
   Place changed(const std::vector<std::uint8_t>& pixels) const {
     int left = m_shape.size.x;
     int right = -1;
@@ -127,7 +127,7 @@ class GifSink : public FilmSink {
     return right < 0 ? Place{0, 0, 1, 1} : Place{left, top, right - left + 1, bottom - top + 1};
   }
 
-  /// How long it is shown, in hundredths of a second: rounding does not add up.
+  /// Returns how long the frame is shown, in hundredths of a second; rounding does not add up.
   int delay() const {
     const auto until = [this](int frame) {
       return (200 * frame + m_shape.framesPerSecond) / (2 * m_shape.framesPerSecond);
@@ -148,7 +148,7 @@ class GifSink : public FilmSink {
                             nullptr) == GIF_OK;
   }
 
-  /// What is as it was is left clear: it packs better.
+  /// Writes the lines; unchanged pixels are left clear, which packs better.
   bool putLines(const std::vector<std::uint8_t>& pixels, const Place& place) {
     const bool onBefore = !m_shape.transparent && !m_before.empty();
     std::vector<GifPixelType> line(std::size_t(place.width));

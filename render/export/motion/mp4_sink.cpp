@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ffmpeg is a program of its own, found where programs are: H.264 encoders come under licences and
-// patents that Sline keeps out of.
+// Writes MP4 through ffmpeg, a separate program that is found where programs are: H.264 encoders
+// come under licences and patents that Sline keeps out of.
 #include <QProcess>
 #include <QStandardPaths>
 #include <array>
@@ -19,7 +19,7 @@ struct Encoder {
   const char* name;
   std::array<const char*, 4> options;
 };
-/// The first of these that ffmpeg has.
+/// Encoders in the order of preference: the first that ffmpeg has is used.
 constexpr std::array<Encoder, 3> encoders{{{"libx264", {"-crf", "16", "-preset", "medium"}},
                                            {"libopenh264", {"-b:v", "12M", "-maxrate", "24M"}},
                                            {"mpeg4", {"-q:v", "2", "-vtag", "mp4v"}}}};
@@ -57,7 +57,7 @@ class Mp4Sink : public FilmSink {
     const QString program = QStandardPaths::findExecutable(QStringLiteral("ffmpeg"));
     if (program.isEmpty())
       return withoutFfmpeg();
-    // It would say less clearly what is wrong with the place.
+    // ffmpeg would report less clearly what is wrong with the place.
     if (std::FILE* file = std::fopen(m_file.c_str(), "wb"))
       std::fclose(file);
     else
@@ -73,7 +73,7 @@ class Mp4Sink : public FilmSink {
 
   Status add(const Image& frame) override {
     m_ffmpeg.write(pixelsOf(frame));
-    // A frame at a time: what ffmpeg has not taken would pile up.
+    // One frame at a time: frames that ffmpeg has not taken would pile up.
     while (m_ffmpeg.bytesToWrite() > 0)
       if (!m_ffmpeg.waitForBytesWritten(patience))
         return failed();
@@ -108,7 +108,7 @@ class Mp4Sink : public FilmSink {
                           "-i",
                           "pipe:0",
                           "-an"};
-    // sRGB to what players take films of that size for.
+    // Converts sRGB to the colour space that players assume for films of that size.
     arguments << "-vf"
               << "scale=in_range=pc:out_range=tv:out_color_matrix=bt709,format=yuv420p"
               << "-color_range"
@@ -122,7 +122,7 @@ class Mp4Sink : public FilmSink {
               << "-c:v" << encoder.name;
     for (const char* option : encoder.options)
       arguments << option;
-    // Nothing of the program or the day; playing may begin before all is there.
+    // Neither the program nor the day is written; playing may begin before everything is there.
     arguments << "-map_metadata"
               << "-1";
     for (const auto& [name, text] : {std::pair("artist=", m_shape.credit.author),
@@ -137,12 +137,12 @@ class Mp4Sink : public FilmSink {
               << "+faststart"
               << "-f"
               << "mp4";
-    // "file:" before it, for a name may look like an option or an address.
+    // Starts with "file:", as a name may look like an option or an address.
     return arguments << "file:" +
                             QString::fromStdString(std::filesystem::absolute(m_file).string());
   }
 
-  /// RGB; clear pixels are white.
+  /// Returns RGB; clear pixels are white.
   static QByteArray pixelsOf(const Image& frame) {
     QByteArray pixels(qsizetype(frame.rgba.size() / 4 * 3), Qt::Uninitialized);
     char* to = pixels.data();
@@ -158,7 +158,7 @@ class Mp4Sink : public FilmSink {
     m_ffmpeg.waitForFinished(1000);
     const QByteArray said = m_ffmpeg.readAllStandardError().trimmed();
     QByteArray reason = said.mid(said.lastIndexOf('\n') + 1);
-    // Of the file it says a name that nobody gave.
+    // The message contains a name of the file that the user did not give.
     if (const qsizetype place = reason.lastIndexOf(": "); place >= 0)
       reason = reason.mid(place + 2);
     return {.file = m_file.string(),

@@ -16,10 +16,10 @@ namespace {
 
 using model::Camera;
 
-/// How much of half the picture things may reach to.
+/// The part of half the picture that things may reach to.
 constexpr float reach = 0.97f;
 
-/// Of the points, at most about `most`, evenly.
+/// Returns some of the points, about `most` at most, spread evenly.
 std::vector<glm::vec3> fewOf(const std::vector<glm::vec3>& points, std::size_t most) {
   const std::size_t step = points.size() / most + 1;
   std::vector<glm::vec3> few;
@@ -28,7 +28,8 @@ std::vector<glm::vec3> fewOf(const std::vector<glm::vec3>& points, std::size_t m
   return few;
 }
 
-/// Where the points come by when they turn about the axis through `middle`: circles, as points.
+/// Returns where the points pass when they turn about the axis through `middle`: circles, as
+/// points.
 std::vector<glm::vec3> turned(const std::vector<glm::vec3>& points, const glm::vec3& middle,
                               const glm::vec3& axis) {
   constexpr int slices = 64;
@@ -78,7 +79,7 @@ bool fits(const Camera& camera, const std::vector<glm::vec3>& points, const glm:
   });
 }
 
-/// In the middle of how far the points reach across the axis.
+/// Returns the middle of the points' extent across the axis.
 glm::vec3 middleOf(const std::vector<glm::vec3>& points, const glm::vec3& axis) {
   model::Box box;
   for (const glm::vec3& p : points)
@@ -87,7 +88,7 @@ glm::vec3 middleOf(const std::vector<glm::vec3>& points, const glm::vec3& axis) 
   return box.centre() - glm::dot(box.centre(), axis) * axis;
 }
 
-/// Moved so that all points are in the part of the picture that is free.
+/// Returns the camera moved so that all points are in the part of the picture that is free.
 Camera fittedWithin(const Camera& camera, const std::vector<glm::vec3>& points, float aspect,
                     const glm::vec2& share) {
   Camera fitted = model::fitted(camera, points, aspect * share.x / share.y);

@@ -29,12 +29,12 @@ class WebpSink : public FilmSink {
     if (!m_stream)
       return filmNotWritten(m_file, errno);
     WebPAnimEncoderOptions options;
-    // Its loop count of 0 is for ever.
+    // A loop count of 0 means forever.
     if (!WebPAnimEncoderOptionsInit(&options) || !WebPConfigInit(&m_config))
       return failed("this is another version of libwebp than Sline was built for");
     options.kmin = m_shape.framesPerSecond;
     options.kmax = 2 * m_shape.framesPerSecond;
-    // Thin lines on an even ground; sharp chroma, or coloured ones grow pale.
+    // For thin lines on an even ground; chroma is kept sharp, as coloured lines would grow pale.
     m_config.quality = 85.0f;
     m_config.method = 3;
     m_config.use_sharp_yuv = 1;
@@ -74,7 +74,7 @@ class WebpSink : public FilmSink {
   }
 
  private:
-  /// As XMP, in a chunk of its own.
+  /// Adds the credit as XMP, in a chunk of its own.
   bool addCredit(WebPData& film) const {
     const std::string xmp = xmpPacket(m_shape.credit);
     if (xmp.empty())
@@ -90,7 +90,7 @@ class WebpSink : public FilmSink {
     film = whole;
     return true;
   }
-  /// When the frame begins, in milliseconds: rounding does not add up.
+  /// Returns when the frame begins, in milliseconds; rounding does not add up.
   int timeOf(int frame) const {
     return int(std::lround(1000.0 * double(frame) / double(m_shape.framesPerSecond)));
   }

@@ -139,7 +139,7 @@ constinit const ExportOption backgroundOption{
     .kind = ChoiceOption{backgrounds},
     .field = boundTo([](auto& o) -> auto& { return o.environment.background; })};
 
-// Which languages there are is a matter of the scene: a window offers those, and keeps none.
+// The available languages depend on the scene: a window offers those, and keeps none.
 constinit const ExportOption languageOption{
     .id = "language",
     .part = OptionPart::labels,

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of a picture whatever its kind of file, and that of ink alone, which some kinds
-// share.
+// Declares the options that a picture has in every kind of file, and that of ink alone, which some
+// kinds share.
 #pragma once
 
 #include "render/export/order/export_option.h"
 
 namespace sline::render {
 
-/// Returns background, labels and marks, in the order in which a person should meet them.
+/// Returns background, labels and marks, in the order in which the user should meet them.
 OptionList pictureOptions();
-/// Returns who made it and who may use it: all kinds have these.
+/// Returns the options for who made the picture and who may use it; all kinds have these.
 OptionList creditOptions();
 
 extern const ExportOption backgroundOption;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person should know of a file that was written all the same. Values, not sentences: the
-// command line and the window say them in their own words.
+// Notes tell the user what is different about a file that was written all the same. They are
+// values, not sentences: the command line and the window put them in their own words.
 #pragma once
 
 #include <string>
@@ -8,32 +8,32 @@
 
 namespace sline::render {
 
-/// Something that a file lacks, or has otherwise than was ordered.
+/// Describes something that a file lacks, or has otherwise than was ordered.
 struct ExportNote {
   enum class Kind {
     labelsWithoutRoom,   ///< `names`: their texts
-    labelsOfHidden,      ///< on structures that are hidden or, there, cut away; likewise
-    labelsOffPage,       ///< their places are not within the picture; likewise
-    labelsUntranslated,  ///< in the scene's own language; likewise, `detail`: the one asked for
-    cardsWithoutRoom,    ///< labels that no card asks for; likewise
-    marksWithoutRoom,    ///< `names`: of the items (`Marks`)
-    sidesUnknown,        ///< no R and L: nobody knows the directions of what is visible
-    textShortened,       ///< `names`: as they were meant
-    sectionsUncut,       ///< the kind holds whole surfaces; `names`: the sections'
-    standsOnWhite,       ///< the kind has no transparency
-    depthNotKept,        ///< `detail`: bits a channel that were asked for
+    labelsOfHidden,      ///< on structures that are hidden or cut away there; `names`: their texts
+    labelsOffPage,       ///< their places are not within the picture; `names`: their texts
+    labelsUntranslated,  ///< `names`: texts in the scene's language, `detail`: the one asked for
+    cardsWithoutRoom,    ///< labels that no card asks for; `names`: their texts
+    marksWithoutRoom,    ///< `names`: those of the items (`Marks`)
+    sidesUnknown,        ///< no R and L, as the directions of what is visible are unknown
+    textShortened,       ///< `names`: the full texts
+    sectionsUncut,       ///< the kind of file holds whole surfaces; `names`: the sections'
+    standsOnWhite,       ///< the kind of file has no transparency
+    depthNotKept,        ///< `detail`: bits per channel that were asked for
     filmRounded,         ///< `detail`: "1282 × 722", pixels
     filmStretched        ///< `detail`: its seconds
   };
   Kind kind = Kind::labelsWithoutRoom;
-  std::vector<std::string> names;  ///< plain text; two labels may say the same
+  std::vector<std::string> names;  ///< plain text; two labels may have the same
   std::string detail;
   bool operator==(const ExportNote&) const = default;
 };
 using ExportNotes = std::vector<ExportNote>;
 
-/// One of the same kind and detail that is there gets the names that it has not, or not as often:
-/// what is said of one page and again of the next is said once.
+/// Adds a note. A note of the same kind and detail that is already in the list receives the names
+/// that it lacks, or has fewer times, so that what is true of several pages is said once.
 void addNote(ExportNotes& notes, ExportNote note);
 
 }  // namespace sline::render

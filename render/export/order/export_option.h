@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A choice that a person has about an export, described once. The command line's flags with their
+// Describes each choice that the user has about an export once. The command line's flags with their
 // help, the dialog's rows, the settings and the checks of both are made from it.
 #pragma once
 
@@ -15,12 +15,12 @@
 
 namespace sline::render {
 
-/// A choice's value is an `int`, of the enumeration that its field has.
+/// A value of an option; that of a choice is an `int`, from the enumeration of its field.
 using OptionValue = std::variant<bool, int, double, std::string>;
 
-/// One of several values. Without a text it is for the command line alone.
+/// Describes one of several values. Without a text it exists only on the command line.
 struct OptionChoice {
-  const char* id = "";  ///< as typed behind the flag, and in settings
+  const char* id = "";  ///< as typed after the flag, and in settings
   const char* text = nullptr;
   int value = 0;
 };
@@ -28,47 +28,47 @@ struct SwitchOption {};
 struct ChoiceOption {
   std::span<const OptionChoice> choices;
 };
-/// Both limits are allowed.
+/// Bounds a number; both limits are allowed.
 struct NumberOption {
   double low = 0.0;
   double high = 100.0;
   int decimals = 0;  ///< 0: a whole number
   double step = 1.0;
-  const char* unit = "";  ///< "px", behind the number
+  const char* unit = "";  ///< "px", after the number
 };
 struct TextOption {
   int longest = 200;      ///< characters
-  int lines = 1;          ///< that are shown at once; more than 1: it has paragraphs
-  bool fromFile = false;  ///< the command line takes the name of a file with the text as well
+  int lines = 1;          ///< shown at once; more than 1: the text has paragraphs
+  bool fromFile = false;  ///< the command line also accepts the name of a file with the text
 };
 using OptionKind = std::variant<SwitchOption, ChoiceOption, NumberOption, TextOption>;
 
-/// Where an option stands: with all pictures, or with the kinds that name it.
+/// Tells where an option belongs: to all pictures, or to the kinds that name it.
 enum class OptionPart { picture, labels, marks, kind, credit };
 
-/// A field of the order. `write` expects the alternative that `read` gives.
+/// Binds an option to a field of the order. `write` expects the alternative that `read` gives.
 struct OptionField {
   OptionValue (*read)(const ExportOrder& order) = nullptr;
   void (*write)(ExportOrder& order, const OptionValue& value) = nullptr;
 };
 
-/// All that there is to say of an option. Texts are English; `title`, `tip` and those of choices
-/// are translated in the context "sline::render::ExportOption".
+/// Describes an option completely. Texts are English; `title`, `tip` and those of choices are
+/// translated in the context "sline::render::ExportOption".
 struct ExportOption {
   const char* id = "";  ///< in settings; the dialog's control is named "export-" and this
   OptionPart part = OptionPart::kind;
   const char* flag =
-      "";  ///< of `sline export`, as "--grey,--gray"; of marks: their name in --marks
-  const char* value = "";  ///< what is typed behind the flag, as "PIXELS"; of choices their ids
-  const char* help = "";   ///< of the flag
-  const char* title = nullptr;  ///< in the dialog; null: the option is for the command line alone
-  const char* tip = "";         ///< there
+      "";  ///< flag of `sline export`, as "--grey,--gray"; of marks: their name in --marks
+  const char* value = "";       ///< what is typed after the flag, as "PIXELS"; of choices their ids
+  const char* help = "";        ///< help text of the flag
+  const char* title = nullptr;  ///< in the dialog; null: the option exists only on the command line
+  const char* tip = "";         ///< in the dialog
   OptionKind kind = SwitchOption{};
   OptionField field = {};
-  bool kept = true;  ///< from one session to the next
+  bool kept = true;  ///< kept from one session to the next
 };
 
-/// Options in the order in which a person should meet them.
+/// Lists options in the order in which the user should meet them.
 using OptionList = std::span<const ExportOption* const>;
 
 /// Describes a number within limits that the writer has.
@@ -120,7 +120,7 @@ Result<OptionValue> parseOption(const ExportOption& option, std::string_view tex
 /// Returns the text that `parseOption` reads as that value.
 std::string optionText(const ExportOption& option, const OptionValue& value);
 
-/// Returns the ids of choices as a sentence has them: "a, b or c".
+/// Returns the ids of choices as a sentence lists them: "a, b or c".
 std::string choiceList(std::span<const OptionChoice> choices);
 
 }  // namespace sline::render

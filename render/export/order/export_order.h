@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is exported, and how: said once, for each kind of file and whoever orders it.
+// Describes what is exported, and how, in one way for every kind of file and for every caller.
 #pragma once
 
 #include <filesystem>
@@ -24,45 +24,46 @@ namespace sline::render {
 /// The sheet of paper that a picture fills.
 struct ExportPage {
   glm::vec2 sizeMm{160.0f, 90.0f};
-  float dpi = 300.0f;  ///< pixels to the inch, for pictures made of pixels
+  float dpi = 300.0f;  ///< pixels per inch, for pictures made of pixels
 };
 inline constexpr Limits<float> dpiLimits{10.0f, 4800.0f};
 
 /// Of either side of a picture.
 inline constexpr Limits<int> pixelSideLimits{16, 20'000};
 
-/// What stands at the edge of a picture, so that it can be read without the program.
+/// Selects what is written at the edge of a picture, so that it can be read without the program.
 struct ExportMarks {
   bool sides = true;         ///< R and L, and the other directions of an anatomical view
   bool viewName = true;      ///< "Anterior view", or the saved view's name
-  bool scaleBar = true;      ///< where the projection has one scale
+  bool scaleBar = true;      ///< shown where the projection has one scale
   bool sectionState = true;  ///< what sections have taken away
 
   static constexpr ExportMarks none() { return {false, false, false, false}; }
   bool operator==(const ExportMarks&) const = default;
 };
 
-/// Who made the picture, and what others may do with it: in the place that the kind of file has for
-/// that, and only where somebody said it. It comes from nowhere else: not from the scene, its
-/// sources or the account. One line each, UTF-8 (`plainLine`); empty: not said.
+/// Tells who made the picture and what others may do with it. It is written in the place that the
+/// kind of file has for it, and only where the user said so. It comes from nowhere else: not from
+/// the scene, its sources or the account. Each field is one line of UTF-8 (`plainLine`); empty: not
+/// said.
 ///
 /// PNG has it as text and XMP, TIFF in its tags, JPEG as Exif, EXR in its header, JPEG 2000 as XMP,
 /// SVG and PDF as Dublin Core, GLB in its asset, MP4 in its tags, WebP as XMP, GIF in a comment,
-/// frames and Anki's pictures as PNG, Anki's package in the deck's description besides.
+/// frames and Anki's pictures as PNG, and Anki's package also in the deck's description.
 struct ExportCredit {
   std::string author;
   std::string copyright;  ///< or a licence: "CC BY 4.0"
   bool empty() const { return author.empty() && copyright.empty(); }
-  /// Both as one sentence shows them: "Jane Doe, CC BY 4.0".
+  /// Returns both as one sentence shows them: "Jane Doe, CC BY 4.0".
   std::string line() const;
 };
 
-/// All that a file of any kind is made from. The scene is as it is to be drawn: a saved view, a
-/// focus or sections that were asked for are in it already.
+/// Holds everything that a file of any kind is made from. The scene is as it is to be drawn: a
+/// saved view, a focus or sections that were asked for are already applied.
 struct ExportOrder {
   model::Scene scene;
   model::Camera camera;
-  std::string viewName;  ///< of the camera, as a person reads it; empty: none
+  std::string viewName;  ///< of the camera, for the reader; empty: none
   ExportPage page;
   Environment environment;
   /// For print without tones: each pixel of PNG and TIFF is ink or paper, no grey at all. The scene
@@ -71,7 +72,7 @@ struct ExportOrder {
   LabelStyle labels{.mode = LabelMode::off, .language = {}};
   ExportMarks marks;
   ExportCredit credit;
-  WriterOptions own;  ///< what single kinds of files have besides
+  WriterOptions own;  ///< further options, of single kinds of files
 
   /// Returns the options of a writer, as in `order.of<FilmOptions>()`.
   template <class T>
@@ -84,14 +85,14 @@ struct ExportOrder {
   }
 };
 
-/// Who waits for a file, and is told of it while it is made.
+/// Reports to the caller that waits for a file while it is made.
 class ExportProgress {
  public:
-  /// Nobody: all is written, and nothing said.
+  /// Reports to no one: everything is written.
   ExportProgress() = default;
-  /// `tell(share, what)` gets what part of the whole is behind and what is being done; false:
-  /// nobody wants the file any more, and the writer stops with `givenUp`. The notes, where there is
-  /// a list for them, get what the file lacks; it must outlive this.
+  /// `tell(share, what)` receives the share that is complete and what is being done. If it returns
+  /// false, the file is no longer wanted, and the writer stops with `givenUp`. If there is a list
+  /// of notes, it receives what the file lacks; it must outlive this object.
   template <class Tell>
   requires std::is_invocable_r_v<bool, const Tell&, double, std::string_view>
   // NOLINTNEXTLINE(google-explicit-constructor): any function will do, as for std::function
@@ -114,14 +115,14 @@ class ExportProgress {
   ExportNotes* m_notes = nullptr;
 };
 
-/// What a writer returns that was stopped; it leaves no file.
+/// Returns the error of a writer that was stopped; such a writer leaves no file.
 Error givenUp(const std::filesystem::path& target);
 
-/// Width and height of the page in pixels, each at least 1.
+/// Returns the width and height of the page in pixels, each at least 1.
 glm::ivec2 pixelsOf(const ExportPage& page);
 
-/// Across a pixel of a picture that is drawn at once, where nobody says: two, but one where it is
-/// so large that its pixels are fine enough.
+/// Returns the default number of samples across a pixel for a picture that is drawn at once: two,
+/// but one where the picture is so large that its pixels are fine enough.
 int samplesAtOnce(const glm::ivec2& size);
 
 }  // namespace sline::render

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of writers by their types: a writer declares its own, and an order carries those of
-// all without knowing any.
+// Keeps the options of writers by their types: a writer declares its own, and an order carries
+// those of all writers without knowing any.
 #pragma once
 
 #include <any>
@@ -11,7 +11,7 @@ namespace sline::render {
 
 class WriterOptions {
  public:
-  /// Returns the options of type `T`; as `T()` has them where none were set.
+  /// Returns the options of type `T`; the defaults of `T()` where none were set.
   template <class T>
   const T& of() const {
     static const T standard{};

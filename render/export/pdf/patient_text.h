@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sheet tells a patient: paragraphs below the figure.
+// Sets the text that a sheet gives a patient: paragraphs below the figure.
 #pragma once
 
 #include <QTextLayout>
@@ -13,15 +13,15 @@
 namespace sline::render {
 
 inline constexpr float patientPoints = 12.0f;
-/// From one line to the next, millimetres.
+/// The distance from one line to the next, millimetres.
 inline constexpr float patientLeading = 1.45f * patientPoints * millimetresPerPoint;
 inline constexpr float patientParagraphSpace = 0.5f * patientLeading;
 
-/// One for each line of the text, broken between words for a frame that is so many millimetres
-/// wide, in the font's pixels; null for an empty one. Needs a QGuiApplication.
+/// Returns one layout for each line of the text, broken between words for a frame that is so many
+/// millimetres wide, in the font's pixels; null for an empty line. It needs a QGuiApplication.
 std::vector<std::unique_ptr<QTextLayout>> patientParagraphs(const std::string& text, float widthMm);
 
-/// Of all of it, millimetres.
+/// Returns the height of the whole text, millimetres.
 float patientTextHeight(const std::string& text, float widthMm);
 
 }  // namespace sline::render

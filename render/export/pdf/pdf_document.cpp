@@ -26,7 +26,7 @@ Object real(double value) {
   return Object::newReal(value, 4);
 }
 
-/// Whether an entry says who or what made the file, or when, or is one of a kind.
+/// Tells whether an entry says who or what made the file, or when, or is unique to it.
 bool tellsOfMaking(const std::string& name, Object& value) {
   static constexpr std::array<std::string_view, 9> names{
       "/Metadata",     "/PieceInfo",   "/LastModified",
@@ -34,11 +34,12 @@ bool tellsOfMaking(const std::string& name, Object& value) {
       "/Creator",      "/CreatorInfo", "/NM"};
   if (std::find(names.begin(), names.end(), name) != names.end())
     return true;
-  // A date, whatever it is called (ISO 32000-1, 7.9.4).
+  // A date, under any name (ISO 32000-1, 7.9.4).
   return value.isString() && value.getStringValue().starts_with("D:");
 }
 
-/// In all that the object holds itself; what it refers to is an object of its own.
+/// Removes such entries from everything that the object itself holds; what it refers to is an
+/// object of its own.
 void removeTraces(Object object) {
   if (object.isStream())
     object = object.getDict();
@@ -65,7 +66,7 @@ void keepOnly(Object dictionary, std::initializer_list<std::string_view> names) 
       dictionary.removeKey(name);
 }
 
-/// A dictionary below another that no other object shares.
+/// Returns a dictionary below another that no other object shares.
 Object ownDictionary(Object& parent, const std::string& name) {
   Object child = parent.getKey(name);
   return parent.replaceKeyAndGetNew(
@@ -84,7 +85,7 @@ void addStates(Object& resources, const std::set<int>& opacities) {
   }
 }
 
-/// A group that is clear as a whole (ISO 32000-1, 11.6.6).
+/// Returns a group that is transparent as a whole (ISO 32000-1, 11.6.6).
 Object formObject(QPDF& file, const PdfForm& form) {
   Object stream = file.newStream(form.operators);
   Object group = Object::newDictionary();
@@ -110,7 +111,7 @@ void putBelow(QPDF& file, QPDFPageObjectHelper& page, const PdfContent& content,
   Object box = page.getAttribute("/MediaBox", false);
   if (!box.isArray() || box.getArrayNItems() != 4 || !box.getArrayItem(3).isNumber())
     throw std::runtime_error("a page without a size");
-  // QPdfWriter's pages are whole points high: its upper edge is moved to the page's.
+  // QPdfWriter's pages are a whole number of points high: its upper edge is moved to the page's.
   const double raised = size.y - box.getArrayItem(3).getNumericValue();
   page.addPageContents(
       file.newStream(content.operators + "q 1 0 0 1 0 " + real(raised).unparse() + " cm\n"), true);
@@ -128,7 +129,7 @@ void putBelow(QPDF& file, QPDFPageObjectHelper& page, const PdfContent& content,
     forms.replaceKey(pdfFormName(i), formObject(file, content.forms[i]));
 }
 
-/// The credit stands in the document's information, where all programs look, and as XMP.
+/// Writes the credit to the document's information, where all programs look, and as XMP.
 void describe(QPDF& file, const PdfDescription& description) {
   Object catalog = file.getRoot();
   catalog.replaceKey("/Lang", Object::newUnicodeString(
@@ -156,7 +157,7 @@ void describe(QPDF& file, const PdfDescription& description) {
   catalog.replaceKey("/Metadata", xmp);
 }
 
-/// Throws what qpdf throws.
+/// Joins the pages; throws what qpdf throws.
 QByteArray joined(const QByteArray& painted, const std::vector<PdfContent>& below,
                   const PdfDescription& description) {
   QPDF file;

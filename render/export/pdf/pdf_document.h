@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A PDF file made of pages that Qt has painted and of drawings below them, with qpdf.
+// Joins pages that Qt has painted and drawings below them into a PDF file, with qpdf.
 #pragma once
 
 #include <QByteArray>
@@ -13,18 +13,18 @@
 
 namespace sline::render {
 
-/// What is true of the whole file.
+/// Describes the whole file.
 struct PdfDescription {
   glm::dvec2 pageSize{0.0};  ///< of all pages, points
-  std::string language;      ///< BCP 47, for those who read aloud
-  std::string title;         ///< that viewers show above the pages; may be empty
+  std::string language;      ///< BCP 47, for programs that read aloud
+  std::string title;         ///< shown above the pages by viewers; may be empty
   ExportCredit credit = {};
 };
 
-/// The painted pages, the upper edge of each at that of its page, with one drawing's content below
-/// each. The file is linearised and the same for the same pages: of what the painted one says of
-/// its making (information, XMP, dates, identifiers) nothing is left. Fails for bytes that are no
-/// PDF or have another number of pages.
+/// Joins the painted pages, the upper edge of each at that of its page, with one drawing's content
+/// below each. The file is linearised and the same for the same pages: nothing remains of what the
+/// painted file says about its making (information, XMP, dates, identifiers). It fails for bytes
+/// that are not a PDF or have another number of pages.
 Result<QByteArray> joinedPdf(const QByteArray& painted, const std::vector<PdfContent>& below,
                              const PdfDescription& description);
 

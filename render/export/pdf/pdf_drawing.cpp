@@ -39,7 +39,8 @@ class Operators {
   }
   void text(std::string_view more) { m_text += more; }
 
-  /// Black, white and grey as such: a printer then mixes no inks for them.
+  /// Sets the colour; black, white and grey are written as such, so that a printer mixes no inks
+  /// for them.
   void colour(const Colour& colour, bool stroke) {
     const auto channel = [this](std::uint8_t value) { number(double(value) / 255.0, 4); };
     channel(colour.red);
@@ -97,7 +98,7 @@ class DrawingContent {
   void append(const PdfPlace& place, double pageHeight) {
     Operators out;
     out.word("q");
-    // Millimetres from the page's upper left corner, y downwards.
+    // Maps millimetres from the page's upper left corner, y downwards.
     for (const double value : {pointsPerMillimetre, 0.0, 0.0, -pointsPerMillimetre, 0.0})
       out.number(value, 8);
     out.number(pageHeight, 4);
@@ -132,7 +133,8 @@ class DrawingContent {
  private:
   static bool opaque(float opacity) { return opacity >= 0.999f; }
 
-  /// The name of the state in which all is that clear, which is noted.
+  /// Returns the name of the state in which everything has that opacity, and records it in
+  /// `opacities`.
   static std::string state(float opacity, std::set<int>& opacities) {
     const int percent = std::clamp(int(std::lround(100.0f * opacity)), 0, 100);
     opacities.insert(percent);
@@ -168,7 +170,7 @@ class DrawingContent {
     PdfForm form{
         .operators = {}, .box = {glm::vec2(-beyond), m_drawing.sizeMm + beyond}, .opacities = {}};
     Operators inner;
-    // Forms begin with their page's state, so that what is clear is so once.
+    // Forms begin with their page's state, so that transparency applies once.
     inner.word("1 J 1 j");
     shapes(inner, all, regions, form.opacities);
     form.operators = inner.take();

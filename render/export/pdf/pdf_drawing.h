@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drawing as a PDF page shows it: paths, with fills and groups of structures as clear as they
-// are.
+// Writes a drawing as a PDF page shows it: paths, and fills and groups of structures with their
+// transparency.
 #pragma once
 
 #include <set>
@@ -12,30 +12,30 @@
 
 namespace sline::render {
 
-/// Where on a page; millimetres from its upper left corner.
+/// A place on a page, in millimetres from its upper left corner.
 struct PdfPlace {
   glm::vec2 at{0.0f};  ///< of the drawing's upper left corner
-  LabelBox clip;       ///< nothing is drawn beside it
+  LabelBox clip;       ///< nothing is drawn outside it
 };
 
-/// A group of paths that is clear as a whole: an object of its own, drawn by its name.
+/// A group of paths that is transparent as a whole: an object of its own, drawn by its name.
 struct PdfForm {
   std::string operators;
-  LabelBox box;             ///< nothing is drawn beside it; in the units of what draws it
-  std::set<int> opacities;  ///< as those of `PdfContent`
+  LabelBox box;  ///< nothing is drawn outside it; in the units of the content that draws it
+  std::set<int> opacities;  ///< as in `PdfContent`
 };
 
-/// What a page's content says, and what it names.
+/// Holds a page's content and what it refers to.
 struct PdfContent {
   std::string operators;
-  std::set<int> opacities;     ///< percent; each has a state, called `pdfStateName`
-  std::vector<PdfForm> forms;  ///< called `pdfFormName`
+  std::set<int> opacities;     ///< percent; each has a state, named by `pdfStateName`
+  std::vector<PdfForm> forms;  ///< named by `pdfFormName`
 };
 
 std::string pdfStateName(int percent);
 std::string pdfFormName(std::size_t index);
 
-/// Appends the drawing. No name of a structure is written. The page's height is in points.
+/// Appends the drawing; names of structures are not written. The page's height is in points.
 void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlace& place,
                    double pageHeight);
 

@@ -5,8 +5,8 @@
 
 namespace sline::render {
 
-/// Writes the figure or the sheet as PDF: lines are lines, text is text, in fonts that are in the
-/// file.
+/// Writes the figure or the sheet as PDF: lines are lines, and text is text, in fonts that are
+/// embedded in the file.
 Status writePdf(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pages of a PDF file: drawings below, and above them what a painter sets and paints.
+// Makes pages of a PDF file: drawings below, and above them text and shapes from a painter.
 #pragma once
 
 #include <QBuffer>
@@ -19,21 +19,22 @@ namespace sline::render {
 
 class PdfPages {
  public:
-  /// Pages of that size; the first is begun. The language (BCP 47) is for those who read aloud.
+  /// Makes pages of that size and begins the first. The language (BCP 47) is for programs that read
+  /// aloud.
   PdfPages(const glm::vec2& sizeMm, const std::string& language);
   ~PdfPages();
   PdfPages(const PdfPages&) = delete;
   PdfPages& operator=(const PdfPages&) = delete;
 
   void newPage();
-  /// Of the current page; its unit is a millimetre, from the page's upper left corner. Text that it
-  /// draws stays text.
+  /// Returns the painter of the current page; its unit is a millimetre, from the page's upper left
+  /// corner. Text that it draws stays text.
   QPainter& painter() { return m_painter; }
-  /// A drawing of the current page, below all that is painted; it must live until `finish`.
+  /// Places a drawing on the current page, below everything painted; it must live until `finish`.
   void place(const VectorDrawing& drawing, const PdfPlace& place);
 
-  /// The whole file. Holds no more than what the pages show, the credit and the title that readers
-  /// show above them, where there is one: no program, date or machine.
+  /// Returns the whole file. It holds no more than what the pages show, the credit and, if there is
+  /// one, the title that viewers show above them: no program, date or machine.
   Result<QByteArray> finish(const ExportCredit& credit = {}, const std::string& title = {});
 
  private:
@@ -52,7 +53,7 @@ class PdfPages {
   QPainter m_painter;
 };
 
-/// As text that stays text, in labels' font; a TextSetter.
+/// Sets text that stays text, in the labels' font; it is a TextSetter.
 void setText(QPainter& painter, const LetteringText& text);
 
 }  // namespace sline::render

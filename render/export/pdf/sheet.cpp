@@ -41,7 +41,7 @@ void setPlate(QPainter& painter, const FigurePlate& plate) {
   paintLettering(painter, plate.marks.lettering, setText);
 }
 
-/// One sheet while it is made.
+/// Makes one sheet.
 class Sheet {
  public:
   explicit Sheet(const ExportOrder& order)
@@ -63,7 +63,7 @@ class Sheet {
         return legend.error();
     if (progress && !progress(0.9, "setting the pages"))
       return givenUp(target);
-    // Once to count the pages, once with their numbers.
+    // Runs once to count the pages, and once with their numbers.
     for (m_total = 0; m_total == 0 || !m_pages;) {
       const bool counting = m_total == 0;
       m_page = 0;
@@ -110,7 +110,8 @@ class Sheet {
     return figurePlate(order, m_trees);
   }
 
-  /// Labels that have a place; on the test's page they are numbered, so they must have one there.
+  /// Numbers the labels that have a place; on the test's page labels are numbered, so they need a
+  /// place there.
   void prepareNumbers(const ExportProgress& progress) {
     const FigurePlate numbered = plateIn(LabelMode::numbers);
     if (m_order.of<SheetOptions>().kind == SheetKind::teaching)
@@ -140,7 +141,7 @@ class Sheet {
     return Unit{};
   }
 
-  /// With the title, and what kind of page it is at its right.
+  /// Begins a page with the title, and the kind of page at its right.
   void beginPage(const QString& kind) {
     if (m_page > 0)
       m_pages->newPage();
@@ -174,7 +175,8 @@ class Sheet {
       setNameAndDate();
   }
 
-  /// Nobody ordered the labels that the sheet adds.
+  /// Notes what is missing, but not of labels that the sheet adds, as the order does not ask for
+  /// them.
   void noteOf(const FigurePlate& plate, const ExportProgress& progress) const {
     progress.note(hasLabels(m_given.scene) ? plate.notes : plate.marks.notes);
   }
@@ -184,7 +186,7 @@ class Sheet {
             {.kind = ExportNote::Kind::textShortened, .names = {text.toStdString()}, .detail = {}});
   }
 
-  /// At the foot of the test, for whoever takes it.
+  /// Sets lines for name and date at the foot of the test.
   void setNameAndDate() {
     const float baseline = m_layout.paper.y - 8.5f;
     float x = m_layout.content.low.x;
@@ -219,7 +221,7 @@ class Sheet {
     painter.restore();
   }
 
-  /// The figures of a list as they come, row by row.
+  /// Counts the numbers and legend entries of a list that are already set, row by row.
   struct Progress {
     std::size_t number = 0;
     std::size_t legend = 0;
@@ -265,7 +267,7 @@ class Sheet {
   void setPatientText();
 
   const ExportOrder& m_given;
-  ExportOrder m_order;  ///< of the figure
+  ExportOrder m_order;  ///< that of the figure
   SheetLayout m_layout;
   const SheetWords& m_words;
   model::MeshTrees m_trees;
@@ -276,7 +278,7 @@ class Sheet {
     QString text;
   };
   std::vector<Number> m_numbers;
-  std::map<model::NodeId, int> m_numberOf;  ///< where the legend tells them
+  std::map<model::NodeId, int> m_numberOf;  ///< the numbers that the legend shows
   std::vector<LegendRow> m_legend;
   std::vector<VectorDrawing> m_samples;
   std::unique_ptr<PdfPages> m_pages;
@@ -285,7 +287,7 @@ class Sheet {
   int m_total = 0;
 };
 
-/// From below the figure on to as many pages as it needs.
+/// Sets the patient's text from below the figure on, over as many pages as it needs.
 void Sheet::setPatientText() {
   const qreal scale = qreal(patientPoints * millimetresPerPoint) / labelFontPixels;
   LabelBox frame = m_layout.text;

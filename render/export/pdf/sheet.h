@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sheet of paper for teaching, for patients or for print: figure, title, legend, labels.
+// Makes a sheet of paper for teaching, for patients or for print: figure, title, legend, labels.
 #pragma once
 
 #include <QByteArray>
@@ -8,12 +8,12 @@
 
 namespace sline::render {
 
-/// The whole PDF file. A scene without labels of its own has its structures labelled where the
-/// sheet needs labels. `progress` may stop it; then the error is `givenUp`'s for `target`.
+/// Returns the whole PDF file. If the scene has no labels of its own and the sheet needs labels,
+/// its structures are labelled. `progress` may stop it; the error is then `givenUp`'s for `target`.
 Result<QByteArray> sheetDocument(const ExportOrder& order, const std::filesystem::path& target,
                                  const ExportProgress& progress);
 
-/// The figure alone, on a page of its size.
+/// Returns the figure alone, on a page of its size.
 Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesystem::path& target,
                                   const ExportProgress& progress);
 

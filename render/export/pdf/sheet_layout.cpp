@@ -18,7 +18,7 @@ constexpr float topMargin = 14.0f;
 constexpr float bottomMargin = 15.0f;
 constexpr float headerHeight = 13.0f;  ///< title and rule
 constexpr float belowFigure = 4.0f;
-/// What lists take of the content at most, before they go on on the next page.
+/// The largest share of the content that lists take before they continue on the next page.
 constexpr float mostOfHeight = 0.44f;
 constexpr float sideWidth = 62.0f;        ///< of lists beside a figure on landscape paper
 constexpr float mostPatientText = 0.42f;  ///< of the first page's height
@@ -29,7 +29,7 @@ glm::vec2 paperSize(const SheetOptions& sheet) {
   return sheet.landscape ? glm::vec2(upright.y, upright.x) : upright;
 }
 
-constexpr float tolerance = 0.01f;  ///< of heights, as they are summed up
+constexpr float tolerance = 0.01f;  ///< for heights, which are sums
 
 bool isHeading(RowKind kind) {
   return kind == RowKind::heading || kind == RowKind::group;
@@ -41,13 +41,13 @@ class Filling {
   Filling(std::span<const RowKind> rows, float height, int columns)
       : m_rows(rows), m_height(height), m_columns(columns) {}
 
-  /// Where rows go, of those that fit: the column, and how far down.
+  /// Returns the places of the rows that fit: the column, and how far down.
   std::vector<glm::vec2> fill() const {
     std::vector<glm::vec2> places;
     int column = 0;
     float y = 0.0f;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
-      // A heading wants the first row of what it heads below it.
+      // A heading needs room for the first row below it.
       float need = 0.0f;
       for (std::size_t k = i; k < m_rows.size(); ++k) {
         need += rowHeight(m_rows[k]);
@@ -72,7 +72,7 @@ class Filling {
   int m_columns;
 };
 
-/// The least height in which all rows fit, or the frame's where they do not.
+/// Returns the least height in which all rows fit, or the frame's where they do not.
 float evenHeight(std::span<const RowKind> rows, float most, int columns) {
   if (Filling(rows, most, columns).fill().size() < rows.size())
     return most;
@@ -90,7 +90,7 @@ int columnsOf(float width) {
   return std::max(1, int((width + columnSpace) / (usual + columnSpace) + 0.05f));
 }
 
-/// At least as many as the figure will have labels.
+/// Returns at least as many as the figure will have labels.
 std::size_t labelsAtMost(const model::Scene& scene) {
   const auto& annotations = scene.annotations();
   constexpr std::size_t usual = 24;
@@ -142,7 +142,7 @@ std::vector<LegendRow> legendRows(const model::Scene& scene) {
     const model::Node* node = structure.node;
     rows.push_back({node, rows.empty() || rows.back().node->parent != node->parent});
   }
-  // Headings that name every structure's own group, or one for all, say nothing.
+  // Headings that would name each structure's own group, or one for all, say nothing.
   const auto groups =
       std::count_if(rows.begin(), rows.end(), [](const LegendRow& row) { return row.newGroup; });
   for (LegendRow& row : rows)
@@ -184,7 +184,7 @@ SheetLayout sheetLayout(const ExportOrder& order) {
   layout.content = {{sideMargin, topMargin + (header ? headerHeight : 0.0f)},
                     layout.paper - glm::vec2(sideMargin, bottomMargin)};
   layout.figure = layout.content;
-  // Marks at the figure's sides stand in line with all else.
+  // Marks at the figure's sides are aligned with everything else.
   layout.figure.low.x -= markMargin;
   layout.figure.high.x += markMargin;
   layout.lists.next = layout.content;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where things stand on a sheet: the figure, and lists that flow through columns and pages.
-// Millimetres from the paper's upper left corner.
+// Decides where things stand on a sheet: the figure, and lists that flow through columns and pages.
+// All lengths are millimetres from the paper's upper left corner.
 #pragma once
 
 #include <span>
@@ -20,24 +20,27 @@ enum class RowKind {
 };
 float rowHeight(RowKind kind);
 
-/// Where a row stands: on the list's how manieth page, and its upper left corner.
+/// The place of a row: the page of the list on which it stands, counted from 0, and its upper left
+/// corner.
 struct RowPlace {
   std::size_t page = 0;
   glm::vec2 at{0.0f};
 };
 
-/// A frame with columns of equal width; what it has no room for goes on in `next`, page by page.
+/// Frames with columns of equal width; rows that do not fit into `first` continue in `next`, page
+/// by page.
 struct ListFrames {
   LabelBox first;
   int firstColumns = 1;
   LabelBox next;
   int nextColumns = 1;
 };
-/// Between columns.
+/// The space between columns.
 inline constexpr float columnSpace = 5.0f;
 float columnWidth(const LabelBox& frame, int columns);
 
-/// In their order, columns of a page as even as can be; no heading is the last of its column.
+/// Returns the rows' places, in their order. Columns of a page are as even as possible, and no
+/// heading is the last row of its column.
 std::vector<RowPlace> flow(std::span<const RowKind> rows, const ListFrames& frames);
 
 struct SheetLayout {
@@ -45,10 +48,11 @@ struct SheetLayout {
   LabelBox content;  ///< within the margins
   LabelBox figure;
   ListFrames lists;
-  LabelBox text;  ///< of `patient`, on the first page
+  LabelBox text;  ///< for `patient`, on the first page
 };
 
-/// The rows of the sheet's lists decide how much of the paper is left to the figure.
+/// Returns the layout of the order's sheet; the rows of its lists decide how much of the paper is
+/// left to the figure.
 SheetLayout sheetLayout(const ExportOrder& order);
 
 /// The rows of the first page's, the test's and the key's lists, where the sheet has them, for so
@@ -60,16 +64,17 @@ struct SheetRows {
 };
 SheetRows sheetRows(const ExportOrder& order, std::size_t labels);
 
-/// A structure that the legend lists, and whether its group's heading stands before it.
+/// A structure that the legend lists; `newGroup` tells whether its group's heading stands before
+/// it.
 struct LegendRow {
   const model::Node* node = nullptr;
   bool newGroup = false;
 };
-/// All that is visible, in the order of the scene.
+/// Returns rows for everything visible, in the order of the scene.
 std::vector<LegendRow> legendRows(const model::Scene& scene);
 
-/// How large the figure is on the order's sheet: what cameras are fitted to. Without a sheet, the
-/// page's own size.
+/// Returns the size of the figure on the order's sheet, to which cameras are fitted; without a
+/// sheet, the page's own size.
 glm::vec2 sheetFigureMm(const ExportOrder& order);
 
 }  // namespace sline::render

@@ -21,7 +21,8 @@ struct Fitted {
   bool whole = true;
 };
 
-/// One line, or where that is too long two smaller ones; the second is shortened where it must.
+/// Fits a text into one line or, where that is too long, two smaller ones; the second is shortened
+/// if necessary.
 Fitted fitted(const QString& text, const glm::vec2& middle, float width, float points) {
   LetteringText set{.lines = {text},
                     .at = middle + glm::vec2(0.0f, 0.5f * capHeightMm(points)),

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of PDF documents: the figure alone, or a sheet of paper around it.
+// Declares the options of PDF documents: the figure alone, or a sheet of paper around it.
 #pragma once
 
 #include "render/export/order/export_option.h"
 
 namespace sline::render {
 
-/// What a PDF is: the figure alone, on a page of its size, or a sheet of paper around it. `figure`:
-/// with title and legend; `teaching`: besides, numbered labels, a page to test oneself and its key;
-/// `patient`: large labels and a text of one's own.
+/// Tells what a PDF shows. `none`: the figure alone, on a page of its size; all others a sheet of
+/// paper around it. `figure`: with title and legend; `teaching`: also numbered labels, a page to
+/// test oneself and its key; `patient`: large labels and a text of one's own.
 enum class SheetKind { none, figure, teaching, patient };
 enum class Paper { a4, letter };
 
@@ -16,14 +16,14 @@ struct SheetOptions {
   SheetKind kind = SheetKind::none;
   Paper paper = Paper::a4;
   bool landscape = false;
-  std::string title;  ///< plain text, as is the next
-  std::string text;   ///< of `patient`; lines are paragraphs
+  std::string title;  ///< plain text, like `text`
+  std::string text;   ///< used by `patient`; lines are paragraphs
   bool operator==(const SheetOptions&) const = default;
 };
 
 OptionList sheetOptions();
 
-/// Which kind of sheet: the other options are those of sheets alone.
+/// Chooses the kind of sheet; the other options apply to sheets alone.
 extern const ExportOption sheetOption;
 
 }  // namespace sline::render

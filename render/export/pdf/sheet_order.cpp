@@ -36,11 +36,11 @@ constexpr float patientLabels = 12.0f;  // points
 constexpr std::size_t mostLabels = 36;
 constexpr std::size_t mostPatientLabels = 10;
 
-/// Of a structure that has no label yet.
+/// Describes a structure that has no label yet.
 struct Candidate {
   model::Annotation label;
-  float x = 0.0f;     ///< of its place, from the picture's middle
-  float size = 0.0f;  ///< of the structure
+  float x = 0.0f;     ///< that of its place, from the picture's middle
+  float size = 0.0f;  ///< that of the structure
   model::Side side = model::Side::none;
   std::string otherwise;  ///< its name without the side
 };
@@ -74,7 +74,7 @@ std::vector<Candidate> candidates(const ExportOrder& order) {
   return all;
 }
 
-/// One of a left and a right one is enough: that which makes both sides of the picture as full.
+/// Keeps one of each left and right pair: the one that fills both sides of the picture evenly.
 std::vector<Candidate> oneOfEachPair(const std::vector<Candidate>& all) {
   const auto partner = [&all](const Candidate& one) -> const Candidate* {
     const auto found = std::find_if(all.begin(), all.end(), [&one](const Candidate& other) {
@@ -98,7 +98,8 @@ std::vector<Candidate> oneOfEachPair(const std::vector<Candidate>& all) {
   return chosen;
 }
 
-/// With labels for structures that are seen and for which there is room, the large ones first.
+/// Returns the scene with labels for structures that are seen and have room for one, the large ones
+/// first.
 model::Scene labelled(const ExportOrder& order) {
   const bool patient = order.of<SheetOptions>().kind == SheetKind::patient;
   ExportOrder figure = order;

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sheet makes of an order.
+// Adapts an order to its sheet.
 #pragma once
 
 #include "render/export/order/export_order.h"
 
 namespace sline::render {
 
-/// In the language (a BCP 47 tag), where the name is known in it.
+/// Returns the name in the language (a BCP 47 tag), if it is known in it.
 std::string structureName(const std::string& name, const std::string& language);
 
-/// A visible annotation. A scene without one has its structures labelled where a sheet shows
-/// labels: those that are seen, of a left and a right one that with more room beside it.
+/// Tells whether the scene has a visible annotation. If it has none, structures are labelled where
+/// a sheet shows labels: those that are seen, and of a left and a right one that with more room
+/// beside it.
 bool hasLabels(const model::Scene& scene);
 
-/// The figure as the order's sheet has it: its page fitted into the sheet, labels shown as the
-/// sheet shows them, and added where it shows some and the scene has none: numbered down the left
-/// side and then down the right. Unchanged without a sheet.
+/// Returns the figure as the order's sheet has it: its page is fitted into the sheet, and labels
+/// are shown as the sheet shows them. Where the sheet shows labels and the scene has none, they are
+/// added, numbered down the left side and then down the right. Without a sheet it is unchanged.
 ExportOrder sheetFigure(const ExportOrder& order);
 
 }  // namespace sline::render

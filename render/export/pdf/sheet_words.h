@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands on a sheet besides its contents, in the figure's language: English, German, Dutch,
-// Norwegian or Latin.
+// Holds the words that a sheet has besides its contents, in the figure's language: English, German,
+// Dutch, Norwegian or Latin.
 #pragma once
 
 #include <string>
 
 namespace sline::render {
 
-/// UTF-8.
+/// Words in UTF-8.
 struct SheetWords {
   const char* language;
   const char* legend;
@@ -19,7 +19,7 @@ struct SheetWords {
   const char* date;
 };
 
-/// English for languages that are not known.
+/// Returns the words of a language; English for unknown ones.
 const SheetWords& sheetWords(const std::string& language);
 
 }  // namespace sline::render

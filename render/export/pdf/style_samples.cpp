@@ -11,8 +11,8 @@ namespace sline::render {
 
 namespace {
 
-/// A bean on its side, as seen from the front: a closed surface with all that lines tell of one, a
-/// hollow too. Millimetres.
+/// Returns a bean on its side, as seen from the front: a closed surface with everything that lines
+/// can show, including a hollow. Millimetres.
 model::MeshPtr bean() {
   constexpr int rings = 28;
   constexpr int around = 40;
@@ -62,7 +62,7 @@ Path moved(Path path, const glm::vec2& by) {
 
 Result<std::vector<VectorDrawing>> styleSamples(const ExportOrder& order,
                                                 const std::vector<model::NodeId>& structures) {
-  // Pens are parts of a page's height, so each sample is the middle of a page as high as the
+  // Pens are measured by the page's height, so each sample is the middle of a page as high as the
   // figure.
   const model::MeshPtr mesh = bean();
   const float height = std::max(order.page.sizeMm.y, 2.0f * sampleMm.y);

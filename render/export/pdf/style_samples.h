@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How each structure is drawn, shown on a small body of its own: what a legend's reader compares
-// the figure with.
+// Shows how each structure is drawn on a small body of its own, which a legend's reader compares
+// with the figure.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace sline::render {
 
 inline constexpr glm::vec2 sampleMm{8.0f, 4.8f};
 
-/// A drawing of `sampleMm` for each structure, with its style, light and background, and with pens
-/// as wide as in a figure of that height.
+/// Returns a drawing of `sampleMm` for each structure, with its style, light and background, and
+/// with pens as wide as in a figure of that height.
 Result<std::vector<VectorDrawing>> styleSamples(const ExportOrder& order,
                                                 const std::vector<model::NodeId>& structures);
 

@@ -7,8 +7,8 @@
 
 #include "model/base/letters.h"
 #include "model/disk/whole_file.h"
-#include "render/export/encoding/xmp_packet.h"
 #include "render/export/encoding/colour_profile.h"
+#include "render/export/encoding/xmp_packet.h"
 #include "render/export/pixels/pixel_module.h"
 #include "render/export/pixels/pixel_rows.h"
 
@@ -84,8 +84,8 @@ class GrowingTarget : public ByteTarget {
   explicit GrowingTarget(std::unique_ptr<model::GrowingFile> file) : m_file(std::move(file)) {}
 
   Status write(std::uint64_t at, std::string_view bytes) override {
-    // Writers go back to say what they know only in the end, and leave a byte out so that what
-    // comes next begins at an even place.
+    // Writers go back to write what they know only in the end, and leave a byte out so that the
+    // next part begins at an even place.
     if (at > m_file->size())
       if (Status filled = m_file->add(std::string(at - m_file->size(), '\0')); !filled.ok())
         return filled;
@@ -101,7 +101,7 @@ class GrowingTarget : public ByteTarget {
   std::unique_ptr<model::GrowingFile> m_file;
 };
 
-/// What the module writes, with its errors told of the file.
+/// Writes through the module; its errors name the file.
 class ModuleRowFile : public RowFile {
  public:
   ModuleRowFile(std::unique_ptr<RowFile> rows, fs::path file)
@@ -148,7 +148,7 @@ Result<std::unique_ptr<RowFile>> moduleRows(PixelKind kind, const PixelLayout& l
 }  // namespace
 
 PixelTraits traitsOf(PixelKind kind) {
-  // Of kinds that are packed as a whole, which takes up to 35 bytes for each.
+  // Pixels of kinds that are packed as a whole, which takes up to 35 bytes for each.
   constexpr double mostPacked = 100e6;
   switch (kind) {
     case PixelKind::png:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finished images as files.
+// Writes finished images as files.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,13 @@
 
 namespace sline::render {
 
-/// Fails for an extension that no picture can be written to; the error lists those that can.
+/// Fails for an extension in which no picture can be written; the error lists those that can.
 Status checkImageName(const std::filesystem::path& file);
 
 /// Writes the picture in the format of the file's extension: png and tiff (8 bit sRGB, straight
-/// alpha, marked as such), exr (half floats in linear light, alpha multiplied in, as OpenEXR
-/// wants), jpg (no alpha: on white), webp and jp2 (lossless). Where every pixel is opaque no alpha
-/// is written. The file appears whole or not at all, and carries no path, user or date.
+/// alpha, marked as such), exr (half floats in linear light, premultiplied alpha, as OpenEXR
+/// requires), jpg (no alpha: on white), webp and jp2 (lossless). Where every pixel is opaque no
+/// alpha is written. The file appears whole or not at all, and carries no path, user or date.
 Status writeImage(const Image& image, const std::filesystem::path& file);
 
 /// A file of rows at a place that is written to directly; see `model::writeBeside`.

@@ -13,7 +13,7 @@ namespace sline::render {
 
 namespace {
 
-/// Collects pieces to bands and hands these on; one is written while the next is drawn.
+/// Collects pieces into bands and passes these on; one is written while the next is drawn.
 class BandWriter {
  public:
   BandWriter(const PageBands& bands, int bandRows, const PageOverlay& overlay, const BandTake& take)
@@ -23,7 +23,7 @@ class BandWriter {
   BandWriter(const BandWriter&) = delete;
   BandWriter& operator=(const BandWriter&) = delete;
 
-  /// False where the band before could not be written.
+  /// Adds a piece; returns false where the band before could not be written.
   bool add(const PicturePiece& piece) {
     putAverages(piece, m_bands.samples, m_top, m_rows);
     m_filled += std::size_t(piece.width) * std::size_t(piece.height);
@@ -48,7 +48,7 @@ class BandWriter {
     return m_written;
   }
 
-  /// Of all rows.
+  /// Returns the share of all rows.
   double share() const {
     const double rows = double(m_top) + double(m_filled) / double(m_bands.size.x) /
                                             double(m_bands.samples * m_bands.samples);
@@ -69,7 +69,7 @@ class BandWriter {
   const BandTake& m_take;
   int m_top = 0;
   PixelRows m_rows;
-  std::size_t m_filled = 0;  ///< samples of the band
+  std::size_t m_filled = 0;  ///< samples put into the band so far
   Status m_written = Unit{};
   std::future<Status> m_writing;
 };
@@ -119,7 +119,7 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
 
 int usualSamples(glm::ivec2 size, const ExportOrder& order) {
   const auto& pixels = order.of<PixelOptions>();
-  constexpr int mostPixels = 65535;  // of a picture's side, samples counted
+  constexpr int mostPixels = 65535;  // of a picture's side, samples included
   const int most = std::max(mostPixels / std::max(size.x, size.y), 1);
   if (pixels.samples > 0)
     return std::min(pixels.samples, most);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands over the drawing: painted into each band of a picture, laid out once for all.
+// Paints what lies over the drawing into each band of a picture; it is laid out once for all bands.
 #pragma once
 
 #include <memory>
@@ -12,15 +12,16 @@ namespace sline::render {
 
 class PageOverlay {
  public:
-  /// Makes what setting text needs where the order has text; `pixels` is the picture's size.
+  /// Creates an overlay and, where the order has text, what setting text needs; `pixels` is the
+  /// picture's size.
   static Result<std::unique_ptr<PageOverlay>> create(const ExportOrder& order, glm::ivec2 pixels);
   ~PageOverlay();
   PageOverlay(const PageOverlay&) = delete;
   PageOverlay& operator=(const PageOverlay&) = delete;
 
-  /// What of it is not there.
+  /// Returns what is missing of the overlay.
   const ExportNotes& notes() const;
-  /// Onto rows that begin `top` rows below the picture's upper edge. Runs on any thread.
+  /// Paints onto rows that begin `top` rows below the picture's upper edge. It runs on any thread.
   void paint(PixelRows& rows, int top) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of pictures made of pixels.
+// Declares the options of pictures made of pixels.
 #pragma once
 
 #include "render/export/order/export_option.h"
@@ -7,7 +7,7 @@
 namespace sline::render {
 
 struct PixelOptions {
-  /// Of a channel in PNG, TIFF and JPEG 2000: 8 or 16; 1 means black and white alone.
+  /// Bits per channel in PNG, TIFF and JPEG 2000: 8 or 16; 1 means black and white alone.
   int bits = 8;
   bool grey = false;
   int samples = 0;  ///< across a pixel; 0: as many as its size allows

@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::uint32_t whole = 65535;
 
-/// Colour or grey, and alpha last; straight, 16 bits.
+/// Holds colour or grey, and alpha last; straight, 16 bits.
 struct Pixel {
   std::array<std::uint16_t, 3> colour;
   std::uint16_t alpha;
 };
 
-/// From premultiplied; onto white unless alpha is kept.
+/// Converts from premultiplied colours; the pixel is put on white unless alpha is kept.
 Pixel straight(const std::uint16_t* p, bool keepAlpha) {
   const std::uint32_t alpha = p[3];
   if (alpha == whole)
@@ -38,7 +38,8 @@ Pixel straight(const std::uint16_t* p, bool keepAlpha) {
   return pixel;
 }
 
-/// sRGB's curve in 4096 steps, straight lines between: true to 1/65535 but near black, to 1/4000.
+/// Approximates sRGB's curve in 4096 steps with straight lines between them: exact to 1/65535,
+/// except near black to 1/4000.
 class LightTable {
  public:
   LightTable() {
@@ -60,7 +61,7 @@ const LightTable& light() {
   return table;
 }
 
-/// Luminance (ITU-R BT.709) as an sRGB value.
+/// Returns the luminance (ITU-R BT.709) as an sRGB value.
 std::uint16_t greyOf(const std::array<std::uint16_t, 3>& colour) {
   if (colour[0] == colour[1] && colour[1] == colour[2])
     return colour[0];
@@ -80,7 +81,7 @@ class RowPacker {
       if (m_layout.isGrey() || m_pureInk)
         pixel.colour[0] = greyOf(pixel.colour);
       if (m_pureInk) {
-        // Half covered by ink is ink; what is half clear is clear.
+        // A pixel half covered by ink is ink, and a half clear one is clear.
         pixel.colour.fill(pixel.colour[0] < 32768 ? 0 : std::uint16_t(whole));
         pixel.alpha = pixel.alpha < 32768 ? 0 : std::uint16_t(whole);
       }
@@ -115,7 +116,7 @@ class RowPacker {
       std::memcpy(out, &value, 2);
       return out + 2;
     }
-    // Where the picture stands on white, so does its alpha.
+    // Where the picture stands on white, its alpha does too.
     const float covers = m_layout.hasAlpha() ? float(alpha) / float(whole) : 1.0f;
     const float linear = colour ? light()(value) * covers : covers;
     std::memcpy(out, &linear, 4);

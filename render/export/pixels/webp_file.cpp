@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// WebP pictures through libwebp: lossless. OpenImageIO's writer halves the resolution of colours
-// even so: coloured lines were off by up to 75 of 255.
+// Writes lossless WebP pictures through libwebp. OpenImageIO's writer halves the resolution of
+// colours even then: coloured lines were off by up to 75 of 255.
 #include <webp/encode.h>
 #include <webp/mux.h>
 
@@ -15,7 +15,7 @@ namespace sline::render {
 
 namespace {
 
-/// libwebp packs a picture as a whole.
+/// A file that libwebp packs as a whole.
 class WebpFile : public RowFile {
  public:
   WebpFile(const PixelLayout& layout, std::filesystem::path path,

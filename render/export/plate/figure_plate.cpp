@@ -12,7 +12,7 @@ namespace {
 
 using Kind = ExportNote::Kind;
 
-/// As a person knows it; a distance need not have a text.
+/// Returns the name by which the user knows the annotation; a distance need not have a text.
 std::string nameOf(const model::Annotation& annotation, const std::string& language) {
   const QString text =
       QString::fromStdString(model::plainTextIn(annotation, language)).simplified();
@@ -31,7 +31,8 @@ void addLabels(ExportNotes& notes, Kind kind, const ExportOrder& order,
     addNote(notes, std::move(note));
 }
 
-/// Blank lines show no text; what is the program's own language needs no translation.
+/// Notes untranslated texts. Blank lines show no text, and text in the program's own language needs
+/// no translation.
 void addUntranslated(ExportNotes& notes, const ExportOrder& order, const LabelPlate& plate) {
   const std::string& language = order.labels.language;
   if (language.empty() || language.starts_with("en") || order.labels.mode == LabelMode::blank)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that is written over a figure: its labels and, at its edges, its marks.
+// Lays out everything written over a figure: its labels and, at its edges, its marks.
 #pragma once
 
 #include "render/export/plate/marks.h"
@@ -8,17 +8,17 @@
 namespace sline::render {
 
 struct FigurePlate {
-  std::optional<LabelPlate> labels;  ///< where the order wants some
+  std::optional<LabelPlate> labels;  ///< absent where the order wants none
   Marks marks;
-  ExportNotes notes;  ///< what of the labels and the marks is not there, and why
+  ExportNotes notes;  ///< labels and marks that are missing, and why
 };
 
-/// For the order's camera and page, labels beside the marks.
+/// Lays out the labels and marks for the order's camera and page, labels beside the marks.
 FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees,
                         const LabelTurn& turn = {});
 FigurePlate figurePlate(const ExportOrder& order);
 
-/// The painter's unit must be a millimetre, from the picture's upper left corner.
+/// Paints the plate. The painter's unit must be a millimetre, from the picture's upper left corner.
 void paintPlate(QPainter& painter, const FigurePlate& plate);
 
 }  // namespace sline::render

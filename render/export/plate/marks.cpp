@@ -21,7 +21,7 @@ constexpr float barWidth = 0.25f;
 constexpr float barHalo = 0.35f;
 constexpr float widestBar = 40.0f;
 
-// Of the labels' size.
+// Shares of the labels' size.
 constexpr float letterSize = 1.1f;
 constexpr float nameSize = 1.0f;
 constexpr float smallSize = 0.8f;
@@ -32,7 +32,7 @@ bool visibleIn(const model::Scene& scene, const model::Node& node) {
   return !node.isGroup() && scene.resolve(node.id).visible;
 }
 
-/// False where all that is visible comes from files whose directions nobody knows.
+/// Tells whether anything visible comes from files of known directions.
 bool hasSides(const model::Scene& scene) {
   bool any = false;
   for (const model::Node& node : scene.nodes())
@@ -50,7 +50,7 @@ bool takesAway(const model::Plane& plane, const model::Box& box) {
                      [&](const glm::vec3& corner) { return !plane.keeps(corner); });
 }
 
-/// Those that are on and take something of what is visible away.
+/// Returns the sections that are on and take something away of what is visible.
 std::vector<const model::Section*> sectionsSeen(const model::Scene& scene) {
   std::vector<const model::Section*> seen;
   for (const model::Section& section : scene.sections()) {
@@ -99,7 +99,7 @@ class MarkLayout {
     return {{left, text.at.y - capHeightMm(text.points)}, {left + width, text.at.y + 0.22f * em}};
   }
 
-  /// False, and nothing is added, where the page or another mark does not leave the room.
+  /// Adds the item; returns false and adds nothing where the page or another mark leaves no room.
   bool add(LetteringItem item, const LabelBox& box) {
     const bool within = box.low.x >= 0.5f * margin && box.low.y >= 0.5f * margin &&
                         box.high.x <= m_size.x - 0.5f * margin &&
@@ -159,9 +159,10 @@ class MarkLayout {
     return QFontMetricsF(labelFont()).elidedText(line, Qt::ElideRight, qreal(width) / scale);
   }
 
-  /// Lines from the upper left corner downwards; the first beside the letter if it fits there.
+  /// Adds lines from the upper left corner downwards; the first stands beside the letter if it fits
+  /// there.
   void addUpperLeft() {
-    float above = 0.0f;  // the lowest of the line before
+    float above = 0.0f;  // the lowest point of the line before
     const auto addLine = [&](const std::string& name, const QString& line, float size) {
       const float em = points(size) * millimetresPerPoint;
       const float cap = capHeightMm(points(size));
@@ -194,7 +195,7 @@ class MarkLayout {
         addLine("section " + std::to_string(i + 1), sectionText(*sections[i]), smallSize);
   }
 
-  /// One that does not cut all says what it cuts.
+  /// Returns the text of a section; one that does not cut everything names what it cuts.
   QString sectionText(const model::Section& section) const {
     const QString line = m_words.section(section.plane);
     const model::Node* scope = m_order.scene.find(section.scope);
@@ -202,7 +203,8 @@ class MarkLayout {
                  : line;
   }
 
-  /// At the depth of the middle of what is visible; a perspective picture has another elsewhere.
+  /// Adds the scale bar for the depth of the middle of what is visible; elsewhere a perspective
+  /// picture has another scale.
   void addScaleBar() {
     const model::Box bounds = m_order.scene.visibleBounds();
     if (bounds.empty())

@@ -25,13 +25,13 @@ LabelReport reportOf(const LabelPlate& plate) {
   return report;
 }
 
-/// At least so much of the page's sides is for the anatomy.
+/// At least this share of the page's sides is left to the anatomy.
 constexpr float leastShare = 0.3f;
 
-/// What marks take of the page's width and height, both sides together.
+/// Returns what marks take of the page's width and height, both sides together.
 glm::vec2 roomOfMarks(const ExportOrder& order) {
   const EdgeRoom edges = marksOf(order).edges;
-  // What is said of sections may take more lines, in a corner that anatomy seldom reaches.
+  // Texts about sections may take more lines, in a corner that anatomy seldom reaches.
   const float rows = std::max(std::min(edges.top, edges.bottom), edges.top > 0.0f ? 6.0f : 0.0f);
   return {2.0f * std::max(edges.left, edges.right), 2.0f * rows};
 }
@@ -58,7 +58,7 @@ LabelReport drawPlate(Image& image, const ExportOrder& given, const Typesetting&
   ExportOrder order = given;
   order.page.sizeMm.x = float(image.width) / scale;
   const FigurePlate plate = figurePlate(order);
-  // QPainter blends right only where colours are multiplied by their alpha.
+  // QPainter blends correctly only where colours are multiplied by their alpha.
   QImage canvas = QImage(image.rgba.data(), image.width, image.height, qsizetype(4) * image.width,
                          QImage::Format_RGBA8888)
                       .convertToFormat(QImage::Format_RGBA8888_Premultiplied);
@@ -90,7 +90,7 @@ model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting&) {
   const ColumnWidths widths = widthsBesideFitted(order.scene, Screen(order.camera, page), style);
   if (widths.text <= 0.0f)
     return sides;
-  // What the anatomy's outline is more than its points.
+  // Millimetres by which the anatomy's outline exceeds its points.
   constexpr float outline = 1.0f;
   const float free = 0.5f * marks.x + 2.0f * outline;
   const auto column = [&](float width) {

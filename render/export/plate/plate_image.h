@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Labels and marks for programs without Qt's headers.
+// Draws labels and marks for programs without Qt's headers.
 #pragma once
 
 #include <string>
@@ -17,24 +17,24 @@ struct LabelReport {
     int number = 0;
     std::string text;
   };
-  std::vector<Line> key;             ///< of all labels in the picture, by number
+  std::vector<Line> key;             ///< covers all labels in the picture, by number
   std::vector<std::string> leftOut;  ///< texts for which there was no room
 };
 
-/// Draws labels and marks over the picture that was drawn of the order's scene; the page's height
-/// is the picture's.
+/// Draws labels and marks over the picture that was drawn of the order's scene; the picture's
+/// height counts as the page's.
 LabelReport drawPlate(Image& image, const ExportOrder& order, const Typesetting& typesetting);
 
-/// The same report without a picture.
+/// Returns the same report without drawing.
 LabelReport reportOfPlate(const ExportOrder& order, const Typesetting& typesetting);
 
-/// What columns of labels and marks take at the page's sides, for a camera that is to be fitted,
-/// whose direction is the order's: each column is as wide as what stands in it, and lines are
-/// broken so that the anatomy between them is as large as it can be.
+/// Returns how much columns of labels and marks take at the page's sides, for a camera that is yet
+/// to be fitted but has the order's direction. Each column is as wide as its contents, and lines
+/// are broken so that the anatomy between the columns is as large as possible.
 model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting& typesetting);
 
-/// The share of the page's width and height that they leave to the anatomy, 0 … 1, from whatever
-/// side it is seen.
+/// Returns the share of the page's width and height that labels and marks leave to the anatomy, 0 …
+/// 1, from any side.
 glm::vec2 shareBesidePlate(const ExportOrder& order, const Typesetting& typesetting);
 
 }  // namespace sline::render

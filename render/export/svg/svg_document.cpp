@@ -16,7 +16,7 @@ namespace sline::render {
 
 namespace {
 
-/// Where a structure or group of lines stands among its siblings.
+/// Tells where a structure or group of lines stands among its siblings.
 struct Branch {
   std::vector<const VectorStructure*> structures;  ///< at or below it
   float depth() const {
@@ -35,7 +35,7 @@ class Document {
         m_scene(scene),
         m_writings(writings),
         m_credit(credit),
-        // Steps of a fortieth of λ or less.
+        // Steps are a fortieth of λ or less.
         m_decimals(
             std::clamp(int(std::ceil(-std::log10(drawing.sizeMm.y / 720.0f / 40.0f))), 2, 4)) {}
 
@@ -65,7 +65,7 @@ class Document {
   void open(const std::string& id, std::string_view label, const std::string& more = {}) {
     m_text += "<g id=\"" + id + "\" inkscape:label=\"" + xmlText(label) + "\"" + more + ">\n";
   }
-  /// A name as every program knows it, too: "plain" SVG has no labels.
+  /// Opens a group with a name that every program knows: "plain" SVG has no labels.
   void openNamed(const std::string& id, model::NodeId node, const std::string& more = {}) {
     open(id, nameOf(node), more);
     m_text += "<title>" + xmlText(nameOf(node)) + "</title>\n";
@@ -73,7 +73,7 @@ class Document {
   void close() { m_text += "</g>\n"; }
 
   void addPath(const VectorShape& shape, bool regions) {
-    // Where a fill ends a digit less does.
+    // For the edge of a fill one digit less is enough.
     const std::string d = svgPath(shape.path, regions ? m_decimals - 1 : m_decimals);
     if (d.empty())
       return;
@@ -93,7 +93,7 @@ class Document {
     return node ? std::string_view(node->name) : std::string_view();
   }
 
-  /// As Inkscape writes and reads it: Dublin Core about the document.
+  /// Adds the credit as Inkscape writes and reads it: Dublin Core about the document.
   void addCredit() {
     if (m_credit.empty())
       return;
@@ -142,7 +142,7 @@ class Document {
     close();
   }
 
-  /// The farthest first, in the tree's order where equally far.
+  /// Adds the farthest first, in the tree's order where they are equally far.
   void addBelow(model::NodeId parent) {
     std::vector<model::NodeId> ids = m_scene.children(parent);
     std::erase_if(ids, [this](model::NodeId id) { return !m_branches.contains(id); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drawing as an SVG 1.1 document of its own: two layers, the fills and above them the lines, in
-// each a group for every structure under its name.
+// Writes a drawing as an SVG 1.1 document of its own with two layers, the fills and above them the
+// lines; each has a group for every structure under its name.
 #pragma once
 
 #include <span>
@@ -13,10 +13,10 @@
 
 namespace sline::render {
 
-/// Millimetres throughout: the page, and the coordinates in it. Lines lie in groups nested as the
-/// scene's tree is, what is farther below what is nearer. Of the scene nothing is said but the
-/// names of groups and structures that the drawing shows, and of the program no more than
-/// what the drawing needs: no file, date, machine and, but for the credit that was ordered, person.
+/// Returns the document. The page and its coordinates are in millimetres throughout. Lines lie in
+/// groups nested as the scene's tree is, the farther below the nearer. Of the scene, only the names
+/// of groups and structures that the drawing shows are written, and of the program no more than the
+/// drawing needs: no file, date or machine, and no person but for the credit that was ordered.
 /// Writings lie above the drawing.
 std::string svgDocument(const VectorDrawing& drawing, const model::Scene& scene,
                         std::span<const SvgWriting> writings = {}, const ExportCredit& credit = {});

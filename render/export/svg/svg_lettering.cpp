@@ -11,7 +11,7 @@ namespace sline::render {
 
 namespace {
 
-/// The font in which positions are true first, then those of its widths.
+/// The font in which positions are exact comes first, then those of the same widths.
 constexpr const char* families = "DejaVu Sans, Bitstream Vera Sans, Verdana, sans-serif";
 
 Path pathOf(const QPainterPath& outline) {

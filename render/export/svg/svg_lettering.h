@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Labels and marks in SVG: real text, so that it can be found, edited and translated.
+// Writes labels and marks to SVG as real text, so that it can be found, edited and translated.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct SvgWriting {
 };
 
 /// Appends the layer: a group of halos, which are paths, so that no reader paints them over
-/// letters, and above them a group for each label or mark. Nothing for an empty list.
+/// letters, and above them a group for each label or mark. An empty list adds nothing.
 void appendLettering(std::string& text, const SvgWriting& writing, int decimals);
 
 }  // namespace sline::render

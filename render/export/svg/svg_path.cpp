@@ -16,7 +16,7 @@ std::int64_t scaleOf(int decimals) {
   return scale;
 }
 
-/// A number of so many 10^-decimals.
+/// Appends a number given in steps of 10^-decimals.
 void appendSteps(std::string& text, std::int64_t steps, int decimals) {
   const std::int64_t scale = scaleOf(decimals);
   if (steps < 0)
@@ -79,7 +79,7 @@ class PathText {
     m_at = end;
   }
 
-  /// True where the control lies on the way to the end, as far as rounding tells.
+  /// Tells whether the control lies on the way to the end, within rounding.
   bool isLine(const Steps& control, const Steps& end) const {
     const double dx = double(end.x - m_at.x);
     const double dy = double(end.y - m_at.y);
@@ -96,7 +96,7 @@ class PathText {
     return {std::llround(double(p.x) * double(m_scale)),
             std::llround(double(p.y) * double(m_scale))};
   }
-  /// Letters are said once for a run of the same.
+  /// Writes a command's letter, once for a run of equal ones.
   void command(char letter) {
     if (letter != m_letter || letter == 'M' || letter == 'z') {
       m_text += letter;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of attributes.
+// Formats values of attributes.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace sline::render {
 
-/// Rounded to so many decimals, without needless zeros.
+/// Returns the value rounded to so many decimals, without needless zeros.
 std::string number(double value, int decimals);
-/// The whole attribute with a space before it; nothing where it is opaque.
+/// Returns the whole attribute with a space before it; nothing where it is opaque.
 std::string opacityAttribute(float opacity);
 
 }  // namespace sline::render

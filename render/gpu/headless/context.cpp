@@ -16,13 +16,14 @@ namespace {
 constexpr const char* remedy =
     "Install an OpenGL driver that needs no display: apt-get install libegl1 libgl1-mesa-dri";
 
-/// One way to a display, and what came of it.
+/// Describes one way to a display, and its result.
 struct Attempt {
   const char* name;
   EGLDisplay display = EGL_NO_DISPLAY;
 };
 
-// libepoxy ends the program where the library is absent, so look before it does.
+// Tells whether the library is present: libepoxy ends the program where it is absent, so this must
+// look first.
 bool libraryPresent(const char* name) {
   void* library = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
   if (library)
@@ -78,7 +79,7 @@ struct HeadlessContext::Data {
   EGLContext context = EGL_NO_CONTEXT;
   std::string driver;
 
-  /// Null, or why this display gives no context.
+  /// Opens the display; returns null, or why it gives no context.
   const char* open() {
     if (display == EGL_NO_DISPLAY)
       return "not offered";
@@ -124,7 +125,7 @@ struct HeadlessContext::Data {
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context != EGL_NO_CONTEXT)
       eglDestroyContext(display, context);
-    // The display stays initialised: EGL hands the same one to everybody in the program.
+    // The display stays initialised: EGL gives the same one to the whole program.
     context = EGL_NO_CONTEXT;
     display = EGL_NO_DISPLAY;
   }

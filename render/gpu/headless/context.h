@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An OpenGL context without a display: EGL's surfaceless platform, or a device where that is
-// absent.
+// Makes an OpenGL context without a display: on EGL's surfaceless platform, or on a device where
+// that is absent.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ class HeadlessContext {
   HeadlessContext(const HeadlessContext&) = delete;
   HeadlessContext& operator=(const HeadlessContext&) = delete;
 
-  /// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5, EGL surfaceless".
+  /// Returns "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5, EGL surfaceless".
   const std::string& driver() const;
   void makeCurrent();
 

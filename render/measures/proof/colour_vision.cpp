@@ -15,7 +15,7 @@ namespace sline::render {
 
 namespace {
 
-/// Rows as printed in the paper's table for severity 1.
+/// Returns a matrix by its rows, as printed in the paper's table for severity 1.
 glm::mat3 rows(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return glm::transpose(glm::mat3(a, b, c));
 }

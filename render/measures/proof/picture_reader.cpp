@@ -23,7 +23,7 @@ constexpr int shortestBorder = 4;  // cells
 constexpr int fewestCells = 6;
 constexpr int nobody = -1;
 
-/// Which structure each cell shows.
+/// Tells which structure each cell shows.
 struct Grid {
   int columns = 0;
   int rows = 0;
@@ -82,7 +82,7 @@ void findOwners(const ExportOrder& order, const model::Scene& scene,
   });
 }
 
-/// Of what is drawn in a cell, on white; linear light.
+/// Returns the mean of what is drawn in a cell, on white; linear light.
 glm::vec3 lightOfCell(const Image& image, int x, int y) {
   glm::vec3 sum(0.0f);
   for (int row = 0; row < cellPixels; ++row)
@@ -98,7 +98,7 @@ glm::vec3 lightOfCell(const Image& image, int x, int y) {
   return sum / float(cellPixels * cellPixels);
 }
 
-/// All four neighbours show the same.
+/// Tells whether all four neighbours show the same structure.
 bool inside(const Grid& grid, int x, int y) {
   const int own = grid.at(x, y);
   return x > 0 && y > 0 && x + 1 < grid.columns && y + 1 < grid.rows && grid.at(x - 1, y) == own &&
@@ -110,7 +110,7 @@ struct Sum {
   int cells = 0;
 };
 
-/// `place` has each owner's number among those that are seen.
+/// Returns the borders; `place` has each owner's number among the structures that are seen.
 std::vector<SharedBorder> bordersOf(const Grid& grid, const std::vector<int>& place) {
   std::map<std::pair<int, int>, int> borders;
   const auto touch = [&](int a, int b) {

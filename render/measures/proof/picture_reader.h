@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a picture shows of each structure: how much, in which colour, and beside which others.
+// Reads from a picture how much it shows of each structure, in which colour, and next to which
+// others.
 #pragma once
 
 #include <memory>
@@ -13,37 +14,37 @@ namespace sline::render {
 
 struct SeenStructure {
   model::NodeId id;
-  double share = 0.0;     ///< of the picture
+  double share = 0.0;     ///< area, as a share of the picture
   glm::vec3 light{0.0f};  ///< mean of what is drawn there, linear light
   float gamma = 0.0f;
-  bool coloured = false;  ///< its own colour shows
-  Colour colour;          ///< that, whether it shows or not
-  bool locked = false;    ///< its look is to stay
+  bool coloured = false;  ///< whether its own colour shows
+  Colour colour;          ///< its own colour, whether it shows or not
+  bool locked = false;    ///< its look must not change
 };
 
-/// Where two structures lie side by side in the picture.
+/// A border along which two structures lie side by side in the picture.
 struct SharedBorder {
-  std::size_t a = 0;  ///< of the structures
+  std::size_t a = 0;  ///< index of a structure
   std::size_t b = 0;
-  double length = 0.0;  ///< as a part of the picture's longer side
+  double length = 0.0;  ///< as a share of the picture's longer side
 };
 
 struct SeenPicture {
-  std::vector<SeenStructure> structures;  ///< that are seen, by id
+  std::vector<SeenStructure> structures;  ///< those that are seen, by id
   std::vector<SharedBorder> borders;
 };
 
-/// Looks at one order's scene, as it is or changed.
+/// Looks at the scene of an order, unchanged or changed.
 class PictureReader {
  public:
-  /// Makes an OpenGL context on the calling thread, which must be the one that looks.
+  /// Makes an OpenGL context on the calling thread; `look` must be called on the same thread.
   static Result<std::unique_ptr<PictureReader>> create();
   ~PictureReader();
   PictureReader(const PictureReader&) = delete;
   PictureReader& operator=(const PictureReader&) = delete;
 
-  /// Draws the order in small with `scene` instead of its own. A place belongs to the nearest
-  /// structure that hides what is behind it, else to the nearest of all.
+  /// Draws the order at a small size with `scene` instead of its own. A place belongs to the
+  /// nearest structure that hides what is behind it, or else to the nearest of all.
   Result<SeenPicture> look(const ExportOrder& order, const model::Scene& scene);
 
  private:

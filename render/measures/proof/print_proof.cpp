@@ -14,12 +14,13 @@ namespace sline::render {
 
 namespace {
 
-/// Predicted differences should clear the bar by this factor, and by so much more for each change
-/// that did not do: how strokes and what shines through dilute a colour is not predicted.
+/// Predicted differences should exceed the limit by this factor, and by as much more for each
+/// change that did not help: it is not predicted how strokes and things shining through dilute a
+/// colour.
 constexpr double reserve = 1.15;
 constexpr double moreReserve = 0.45;
 constexpr int mostRounds = 5;
-/// After so many colours that did not do, Γ is changed.
+/// After this many colours that did not help, Γ is changed.
 constexpr std::size_t mostColours = 3;
 
 ProofPair pairOf(const SeenStructure& a, const SeenStructure& b, const ProofSettings& settings) {
@@ -42,8 +43,8 @@ std::vector<ProofPair> pairsOf(const SeenPicture& picture, const ProofSettings& 
   return pairs;
 }
 
-/// Says which pairs are to be mended. What looks alike on the screen from the start may be meant
-/// so, and is left alone unless all is wanted.
+/// Tells which pairs are to be mended. Pairs that look alike on the screen from the start may be
+/// intended, and are left alone unless all are wanted.
 class Bar {
  public:
   Bar(const std::vector<ProofPair>& pairs, const ProofSettings& settings) : m_settings(settings) {
@@ -73,7 +74,8 @@ class Bar {
   Ids m_told;
 };
 
-/// Colours to try, those nearest to the old one first: lighter and darker, then of another hue.
+/// Returns colours to try, those nearest to the old one first: lighter and darker, then of another
+/// hue.
 std::vector<Colour> otherColours(const Colour& colour) {
   const glm::dvec3 old = labOf(linearLightOf(colour));
   const double chroma = std::max(std::hypot(old.y, old.z), 20.0);
@@ -84,7 +86,7 @@ std::vector<Colour> otherColours(const Colour& colour) {
       const double lightness = old.x + 8.0 * step;
       if (lightness < 12.0 || lightness > 94.0 || (step == 0 && turn == 0.0))
         continue;
-      // Within what a screen shows by giving up chroma.
+      // Chroma is given up until the screen can show the colour.
       for (double share = 1.0; share > 0.2; share -= 0.1) {
         const double c = share * (turn == 0.0 ? std::hypot(old.y, old.z) : chroma);
         const glm::dvec3 lab(lightness, c * std::cos(hue + turn), c * std::sin(hue + turn));
@@ -92,7 +94,7 @@ std::vector<Colour> otherColours(const Colour& colour) {
         if (std::min({light.r, light.g, light.b}) < -0.002f ||
             std::max({light.r, light.g, light.b}) > 1.002f)
           continue;
-        // A hue says what something is; lightness less so.
+        // A hue tells what something is; lightness does so less.
         found.emplace_back(colourDifference(old, lab) + 14.0 * std::abs(turn), colourOf(light));
         break;
       }
@@ -106,20 +108,22 @@ std::vector<Colour> otherColours(const Colour& colour) {
   return colours;
 }
 
-/// Shading and tints take a colour's share of the light.
+/// Returns the structure's light with another colour; shading and tints keep their share of the
+/// colour's light.
 glm::vec3 recoloured(const SeenStructure& structure, const Colour& colour) {
   const glm::vec3 before = glm::max(linearLightOf(structure.colour), glm::vec3(0.01f));
   return glm::min(structure.light * linearLightOf(colour) / before, glm::vec3(1.0f));
 }
 
-/// Chooses changes from what was seen, and after each look again from what came of them.
+/// Chooses changes from what was seen and, after each further look, from their results.
 class Mender {
  public:
   Mender(const Bar& bar, SeenPicture picture) : m_bar(bar), m_first(std::move(picture)) {}
 
   const std::vector<ProofProposal>& proposals() const { return m_proposals; }
 
-  /// A change for each pair that counts, until none does; false where nothing is left to try.
+  /// Chooses a change for each pair that counts, until none fails; returns false where nothing is
+  /// left to try.
   bool choose(const SeenPicture& now) {
     bool any = false;
     m_now = now;
@@ -142,8 +146,8 @@ class Mender {
     return any;
   }
 
-  /// Takes back what was proposed for structures that are still like a neighbour; false where there
-  /// was nothing to take back.
+  /// Takes back the proposals for structures that still look like a neighbour; returns false where
+  /// there was nothing to take back.
   bool drop(const std::vector<ProofPair>& pairs) {
     std::set<model::NodeId> failed;
     for (const ProofPair& pair : pairs)
@@ -162,7 +166,7 @@ class Mender {
     return borders;
   }
 
-  /// True where no neighbour that is to differ would look like `changed`.
+  /// Tells whether `changed` would look like none of the neighbours from which it is to differ.
   bool fits(std::size_t which, const SeenStructure& changed) const {
     const auto tried = m_triedColours.find(changed.id);
     const double failures = tried == m_triedColours.end() ? 0.0 : double(tried->second.size());
@@ -214,7 +218,7 @@ class Mender {
     return false;
   }
 
-  /// Steps count from the scene's own colour, not from the last attempt's.
+  /// Returns the scene's own colour, as steps count from it and not from the last attempt's.
   Colour firstColourOf(const SeenStructure& structure) const {
     for (const SeenStructure& first : m_first.structures)
       if (first.id == structure.id)
@@ -283,8 +287,8 @@ Result<PrintProof> printProof(const ExportOrder& order, const ProofSettings& set
   const Bar bar(proof.neighbours, settings);
   Mender mender(bar, *first);
   SeenPicture now = *first;
-  // What was chosen is looked at; where it does not do, something else is tried. In the end what
-  // never did is taken back, and what is left must do without it.
+  // The chosen changes are looked at; where they do not help, something else is tried. In the end
+  // changes that never helped are taken back, and the rest must do without them.
   for (int round = 0; bar.anyFails(proof.afterwards); ++round) {
     if (!wanted(1.0 - 1.0 / double(round + 1), "trying changes"))
       return givenUp({});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A proof for print: which neighbours in the picture nobody could tell apart on a press without
-// colours, or with eyes that see fewer, and what would help.
+// Makes a proof for print: it finds neighbours in the picture that cannot be told apart on a press
+// without colours, or with eyes that see fewer of them, and proposes remedies.
 #pragma once
 
 #include <array>
@@ -13,20 +13,20 @@
 namespace sline::render {
 
 struct ProofSettings {
-  /// CIEDE2000 of the mean colours of two areas; below it they look alike. About 1 is just noticed
-  /// on even patches side by side; drawn areas are not even, and lines part them.
+  /// CIEDE2000 of the mean colours of two areas; below it they look alike. About 1 is just
+  /// noticeable on even patches side by side, but drawn areas are not even, and lines part them.
   double leastDifference = 10.0;
-  /// From this difference in Γ on, the manner of drawing tells two structures apart.
+  /// From this difference in Γ on, two structures are told apart by how they are drawn.
   float leastGammaStep = 1.0f;
-  /// Also changes what looks alike on the screen already, which may be meant.
+  /// Also changes neighbours that look alike even on the screen, which may be intended.
   bool all = false;
 };
 
-/// Neighbours that share a visible border in the picture.
+/// Two neighbours that share a visible border in the picture.
 struct ProofPair {
   model::NodeId a;
   model::NodeId b;
-  double border = 0.0;                           ///< as a part of the picture's longer side
+  double border = 0.0;                           ///< as a share of the picture's longer side
   std::array<double, visionCount> difference{};  ///< CIEDE2000, in the order of `visions`
   bool similarGamma = false;
 
@@ -39,7 +39,7 @@ struct ProofPair {
   bool alikeAnywhere(const ProofSettings& settings) const;
 };
 
-/// One structure's new colour or Γ.
+/// Proposes a new colour or Γ for one structure.
 struct ProofProposal {
   model::NodeId node;
   std::optional<Colour> colour;
@@ -48,17 +48,17 @@ struct ProofProposal {
 };
 
 struct PrintProof {
-  std::vector<ProofPair> neighbours;     ///< all, those with the longest border first
-  std::vector<ProofProposal> proposals;  ///< measured like the neighbours: with all of them …
-  model::Scene proposed;                 ///< … made, the scene is this,
-  std::vector<ProofPair> afterwards;     ///< and its neighbours are these
+  std::vector<ProofPair> neighbours;     ///< all of them, those with the longest border first
+  std::vector<ProofProposal> proposals;  ///< measured like the neighbours
+  model::Scene proposed;                 ///< the scene with all proposals made
+  std::vector<ProofPair> afterwards;     ///< the neighbours in that scene
 };
 
-/// Looks at the order's picture; labels and marks do not count. Makes an OpenGL context.
+/// Examines the order's picture; labels and marks do not count. It makes an OpenGL context.
 Result<PrintProof> printProof(const ExportOrder& order, const ProofSettings& settings,
                               const ExportProgress& progress);
 
-/// The scene with the proposals as the structures' own styles.
+/// Returns the scene with the proposals as the structures' own styles.
 model::Scene withProposals(const model::Scene& scene, const std::vector<ProofProposal>& proposals);
 
 }  // namespace sline::render

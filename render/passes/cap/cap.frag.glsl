@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cut face: one flat colour, hatched where asked for. Depth comes from the plane itself and not
-// from triangles, so that faces of several structures on one plane lie exactly equally deep.
+// Draws a cut face in one flat colour, hatched where requested. Depth comes from the plane itself
+// and not from triangles, so that faces of several structures on one plane lie exactly equally
+// deep.
 #include "sections.glsl"
 in vec3 place;
 
 uniform vec4 colour;      // premultiplied
 uniform vec4 strokeColour;  // premultiplied; alpha 0: no hatching
-uniform vec4 stripes;     // stripe number = ⟨xyz, place⟩; w: how much of the odd stripes there is
+uniform vec4 stripes;     // stripe number = ⟨xyz, place⟩; w: share of the odd stripes
 uniform float halfWidth;  // px, of a stroke
 uniform vec2 toMiddle;    // from atlas pixels to picture pixels from the picture's middle
 uniform vec3 depthPlane;  // window depth = ⟨depthPlane, (x, y, 1)⟩
 
 out vec4 fragment;
 
-// Strokes run along whole stripe numbers.
+// Returns the coverage by strokes, which run along whole stripe numbers.
 float strokeCoverage() {
   float stripe = dot(stripes.xyz, place);
   float perPixel = max(length(vec2(dFdx(stripe), dFdy(stripe))), 1e-6);

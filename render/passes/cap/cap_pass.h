@@ -12,10 +12,10 @@
 
 namespace sline::render::passes {
 
-/// How many planes `sections.glsl` knows.
+/// The number of planes that `sections.glsl` knows.
 inline constexpr std::size_t sectionSlots = 8;
 
-/// Triangles, three points each.
+/// Holds triangles of three points each.
 class CapGeometry {
  public:
   explicit CapGeometry(std::span<const glm::vec3> points);
@@ -34,18 +34,18 @@ struct CapDraw {
   glm::vec2 pictureSize{1.0f};
   PixelRect layer;  ///< as in SurfaceDraw
   PixelRect slot;
-  std::span<const glm::vec4> otherSections;  ///< as in sections.glsl: what cuts the face itself
+  std::span<const glm::vec4> otherSections;  ///< as in sections.glsl: they cut the face itself
   glm::vec4 colour{0.0f};                    ///< premultiplied
   glm::vec4 strokeColour{0.0f};              ///< premultiplied; alpha 0: no strokes
-  glm::vec4 stripes{0.0f};       ///< number of a point's stripe, and share of the odd stripes
+  glm::vec4 stripes{0.0f};  ///< the number of a point's stripe, and the share of the odd stripes
   float strokeHalfWidth = 0.5f;  ///< px
-  glm::vec3 depthPlane{0.0f};    ///< window depth over px from the picture's middle
+  glm::vec3 depthPlane{0.0f};    ///< window depth, linear in px from the picture's middle
 };
 
 class CapPass {
  public:
   static Result<std::unique_ptr<CapPass>> create(gpu::Dialect dialect);
-  /// Target: fills and the surface's own depth, as for SurfacePass.
+  /// Draws fills and the surface's own depth into the target, as SurfacePass does.
   void draw(gpu::Device& device, const gpu::Target& target, const CapDraw& draw) const;
 
  private:

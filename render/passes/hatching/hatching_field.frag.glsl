@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the line search reads, S's TEX_v and TEX_p in one texture: the direction of k in the picture,
-// the smart seed at the pixel and the opacity of hatching (S §3.4.1, §3.4.2, §3.4.4 as printed).
+// Computes what the line search reads, S's TEX_v and TEX_p in one texture: the direction of k in
+// the picture, the smart seed at the pixel and the opacity of hatching (S §3.4.1, §3.4.2, §3.4.4 as
+// printed).
 in vec3 gridPosition;
 in vec3 clipPosition;
 in vec3 surfaceNormal;
@@ -11,16 +12,16 @@ uniform sampler2D surfaceDepth;
 uniform ivec2 toAtlas;         // from this target's pixels to the atlas'
 uniform mat4 viewProjection;
 uniform vec2 pictureSize;
-uniform vec3 weight;           // F/F_c, θ_c, share of the opacity that is left beyond Γ = 4
+uniform vec3 weight;           // F/F_c, θ_c, share of the opacity that remains beyond Γ = 4
 uniform int twoSided;
 
-out ivec4 field;  // direction; colour and permeability; bits of the opacity; the seed's identity or 0
+out ivec4 field;  // direction; colour and permeability; bits of the opacity; seed's identity or 0
 
 const float quarterTurn = 1.5707963268;
 const float haloColour = 0.6;
 const float contactReach = 1.8;  // β
 
-// v with the component of that axis first.
+// Returns v with the component of that axis first.
 vec3 axisFirst(vec3 v, int axis) {
   return axis == 0 ? v : axis == 1 ? v.yzx : v.zxy;
 }
@@ -31,14 +32,14 @@ struct Seed {
   int identity;
 };
 
-// `n` and `k` face the eye's side. Lengths are in cells.
+// Returns the seed; `n` and `k` face the eye's side. Lengths are in cells.
 Seed seedAt(vec3 n, vec3 k, float nv) {
   vec3 m = abs(n);
   int axis = m.x >= m.y ? (m.x >= m.z ? 0 : 2) : (m.y >= m.z ? 1 : 2);
   vec3 p = axisFirst(gridPosition, axis);
   vec3 direction = axisFirst(n, axis);
-  // Along the normal to the face of its own cell that the surface turns to; the point may come to
-  // lie on that face's neighbour.
+  // Moves along the normal to the face of its own cell to which the surface turns; the point may
+  // come to lie on that face's neighbour.
   float face = direction.x > 0.0 ? floor(p.x) + 1.0 : ceil(p.x) - 1.0;
   vec2 onFace = p.yz + direction.yz * ((face - p.x) / direction.x);
   vec2 cell = floor(onFace);
@@ -65,7 +66,7 @@ Seed seedAt(vec3 n, vec3 k, float nv) {
 }
 
 void main() {
-  // What the surface pass left out, this pass leaves out.
+  // This pass leaves out the pixels that the surface pass left out.
   float depth = texelFetch(surfaceDepth, ivec2(gl_FragCoord.xy) + toAtlas, 0).r;
   if (abs(gl_FragCoord.z - depth) > 4e-6)
     discard;

@@ -2,10 +2,10 @@
 #include "light_gradient.glsl"
 #include "place.glsl"
 #include "shaped_surface.glsl"
-uniform vec4 grid;         // a corner of it, and c_s, in mm
+uniform vec4 grid;         // a corner of the grid, and c_s, in mm
 
 out vec3 gridPosition;  // in cells
-out vec3 clipPosition;  // x, y and w, of the whole picture
+out vec3 clipPosition;  // x, y and w in the whole picture
 out vec3 surfaceNormal;
 out vec3 towardsEye;
 out vec3 gradient;  // F_c·k

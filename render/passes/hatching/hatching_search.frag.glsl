@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// S's line search (algorithm 1, eq. 5) along k in the picture, both ways from every pixel.
+// Runs S's line search (algorithm 1, eq. 5) along k in the picture, both ways from every pixel.
 #include "depth.glsl"
 uniform highp isampler2D fields;
 uniform sampler2D depths;  // 1 where there is no surface
-uniform ivec2 origin;      // of the layer in the target, whose pixels those of `fields` are
+uniform ivec2 origin;      // of the layer in the target, which has the pixels of `fields`
 uniform ivec2 extent;      // the layer's width and height
 uniform vec4 projection;   // see depth.glsl
 uniform int longest;       // steps
 uniform float stride;      // px
-uniform float contourJump; // mm in depth between two steps that mean a contour
+uniform float contourJump; // mm in depth between two steps that mark a contour
 
 out vec4 fragment;
 
@@ -28,7 +28,7 @@ vec2 colourAndPermeability(int bits) {
   return vec2(bits & 0xffff, bits >> 16) / 32767.0;
 }
 
-// R_d and the number of steps.
+// Returns R_d and the number of steps.
 vec2 search(vec2 x, float sense, int own) {
   float dampening = 1.0;
   float last = eyeDistance(depthAt(ivec2(floor(x))), projection);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the three kinds of capsules share: where a pixel lies by its stroke, and their own surface.
-// Each kind has a program of its own: software rasterisers look up every texture of every branch.
+// Holds what the three kinds of capsules share: where a pixel lies relative to its stroke, and
+// their own surface. Each kind has a program of its own, as software rasterisers look up every
+// texture of every branch.
 #include "depth.glsl"
 flat in vec4 lineEnds;
 flat in vec4 strokeEnds;
@@ -9,7 +10,7 @@ flat in vec4 lineOutwards;
 flat in vec4 lineStrokes;
 
 uniform sampler2D surfaceDepth;
-uniform ivec4 slot;       // of the layer in the atlas: first and last pixel
+uniform ivec4 slot;       // the layer's place in the atlas: first and last pixel
 uniform ivec2 toAtlas;    // from picture pixels to atlas pixels
 uniform vec4 projection;  // see depth.glsl
 
@@ -19,8 +20,8 @@ out vec4 fragment;
 // its whole width.
 struct Capsule {
   vec2 pixel;
-  vec2 on;         // the line's point
-  float depth;     // there
+  vec2 on;         // the line's nearest point
+  float depth;     // of that point
   float distance;  // from the stroke's middle, px
   float halfWidth;
   float opacity;
@@ -46,7 +47,7 @@ float depthAt(vec2 pixel) {
   return texelFetch(surfaceDepth, texel, 0).r;
 }
 
-// Analytic coverage (METHOD §4), softened over `edge` pixels.
+// Returns the analytic coverage (METHOD §4), softened over `edge` pixels.
 float coverageOf(Capsule c, float edge) {
   return clamp((c.halfWidth - c.distance) / edge + 0.5, 0.0, 1.0) * c.opacity;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ink of contours, outside of the surface's own line (S eq. 1).
+// Draws the ink of contours, outside the surface's own line (S eq. 1).
 #include "capsule.glsl"
 #include "contour_visibility.glsl"
-uniform float probe;  // how far outside (px) the own mask means an inner contour
+uniform float probe;  // distance outside (px) at which the own mask means an inner contour
 
-// A neighbour that touches the surface along its contour lies as deep as the line, and by a hair
-// before it on the line's outer side: within what its own surface is allowed, it hides nothing.
+// A neighbour that touches the surface along its contour lies as deep as the line, and by a hair in
+// front of it on the line's outer side: within the tolerance for its own surface, it hides nothing.
 float lifted(float windowDepth, float mm) {
   float distance = eyeDistance(windowDepth, projection) - mm;
   float z = (projection.y - distance * projection.x) / (projection.w - distance * projection.z);
@@ -20,7 +20,7 @@ void main() {
   float wide;
   if (!contourVisible(c, outward, wide))
     discard;
-  float inner = lineDepths.w - 1.0;  // how much is left within the surface's own mask
+  float inner = lineDepths.w - 1.0;  // share that remains within the surface's own mask
   if (inner < 1.0) {
     bool within = depthAt(c.on + (wide + probe) * outward) < 1.0 ||
         (depthAt(c.pixel) < 1.0 && length(c.pixel - c.on) > 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft edges of a fill, in its own colour.
+// Draws the soft edges of a fill, in its own colour.
 #include "capsule.glsl"
 #include "contour_visibility.glsl"
 #include "phong.glsl"
@@ -15,7 +15,7 @@ void main() {
   if (!contourVisible(c, outward, wide))
     discard;
   float coverage = coverageOf(c, 1.0);
-  // The rasteriser's own pixels are covered already; what is left is the fringe outside.
+  // The rasteriser's own pixels are already covered; only the fringe outside remains.
   if (coverage <= 0.002 || depthAt(c.pixel) <= c.depth)
     discard;
   coverage *= paint.a;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One capsule per segment, all in pixels of the whole picture.
+// Draws one capsule per segment, all in pixels of the whole picture.
 #include "place.glsl"
 layout(location = 0) in vec4 ends;      // the line itself: a, b
-layout(location = 1) in vec4 depths;    // window depth at a and b, tolerance in mm, see InkSegment::contour
+layout(location = 1) in vec4 depths;    // depth at a and b, tolerance in mm, InkVertex::kind
 layout(location = 2) in vec4 outwards;  // unit directions across a contour, away from the surface
 layout(location = 3) in vec4 strokes;   // half width at a and b, opacity at a and b
 
@@ -19,7 +19,7 @@ void main() {
   lineDepths = depths;
   lineOutwards = outwards;
   lineStrokes = strokes;
-  // S eq. 1: the stroke lies outside of the contour, not across it.
+  // S eq. 1: the stroke lies outside the contour, not across it.
   strokeEnds = ends + outwards * max(strokes.xxyy - 0.5, 0.0);
   vec2 a = strokeEnds.xy;
   vec2 b = strokeEnds.zw;

@@ -43,7 +43,7 @@ struct InkVertex {
   float depthA;
   float depthB;
   float tolerance;
-  /// 0: a line on the surface; 1 … 2: a contour, 1 + the share of it that is left within the
+  /// 0: a line on the surface; 1 … 2: a contour, 1 + the share of it that remains within the
   /// surface's own mask; below 0: hatching, minus the pixels over which its edge fades.
   float kind;
   glm::vec2 outwardA;
@@ -126,7 +126,7 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
     program.set("key", draw.key);
   }
   m_geometry.startInstancesAt(draw.first);
-  // Segments come farthest first, so the depth that stays is the nearest line's although every
+  // Segments come farthest first, so the depth that remains is the nearest line's although every
   // coverage counts.
   const gpu::DrawState state{
       .viewport = draw.slot,

@@ -15,17 +15,17 @@
 
 namespace sline::render::passes {
 
-/// What strokes draw: ink, or the soft edges of a fill along its contours.
+/// Tells what strokes draw: ink, or the soft edges of a fill along its contours.
 enum class InkKind { surfaceLines, contours, edges };
 
 struct InkDraw {
-  InkKind kind = InkKind::surfaceLines;  ///< of all its strokes
-  std::size_t first = 0;                 ///< in the strokes last uploaded, farthest first
+  InkKind kind = InkKind::surfaceLines;  ///< that of all its strokes
+  std::size_t first = 0;                 ///< index in the strokes last uploaded, farthest first
   std::size_t count = 0;
   PixelRect layer;  ///< as in SurfaceDraw
   PixelRect slot;
   glm::vec4 projection{0.0f};  ///< projection matrix [2][2], [3][2], [2][3], [3][3]
-  float probe = 3.0f;          ///< px outside a contour at which its own mask makes it an inner one
+  float probe = 3.0f;  ///< px outside a contour at which its own mask makes it an inner contour
   glm::vec2 reach{1.0f, 4.0f};  ///< px outside a contour at which the surface has fallen away
   glm::vec4 paint{0.0f};        ///< a fill's colour and opacity, for edges
   glm::vec3 key{0.0f};  ///< the surfaces' key light in the camera's frame, for edges; 0: none
@@ -36,8 +36,8 @@ class InkPass {
  public:
   static Result<std::unique_ptr<InkPass>> create(gpu::Dialect dialect);
   void upload(std::span<const Stroke> strokes);
-  /// Target: ink coverage (or fills, for edges) and the layer's depth. Its own surface hides lines
-  /// by `surfaceDepth`.
+  /// Draws the ink coverage (or fills, for edges) and the layer's depth into the target. The
+  /// structure's own surface, given by `surfaceDepth`, hides lines.
   void draw(gpu::Device& device, const gpu::Target& target, const gpu::Texture& surfaceDepth,
             const InkDraw& draw);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ink of lines on the surface: suggestive contours, hatching, outlines of cut faces.
+// Draws the ink of lines on the surface: suggestive contours, hatching, outlines of cut faces.
 #include "capsule.glsl"
 
 bool surfaceLineVisible(Capsule c) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The yardstick of the benchmark: one opaque Phong pass as any viewer does it, every triangle
-// drawn.
+// Draws one opaque Phong pass as any viewer does, every triangle of it: the yardstick of the
+// benchmark.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -20,7 +20,7 @@ class PlainPhongPass {
     glm::mat4 viewProjection{1.0f};
     glm::vec4 eye{0.0f};  ///< as in SurfaceView
   };
-  /// Fills the whole target; needs its depth cleared once before the first surface.
+  /// Fills the whole target, of which the depth must be cleared once before the first surface.
   void draw(gpu::Device& device, const gpu::Target& target, const View& view,
             const SurfaceGeometry& surface, const glm::vec3& colour) const;
 

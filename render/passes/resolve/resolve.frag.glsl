@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blends the layers of a pixel front to back: again and again the next-nearest depth among the
+// Blends the layers of a pixel front to back: it repeatedly takes the next-nearest depth among the
 // layers of its tile, ties by their order in the list (METHOD §10).
 flat in ivec2 list;
 
@@ -7,7 +7,7 @@ uniform sampler2D colours;       // premultiplied fills
 uniform sampler2D inks;          // coverage
 uniform sampler2D depths;        // 1 where a layer has nothing
 uniform highp isampler2D entries;
-uniform int rowBits;              // a row holds 1 << rowBits entries: whole divisions are slow
+uniform int rowBits;              // a row holds 1 << rowBits entries, as integer divisions are slow
 uniform vec4 background;         // premultiplied
 
 out vec4 fragment;

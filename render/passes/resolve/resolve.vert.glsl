@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One square tile per instance.
+// Draws one square tile per instance.
 layout(location = 0) in ivec4 tile;  // first pixel x and y, first entry of its list, entries
 
 uniform vec2 targetSize;

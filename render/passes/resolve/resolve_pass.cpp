@@ -12,7 +12,7 @@ namespace {
 
 constexpr int filledFlag = 1 << 24;
 constexpr int inkedFlag = 1 << 25;
-/// How many layers of tiles are drawn at one go; llvmpipe needs about 10 ms for them.
+/// The number of layers of tiles that are drawn in one batch; llvmpipe needs about 10 ms for them.
 constexpr int batchEntries = 400;
 
 std::int32_t pair(int low, int high) {

@@ -25,7 +25,7 @@ struct ResolveLayer {
   bool filled = false;  ///< has colour
   bool inked = false;
 };
-/// Areas must lie within 65535 pixels and offsets within ±32767.
+/// Packs a layer. Areas must lie within 65535 pixels and offsets within ±32767.
 ResolveEntry resolveEntry(const ResolveLayer& layer);
 
 /// A square of the target and its layers: entries first … first + count − 1, in order of their ids.
@@ -41,7 +41,7 @@ struct ResolveInputs {
   const gpu::Texture& inks;
   const gpu::Texture& depths;  ///< 1 where a layer has nothing
   glm::vec4 background{0.0f};  ///< premultiplied
-  bool keepOthers = false;     ///< what lies outside of all tiles stays as it is
+  bool keepOthers = false;     ///< pixels outside all tiles stay as they are
 };
 
 class ResolvePass {
@@ -50,8 +50,8 @@ class ResolvePass {
   static Result<std::unique_ptr<ResolvePass>> create(gpu::Dialect dialect);
 
   void upload(std::span<const ResolveTile> tiles, std::span<const ResolveEntry> entries);
-  /// Pixels outside of all tiles become background, unless they are to stay. Waits for the GPU
-  /// between batches of tiles, so that another context's drawing gets its turn.
+  /// Draws the layers. Pixels outside all tiles become background, unless they are to stay. It
+  /// waits for the GPU between batches of tiles, so that another context's drawing gets its turn.
   void draw(gpu::Device& device, const gpu::Target& target, const ResolveInputs& inputs);
 
  private:
@@ -63,7 +63,7 @@ class ResolvePass {
   gpu::Geometry m_geometry;
   std::unique_ptr<gpu::Texture> m_entries;
   std::vector<ResolveEntry> m_rows;    ///< the entries padded to whole rows
-  std::vector<std::size_t> m_batches;  ///< after the last tile of each
+  std::vector<std::size_t> m_batches;  ///< the end of each batch, after its last tile
 };
 
 }  // namespace sline::render::passes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Position alone: depth, and fills of one colour.
+// Passes on the position alone, for depth and for fills of one colour.
 #include "place.glsl"
 layout(location = 0) in vec3 position;
 

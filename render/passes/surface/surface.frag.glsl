@@ -31,7 +31,7 @@ void main() {
   float shading = transition.x;
   float threshold = quarterTurn * (1.0 - shading);
   // Paper is light by itself and shading enters from the dark rim; on a dark ground light enters,
-  // from what faces the eye.
+  // from the parts that face the eye.
   float angle = darkGround != 0 ? asin(nv) : acos(nv);
   float byAngle = shading > 0.0
       ? clamp((angle - threshold) / max(quarterTurn - threshold, 1e-4), 0.0, 1.0) : 0.0;

@@ -37,7 +37,7 @@ gpu::ProgramRecipe phongRecipe() {
                        {"key", UniformType::vec3}}};
 }
 
-/// The same program, leaving out what sections cut away.
+/// Returns the same program, but without the parts that sections cut away.
 gpu::ProgramRecipe sectioned(gpu::ProgramRecipe recipe) {
   const bool flat = recipe.fragmentFile == "flat.frag.glsl";
   recipe.name = flat ? "cut flat surface" : "cut shaded surface";

@@ -18,7 +18,7 @@ class SurfacePass {
   SurfacePass() = default;
   std::unique_ptr<gpu::Program> m_flat;
   std::unique_ptr<gpu::Program> m_phong;
-  // Their own programs, so that what is not cut pays nothing: `discard` costs early depth tests.
+  // Separate programs, so that uncut surfaces pay nothing: `discard` costs early depth tests.
   std::unique_ptr<gpu::Program> m_flatCut;
   std::unique_ptr<gpu::Program> m_phongCut;
 };

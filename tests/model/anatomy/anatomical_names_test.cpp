@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names as files have them, and what they become in each language.
+// Tests names as files have them, and the names made of them in each language.
 #include <QDir>
 #include <QFile>
 #include <QtTest>
@@ -129,8 +129,8 @@ void AnatomicalNamesTest::unknownStaysAsItIs() {
 }
 
 void AnatomicalNamesTest::sidesAreNeverSwapped() {
-  // Each structure, each way to say a side, each language: that side's words and none of the
-  // other's.
+  // For each structure, each way to say a side and each language, that side's words appear and none
+  // of the other's.
   const std::vector<std::pair<const char*, Side>> spellings{
       {"left %1", Side::left},    {"%1_left", Side::left},    {"%1 L", Side::left},
       {"Left %1", Side::left},    {"l. %1", Side::left},      {"%1 sinistra", Side::left},
@@ -166,7 +166,7 @@ void AnatomicalNamesTest::sidesAreNeverSwapped() {
 }
 
 void AnatomicalNamesTest::languagesReadEachOther() {
-  // What one language shows is understood when it comes back in a file.
+  // A name shown in one language is understood when it comes back in a file.
   for (const NameRow& row : m_names.rows()) {
     const int number = row.numbers ? row.numbers->last : 0;
     const std::string english = withNumber(row.names[0], number);

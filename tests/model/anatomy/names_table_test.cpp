@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of names itself: each row whole, each name once, genders as grammar has them.
+// Tests the table of names itself: each row whole, each name once, genders as grammar has them.
 #include <QRegularExpression>
 #include <QtTest>
 #include <map>
@@ -62,7 +62,7 @@ void NamesTableTest::genders_data() {
     QTest::newRow(pattern) << int(language) << QString::fromUtf8(pattern) << int(gender) << plural;
   };
   using enum Gender;
-  // Latin: the first word is the head of the name.
+  // In Latin, the first word is the head of the name.
   const NameLanguage latin = NameLanguage::latin;
   row(latin,
       "^(arteria|vena|vesica|glandula|valva|costa|vertebra|aorta|pars|pelvis|medulla|articulatio)"
@@ -78,7 +78,7 @@ void NamesTableTest::genders_data() {
   row(latin, "^(arteriae|venae|vertebrae|costae|glandulae|articulationes)\\b", feminine, true);
   row(latin, "^(musculi|nervi|disci intervertebrales|dentes)", masculine, true);
   row(latin, "^(ossa|organa|corpora|vasa)\\b", neuter, true);
-  // German: the last word's end decides.
+  // In German, the last word's end decides.
   const NameLanguage german = NameLanguage::german;
   row(german, "(arterie|vene|schlagader|drüse|niere|blase|klappe|röhre|rippe|scheibe|aorta|lunge)$",
       feminine, false);
@@ -100,7 +100,7 @@ void NamesTableTest::genders() {
   int seen = 0;
   for (const NameRow& row : m_names.rows()) {
     const std::string& name = row.names[std::size_t(language)];
-    // What is made of several names has its gender from another word.
+    // A name made of several has its gender from another word.
     const QString text = QString::fromStdString(name);
     if (!head.match(text).hasMatch() || text.contains(" und ") || text.contains(" der "))
       continue;

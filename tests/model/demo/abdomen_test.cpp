@@ -43,7 +43,7 @@ std::vector<const Node*> structuresOf(const model::Scene& scene) {
   return all;
 }
 
-/// What the mesh encloses, counted on a lattice of `step` mm.
+/// Returns the points of a lattice of `step` mm that the mesh encloses.
 std::vector<glm::vec3> pointsInside(const model::Bvh& bvh, const Box& box, float step) {
   std::vector<glm::vec3> points;
   for (float z = box.low.z + 0.31f * step; z < box.high.z; z += step)
@@ -114,7 +114,7 @@ void AbdomenTest::structuresAndGroups() {
     QVERIFY(!model::cameraFault(view.camera));
 }
 
-/// What is in focus is shaded, vessels are hatched, the rest is drawn in few lines.
+/// Structures in focus are shaded, vessels are hatched, the rest is drawn in few lines.
 void AbdomenTest::focusVesselsContext_data() {
   QTest::addColumn<float>("least");
   QTest::addColumn<float>("most");
@@ -165,7 +165,7 @@ void AbdomenTest::hollowOrgans_data() {
   QTest::newRow("portal vein") << 0.3 << 0.8;
 }
 
-/// The cavity's share of the body.
+/// The cavity takes a certain share of the body.
 void AbdomenTest::hollowOrgans() {
   QFETCH(double, leastShare);
   QFETCH(double, mostShare);
@@ -202,7 +202,7 @@ void AbdomenTest::overlapsLittle() {
     QVERIFY2(complaint.empty(), complaint.c_str());
 }
 
-/// A ball, box, capsule or ellipsoid is convex; what anatomy is made of is not: some of what a
+/// A ball, box, capsule or ellipsoid is convex; anatomy is not: some of the space that a
 /// structure's own points span lies outside it.
 void AbdomenTest::notBarePrimitives() {
   for (const Node* node : structuresOf(m_scene)) {
@@ -230,7 +230,7 @@ void AbdomenTest::sizes_data() {
   QTest::addColumn<glm::vec3>("high");
   QTest::addColumn<double>("leastMl");
   QTest::addColumn<double>("mostMl");
-  // What textbooks give for adults, with their range.
+  // Textbooks give these sizes for adults, with their range.
   const std::array<Size, 9> rows{{{"liver", {190, 130, 130}, {240, 190, 190}, 1000, 2000},
                                   {"spleen", {40, 50, 70}, {100, 110, 130}, 100, 260},
                                   {"left kidney", {40, 35, 95}, {75, 70, 125}, 100, 200},
@@ -259,7 +259,7 @@ void AbdomenTest::sizes() {
   QVERIFY2(ml > leastMl && ml < mostMl, is.c_str());
 }
 
-/// LPS: +x to the patient's left, +y to the back, +z to the head.
+/// Neighbours lie as in LPS: +x to the patient's left, +y to the back, +z to the head.
 void AbdomenTest::neighbours() {
   QVERIFY(middle("liver").x < 0 && middle("spleen").x > 0 && middle("stomach").x > 0);
   QVERIFY(middle("inferior vena cava").x < middle("abdominal aorta").x);
@@ -278,7 +278,7 @@ void AbdomenTest::neighbours() {
   QVERIFY(vein.low.x < middle("abdominal aorta").x && vein.high.x > middle("abdominal aorta").x);
 }
 
-/// The visceral surface: from below, a fair part of it is hollow, deeper than the convex dome.
+/// A fair part of the visceral surface, seen from below, is hollow, deeper than the convex dome.
 void AbdomenTest::liverHasItsHollows() {
   const model::Mesh& liver = meshOf("liver");
   const double sphere = 36.0 * 3.14159265 * volumeOf(liver) * volumeOf(liver);
@@ -339,7 +339,7 @@ void AbdomenTest::badCachesAreRemade_data() {
   QTest::newRow("cut") << QByteArray("PK\3\4\24\0\0\0\10\0", 10);
 }
 
-/// Tried with the kidney, which is the quickest to model.
+/// This is tested with the kidney, which is the quickest to model.
 void AbdomenTest::badCachesAreRemade() {
   QFETCH(QByteArray, content);
   const QTemporaryDir folder;
@@ -349,7 +349,7 @@ void AbdomenTest::badCachesAreRemade() {
   const model::Scene scene = model::demo(model::DemoName::kidney, model::Sex::female, cache);
   QCOMPARE(structuresOf(scene).size(), std::size_t(4));
   QVERIFY(std::filesystem::file_size(file) > 100'000);
-  // A folder that cannot be made, and none at all, change nothing.
+  // A folder that cannot be made, and no folder at all, change nothing.
   compareScenes(scene, model::demo(model::DemoName::kidney, model::Sex::female, file / "below"));
   compareScenes(scene, model::demo(model::DemoName::kidney, model::Sex::female, {}));
 }

@@ -59,7 +59,7 @@ class KidneyTest : public QObject {
     const glm::vec3 size = kidney->bounds().size();
     QVERIFY(size.z > 90 && size.z < 125 && size.x > 40 && size.x < 70 && size.y > 30 &&
             size.y < 50);
-    // A left kidney: the vessels come from the patient's right, which is −x.
+    // In a left kidney the vessels come from the patient's right, which is −x.
     const auto artery = scene.find(scene.named("left renal artery").front())->mesh;
     QVERIFY(artery->bounds().centre().x < kidney->bounds().centre().x);
   }

@@ -105,7 +105,7 @@ class PelvisBonesTest : public QObject {
                         << "*fifth_lumbar_vertebra.obj" << false;
     QTest::newRow("disc") << "fifth lumbar intervertebral disc"
                           << "*intervertebral_disk*" << false;
-    // The demo's femora end below the lesser trochanter: compared above the cut.
+    // The demo's femora end below the lesser trochanter, so they are compared above the cut.
     QTest::newRow("left femur") << "left femur"
                                 << "*left_femur.obj" << true;
     QTest::newRow("right femur") << "right femur"
@@ -130,7 +130,7 @@ class PelvisBonesTest : public QObject {
     QVERIFY(glm::all(glm::lessThan(glm::abs(made.centre() - real.centre()), 0.15f * extent)));
   }
 
-  // Of the smaller of two bones at most one point in a hundred lies inside the other.
+  // At most one point in a hundred of the smaller of two bones lies inside the other.
   void bonesDoNotOverlap() {
     for (const model::Scene* scene : {&m_male, &m_female})
       for (const model::Node& a : scene->nodes()) {
@@ -159,7 +159,8 @@ class PelvisBonesTest : public QObject {
   }
 
   void womansPelvisIsWiderAndLower() {
-    // Half the gap between the inferior rami at their middle, and half the width of the inlet.
+    // These are half the gap between the inferior rami at their middle, and half the width of the
+    // inlet.
     const auto nearest = [](const model::Mesh& hip, float low, float high) {
       float x = 1e9f;
       for (const glm::vec3& p : hip.positions())
@@ -176,7 +177,7 @@ class PelvisBonesTest : public QObject {
     QVERIFY(size.z < 0.97f * males.z && size.x > 1.03f * males.x);
   }
 
-  // To a woman's pelvis and back.
+  // The map leads to a woman's pelvis and back.
   void femaleMapHasAnInverse() {
     for (float x = -180; x <= 180; x += 40)
       for (float z = 720; z <= 1090; z += 30) {

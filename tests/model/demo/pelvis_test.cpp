@@ -42,7 +42,8 @@ const Mesh* meshNamed(const Scene& scene, const std::string& name) {
   return ids.empty() ? nullptr : scene.find(ids.front())->mesh.get();
 }
 
-/// Bounds of the data set's body whose file name ends in that name; empty where there is none.
+/// Returns the bounds of the data set's body that has a file name ending in that name; empty if
+/// there is none.
 Box measured(const std::string& name) {
   std::string file = name;
   std::replace(file.begin(), file.end(), ' ', '_');
@@ -133,7 +134,7 @@ class PelvisTest : public QObject {
     QCOMPARE(test::handlesOf(*meshNamed(pelvis(Sex(sex)), name.toStdString())), handles);
   }
 
-  // The middle of a lumen is not wall.
+  // The middle of a lumen is empty.
   void lumenIsEmpty_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<float>("x");
@@ -182,9 +183,9 @@ class PelvisTest : public QObject {
     QVERIFY2(all.empty(), all.c_str());
   }
 
-  // Centres and extents against a man's measured body. Left out are bodies that the demo cuts off
-  // on purpose (aorta, vena cava, colon, femora, ureters) and two muscles that carry stray pieces
-  // of the other side in the data.
+  // Centres and extents agree with a man's measured body. Left out are bodies that the demo cuts
+  // off on purpose (aorta, vena cava, colon, femora, ureters) and two muscles that carry stray
+  // pieces of the other side in the data.
   void measuresOfAMan_data() {
     QTest::addColumn<QString>("name");
     for (const char* name : {"left hip bone",
@@ -280,7 +281,7 @@ class PelvisTest : public QObject {
     QVERIFY(ischiaApart(male) != ischiaApart(female));
   }
 
-  // No body is but an ellipsoid, a box or a capsule: its volume and surface are not theirs.
+  // No body is just an ellipsoid, a box or a capsule: its volume and surface differ from theirs.
   void noneIsAPlainBody_data() { addSexes(); }
   void noneIsAPlainBody() {
     QFETCH(const int, sex);

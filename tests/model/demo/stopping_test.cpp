@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modelling that nobody waits for any more is given up at once, wherever it is.
+// Tests that modelling is given up at once, wherever it is, when its result is no longer wanted.
 #include <QTemporaryDir>
 #include <QTest>
 #include <atomic>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr Box box{{-24, -24, -24}, {24, 24, 24}};
 
-/// A ball that asks to stop when it has been asked that often, and counts on.
+/// A ball that requests a stop when its field has been evaluated `enough` times, and counts on.
 struct Patience {
   std::atomic<int> asked = 0;
   int enough = 0;
@@ -31,7 +31,7 @@ struct Patience {
   }
 };
 
-/// Each thread may be in the middle of a question.
+/// Each thread may be in the middle of an evaluation.
 constexpr int threads = 256;
 
 }  // namespace
@@ -72,7 +72,7 @@ class StoppingTest : public QObject {
     clay.add(patience.ball(), box, 1.0f);
     QVERIFY_THROWS_EXCEPTION(ModellingStopped, static_cast<void>(clay.sampled(
                                                    {0.5f, 0.3f}, patience.source.get_token())));
-    // It asks between blocks.
+    // The stop is checked between blocks.
     constexpr int block = 16 * 16 * 16;
     QVERIFY(patience.asked < patience.enough + threads * block);
   }

@@ -20,8 +20,8 @@ using namespace sline::model;
 namespace fs = std::filesystem;
 
 namespace {
-/// No file may grow beyond it while it lives: a full disk for everybody. (The system's own signal
-/// is put off, so that writing fails as on a disk.)
+/// While a FullDisk lives, no file may grow beyond its limit, as if the disk were full. (The
+/// system's own signal is ignored, so that writing fails as on a disk.)
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) {
@@ -80,7 +80,7 @@ void FileLockTest::oneWriter() {
 void FileLockTest::lockGoesWithItsProcess() {
   const QTemporaryDir folder;
   const fs::path file = folder.filePath("a.sline").toStdString();
-  // A lock file that a crash has left, as if by a process that has another number's sign in it.
+  // A crash has left a lock file, as if written by a process with the mark of another number in it.
   QVERIFY(writeText(FileLock::besides(file), "process 1 on elsewhere\n").ok());
   QVERIFY(!FileLock::held(file));
   QVERIFY(FileLock::acquire(file).ok());
@@ -101,7 +101,7 @@ void FileLockTest::linksLeadToOneLock() {
 void FileLockTest::savingLeavesNothingBeside() {
   const QTemporaryDir folder;
   const fs::path file = folder.filePath("a.sline").toStdString();
-  // What writers that were killed have left goes; what is named otherwise stays.
+  // Files left by writers that were killed are removed; files named otherwise stay.
   for (const char* name : {".a.sline.4711", ".a.sline.12", ".a.sline.backup", ".b.sline.4711"})
     QVERIFY(writeText(folder.filePath(name).toStdString(), "x").ok());
   QVERIFY(writeSceneFile(file, {.scene = test::sampleScene()}).ok());
@@ -133,7 +133,7 @@ void FileLockTest::folderThatCannotBeWritten() {
   QVERIFY(writeSceneFile(file, {}).ok());
   fs::path place = file;
   if (geteuid() == 0)
-    place = "/sys/a.sline";  // nobody may make files there, not even the superuser
+    place = "/sys/a.sline";  // no user may make files there, not even the superuser
   else
     fs::permissions(folder.path().toStdString(), fs::perms::owner_read | fs::perms::owner_exec);
   const Status written = writeSceneFile(place, {.scene = test::sampleScene()});

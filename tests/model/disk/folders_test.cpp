@@ -65,7 +65,7 @@ void FoldersTest::userFolders() {
   qputenv("HOME", home);
 }
 
-/// A program that was killed left a folder, and its number has come round again.
+/// A program that was killed left a folder, and its number has been given out again.
 void FoldersTest::whatWasLeftIsNotTaken() {
   namespace fs = std::filesystem;
   const QTemporaryDir place;

@@ -19,7 +19,7 @@ std::string archive(const std::vector<ZipMember>& members) {
 
 const std::vector<ZipMember> two{{"scene.json", "{}"}, {"meshes/1.mesh", std::string(5000, 'm')}};
 
-/// All places of `from` in the bytes, made `to`, which has the same length.
+/// Returns the bytes with every `from` replaced by `to`, which has the same length.
 std::string replaced(std::string bytes, const std::string& from, const std::string& to) {
   for (std::size_t at = bytes.find(from); at != std::string::npos; at = bytes.find(from, at + 1))
     bytes.replace(at, from.size(), to);

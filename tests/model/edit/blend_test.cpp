@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From one look of a scene to another.
+// Tests blending from one look of a scene to another.
 #include "model/edit/blend.h"
 
 #include <QtTest>

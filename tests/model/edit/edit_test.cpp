@@ -12,7 +12,7 @@ namespace {
 
 using Ids = std::vector<NodeId>;
 
-/// Named by letters: groups A ( B ( b1, b2 ), a ), C (), structure d.
+/// Holds groups A ( B ( b1, b2 ), a ), C () and structure d, named by letters.
 class Sample {
  public:
   Sample() {
@@ -50,7 +50,7 @@ class Sample {
   }
 };
 
-/// "A(B(b1 b2) a) C() d"
+/// Returns the tree as "A(B(b1 b2) a) C() d".
 QString written(const Scene& scene, NodeId parent = rootId) {
   QStringList parts;
   for (const NodeId id : scene.children(parent)) {
@@ -168,7 +168,7 @@ void EditTest::treeEdits() {
   QCOMPARE(written(edited.scene), result);
   QCOMPARE(edited.changed, result != before);
   QCOMPARE(edited.changed, !(edited.scene == s.scene));
-  // The value that came in is untouched.
+  // The original value is untouched.
   QCOMPARE(written(s.scene), before);
 }
 
@@ -276,7 +276,7 @@ void EditTest::inkAlone() {
   style.fill = Fill(fill);
   style.opacity = Opacity::clamped(opacity);
   style.inkColour = Colour{10, 20, 200};
-  // What a group says holds for what is in it.
+  // A group's style holds for the nodes in it.
   const Scene scene = withLook(s.scene, s.ids("A"), style).scene;
   const Edited edited = withInkAlone(scene);
   QVERIFY(edited.changed);
@@ -287,7 +287,7 @@ void EditTest::inkAlone() {
     QCOMPARE(*drawn.inkColour, (Colour{0, 0, 0}));
     if (newFill != int(Fill::none))
       QCOMPARE(drawn.opacity.value(), 1.0f);
-    // What was shaded more is hatched darker.
+    // A structure that was shaded more is hatched darker.
     QCOMPARE(drawn.hatchTone.value(), 1.0f + 0.4f * std::max(gamma - 3.0f, 0.0f));
   }
   QCOMPARE(edited.scene.resolve(s.id("d")).gamma, scene.resolve(s.id("d")).gamma);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Γ, colour and fill of groups; context and ghosts. The tree is A ( a b ) c.
+// Tests Γ, colour and fill of groups, context and ghosts. The tree is A ( a b ) c.
 #include <QTest>
 
 #include "model/edit/emphasis.h"

@@ -10,7 +10,7 @@ using namespace sline::model;
 
 namespace {
 
-/// What is between the brackets is selected; they are no part of the text.
+/// Holds a text and its selection, which brackets mark without being part of the text.
 struct Chosen {
   std::string text;
   TextRange range;
@@ -83,8 +83,8 @@ class LetterStyleTest : public QObject {
     QCOMPARE(bracketed(withLetterStyle(was.text, was.range, mark)), after);
   }
 
-  /// Whatever is selected in whatever text: the words stay, and what was selected is all of one
-  /// style afterwards; a second time takes it back.
+  /// Whatever is selected in whatever text, the words stay, and afterwards the selection is all of
+  /// one style; a second time reverts it.
   void wordsStay() {
     sline::test::Mutator spoil(7,
                                {[](sline::test::Mutator& random, QByteArray& bytes, qsizetype at) {

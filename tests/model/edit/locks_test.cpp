@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is locked stays as it is, whichever edit is asked for.
+// Tests that locked nodes stay as they are, whichever edit is made.
 #include <QTest>
 #include <array>
 #include <functional>
@@ -47,7 +47,7 @@ class LocksTest : public QObject {
     row("inherit all",
         [](const Scene& s, Ids ids) { return withLookInherited(s, ids, wholeLook()); });
   }
-  /// The locked ones, named or not, look as before; the others, which were like them, do not.
+  /// Locked nodes, named or not, look as before; the others, which looked like them, change.
   void looksStay() {
     QFETCH(Edit, edit);
     Scene scene = readTree("A(a l! L!(m) b) l2! K!(k) c");
@@ -64,7 +64,7 @@ class LocksTest : public QObject {
       for (const Node& node : edited.scene.nodes())
         if (locks.contains(node.id.value))
           QVERIFY2(edited.scene.resolve(node.id) == scene.resolve(node.id), node.name.c_str());
-      // All else follows.
+      // The unlocked nodes follow the edit.
       if (QLatin1String(names) == QLatin1String("A"))
         QVERIFY(
             !(edited.scene.resolve(nodeNamed(scene, "a")) == scene.resolve(nodeNamed(scene, "a"))));
@@ -118,7 +118,7 @@ class LocksTest : public QObject {
     QCOMPARE(test::writtenTree(locked.scene), QString("A!(a b) c!"));
     QVERIFY(!withLocked(locked.scene, nodesNamed(scene, "A c"), true).changed);
     QCOMPARE(editable(locked.scene, nodesNamed(scene, "A a c x")).size(), std::size_t(0));
-    // What a group above locks is not unlocked by itself.
+    // A node that a group above locks cannot be unlocked by itself.
     QVERIFY(!withLocked(locked.scene, nodesNamed(scene, "a"), false).changed);
     QVERIFY(withLocked(locked.scene, nodesNamed(scene, "A c"), false).scene == scene);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views of a scene added, updated, renamed, put elsewhere and removed.
+// Tests views of a scene added, updated, renamed, moved and removed.
 #include <QtTest>
 #include <limits>
 
@@ -171,7 +171,7 @@ void SavedViewsTest::whatChangesNothing() {
 void SavedViewsTest::removedOnes() {
   const Scene scene = withNames({"a", "b", "c"});
   QCOMPARE(namesOf(withoutView(scene, 1).scene), "a|c");
-  QCOMPARE(namesOf(scene), "a|b|c");  // the value that undo goes back to
+  QCOMPARE(namesOf(scene), "a|b|c");  // the value that undo returns to
 }
 
 void SavedViewsTest::absentOnesAreCounted() {

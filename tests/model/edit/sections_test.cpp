@@ -11,7 +11,7 @@
 namespace sline::model {
 namespace {
 
-/// organs ( liver at x = 60, vessels ( vein ) ), bone
+/// Holds organs ( liver at x = 60, vessels ( vein ) ), bone.
 struct Sample {
   Scene scene;
   NodeId organs, liver, vessels, vein, bone;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Order, groups and their ends.
+// Tests order, groups and their dissolution.
 #include <QTest>
 
 #include "model/edit/look.h"
@@ -165,7 +165,7 @@ class TreeEditTest : public QObject {
     for (const Node& node : scene.nodes())
       if (!node.isGroup())
         QVERIFY2(after.resolve(node.id) == scene.resolve(node.id), node.name.c_str());
-    // Grouped and dissolved again is as before.
+    // Grouping and dissolving restores the tree.
     const Grouped made = grouped(scene, nodesNamed(scene, "a c"), "N");
     QVERIFY(ungrouped(made.edited.scene, std::array{made.group}).scene.nodes() == scene.nodes());
   }

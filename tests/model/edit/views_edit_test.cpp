@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saved views, annotations and the key light as edits.
+// Tests saved views, annotations and the key light as edits.
 #include "model/edit/look.h"
 #include "model/edit/views.h"
 
@@ -18,7 +18,7 @@ using namespace sline::model;
 
 namespace {
 
-/// A group of two structures and one beside it; a pin on each.
+/// Holds a group of two structures and one beside it, with a pin on each.
 struct Sample {
   Scene scene;
   NodeId group, one, two, other;
@@ -82,7 +82,7 @@ void ViewsEditTest::viewShowsWhatItSaysAndLeavesTheRest() {
   QVERIFY(!seen.scene.resolve(s.one).visible);
   QVERIFY(seen.scene.resolve(s.two).visible);
   QCOMPARE(seen.scene.resolve(s.two).colour, (Colour{1, 2, 3}));
-  QCOMPARE(seen.scene.resolve(s.two).gamma.value(), 3.0f);  // of which the view says nothing
+  QCOMPARE(seen.scene.resolve(s.two).gamma.value(), 3.0f);  // the view sets no Γ here
   QCOMPARE(visiblePins(seen.scene), (QList<quint64>{s.onOne.value, s.free.value}));
   const Scene plain = shown(s.scene, {.name = "only a camera"}).scene;
   QVERIFY(plain == s.scene);
@@ -128,7 +128,7 @@ void ViewsEditTest::removedNodesAreForgotten() {
   QCOMPARE(all.scene.annotations().size(), std::size_t(1));
   QVERIFY(all.scene.views()[0].looks->empty() && all.scene.views()[0].sections->empty());
   QVERIFY(all.scene.sections().empty());
-  QVERIFY(s.scene.annotations().size() == 3);  // the value that came in, which undo goes back to
+  QVERIFY(s.scene.annotations().size() == 3);  // the original value, which undo returns to
   const Edited none = removed(s.scene, std::array{NodeId{99}});
   QVERIFY(!none.changed && none.scene == s.scene);
 }
@@ -201,7 +201,7 @@ void ViewsEditTest::changedAndRemoved() {
 
 void ViewsEditTest::shownInOneViewOrAll() {
   Sample s;
-  // The second says nothing of annotations: it shows what is visible.
+  // The second view has no list of annotations: it shows what is visible.
   s.scene.setViews({s.view(), {.name = "W"}});
   using Places = std::vector<std::size_t>;
   QCOMPARE(viewsShowing(s.scene, s.onTwo), (Places{1}));
@@ -213,7 +213,7 @@ void ViewsEditTest::shownInOneViewOrAll() {
   QCOMPARE(viewsShowing(second.scene, s.onOne), (Places{1}));
   const Edited first = withAnnotationShownIn(second.scene, s.onOne, 0);
   QCOMPARE(viewsShowing(first.scene, s.onOne), (Places{0}));
-  // Of the others nothing changes, nor of what is seen without a view.
+  // The other views do not change, nor does what is seen without a view.
   QCOMPARE(viewsShowing(first.scene, s.onTwo), (Places{1}));
   QCOMPARE(viewsShowing(first.scene, s.free), (Places{0, 1}));
   QCOMPARE(visiblePins(first.scene), visiblePins(s.scene));
@@ -226,7 +226,7 @@ void ViewsEditTest::shownInOneViewOrAll() {
 void ViewsEditTest::newOnesJoinViews() {
   Sample s;
   using Places = std::vector<std::size_t>;
-  // The first leaves one out, the second none, the third shows whatever is visible.
+  // The first view leaves one out, the second none, the third shows whatever is visible.
   s.scene.setViews(
       {s.view(), {.name = "All", .annotations = {{s.onOne, s.onTwo, s.free}}}, {.name = "W"}});
   const Annotation pin{.kind = AnnotationKind::pin, .anchors = {glm::vec3(4, 5, 6)}};
@@ -234,12 +234,12 @@ void ViewsEditTest::newOnesJoinViews() {
   QVERIFY(made.changed);
   const AnnotationId id = made.scene.annotations().back().id;
   QCOMPARE(viewsShowing(made.scene, id), (Places{1, 2}));
-  // It has still left out none.
+  // The second view has still left out none.
   const Edited second = withAnnotationMade(made.scene, pin, 0);
   QCOMPARE(viewsShowing(second.scene, second.scene.annotations().back().id), (Places{0, 1, 2}));
   QCOMPARE(viewsShowing(second.scene, s.onTwo), (Places{1, 2}));
   QVERIFY(!second.scene.views()[2].annotations);
-  // A view of before there were any.
+  // This view was saved before there were any annotations.
   Scene bare;
   bare.setViews({viewOf(bare, Camera{}, "V")});
   const Edited first = withAnnotationMade(bare, pin, std::nullopt);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Showing and hiding in a tree A ( B ( b c ) a ) d.
+// Tests showing and hiding in a tree A ( B ( b c ) a ) d.
 #include <QTest>
 
 #include "model/edit/visibility.h"
@@ -32,7 +32,7 @@ class Sample {
       found.push_back(id(name));
     return found;
   }
-  /// "+B" shows B, "-b" hides b, in turn.
+  /// Shows B for "+B" and hides b for "-b", in turn.
   void edit(const QString& steps) {
     for (const QString& step : steps.split(' ', Qt::SkipEmptyParts)) {
       const std::vector<NodeId> one{id(step.mid(1))};
@@ -98,7 +98,8 @@ class VisibilityEditTest : public QObject {
     QCOMPARE(s.visible(), visible);
   }
 
-  /// Shown together is shown one after the other, whatever was hidden before.
+  /// Showing several together is the same as showing one after the other, whatever was hidden
+  /// before.
   void manyAtOnceAreOneByOne() {
     const QStringList names{"A", "B", "a", "b", "c", "d"};
     for (unsigned hidden = 0; hidden < 64; ++hidden)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes' trees as text: "A(B!(b c) a) d!" has groups in capitals, "!" where a node is locked.
+// Writes scenes' trees as text: "A(B!(b c) a) d!" has groups in capitals, "!" after a locked node.
 #pragma once
 
 #include <QString>
@@ -51,7 +51,8 @@ inline QString writtenTree(const model::Scene& scene, model::NodeId parent = mod
   return parts.join(' ');
 }
 
-/// "root" is the root; a name that is not there gives an id that is not either.
+/// Returns the node of that name. "root" is the root; an unknown name gives an id that is unknown
+/// too.
 inline model::NodeId nodeNamed(const model::Scene& scene, const QString& name) {
   for (const model::Node& node : scene.nodes())
     if (name.toStdString() == node.name)

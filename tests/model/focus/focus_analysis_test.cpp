@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What structures are to those in focus, where geometry leaves no doubt: a ball with a vessel that
-// comes to it from a stem, another that passes by, a neighbour, a shell around all and something
-// far off.
+// Tests how structures relate to those in focus, where geometry leaves no doubt: a ball with a
+// vessel that comes to it from a stem, another that passes by, a neighbour, a shell around all and
+// something far off.
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace sline::model {
 
 namespace {
 
-/// A closed tube between two places.
+/// Returns a closed tube between two places.
 MeshPtr tube(const glm::vec3& from, const glm::vec3& to, float radius, int around = 16) {
   const glm::vec3 along = glm::normalize(to - from);
   const glm::vec3 u = glm::normalize(
@@ -54,7 +54,7 @@ class FocusAnalysisTest : public QObject {
     MeshPtr mesh;
     ContextRole role;
   };
-  /// `levels` of the balls: how fine their triangles are.
+  /// Returns the parts; `levels` says how fine the triangles of the balls are.
   static std::vector<Part> parts(int levels = 4) {
     const auto ball = [levels](float radius, const glm::vec3& place) {
       return test::moved(*test::sphere(radius, levels), 1.0f, place);
@@ -125,12 +125,12 @@ class FocusAnalysisTest : public QObject {
     const Scene scene = sceneOf(parts());
     const auto analysis = ask(scene);
     QVERIFY(analysis);
-    // In units of the ball's radius, but for its facets.
+    // Gaps are in units of the ball's radius, apart from the error of its facets.
     QVERIFY(std::abs(of(scene, *analysis, "neighbour").gapMm - 0.57f) < 0.15f);
     QVERIFY(std::abs(of(scene, *analysis, "far").gap - (56.1f - 25.0f) / 20.0f) < 0.02f);
     QVERIFY(of(scene, *analysis, "shell").hides > 0.99f);
     QVERIFY(of(scene, *analysis, "shell").outside > 0.95f);
-    // The most of a ball's disc that a smaller one before it covers.
+    // This is the most of a ball's disc that a smaller one in front covers.
     QVERIFY(std::abs(of(scene, *analysis, "neighbour").hides - 64.0f / 400.0f) < 0.06f);
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real bodies: what an anatomist would say of a structure's surroundings comes out of the meshes.
+// Tests real bodies: the meshes yield what an anatomist would say of a structure's surroundings.
 #include <QFileInfo>
 #include <QTest>
 #include <map>

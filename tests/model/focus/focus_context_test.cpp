@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From an analysis and an amount to styles: more is never less, nothing jumps, nobody's say is
-// lost.
+// Tests the way from an analysis and an amount to styles: more is never less, nothing jumps, no
+// choice of the user is lost.
 #include <QTest>
 
 #include "model/edit/sections.h"
@@ -38,7 +38,7 @@ class FocusContextTest : public QObject {
                            .hides = hides});
     return sorts;
   }
-  /// How much ink a structure's lines have: none where it is hidden.
+  /// Returns how much ink a structure's lines have; none if it is hidden.
   static float pen(const Style& style) { return *style.visible ? *style.penWeight : 0.0f; }
 
  private slots:
@@ -115,7 +115,7 @@ class FocusContextTest : public QObject {
     QVERIFY(scene.resolve(m_target).visible);
     QVERIFY(!scene.resolve(m_other).visible && !scene.resolve(m_third).visible);
     QVERIFY(!withFocusAndContext(scene, m_analysis, amount(0.0f)).changed);
-    // And comes back, though all was hidden.
+    // The context comes back, though all was hidden.
     const Edited more = withFocusAndContext(scene, m_analysis, amount(1.0f));
     QVERIFY(more.scene.resolve(m_other).visible && more.scene.resolve(m_third).visible);
     QVERIFY(more.scene == at(1.0f));
@@ -147,7 +147,7 @@ class FocusContextTest : public QObject {
     ContextWishes wishes;
     wishes.hiddenToo = true;
     QVERIFY(at(1.0f, wishes).resolve(m_other).visible);
-    // Also after focusing, and when the amount changes then.
+    // The same holds after focusing, and when the amount changes then.
     m_scene = withShown(m_scene, other).scene;
     m_scene = withHidden(at(0.8f), other).scene;
     QVERIFY(!at(1.0f).resolve(m_other).visible);
@@ -180,7 +180,7 @@ class FocusContextTest : public QObject {
     QVERIFY(scene.sections() == m_scene.sections());
     QVERIFY(scene.annotations() == m_scene.annotations());
     QVERIFY((scene.resolve(m_target).colour == Colour{1, 2, 3}));
-    // What is gone since, or came since, does no harm.
+    // A structure that has gone or come since does no harm.
     Scene other;
     other.append({.name = "new", .mesh = test::sphere(1.0f, 0)});
     m_analysis.relations[0].structure = NodeId{99};

@@ -35,7 +35,7 @@ class BoundingSphereTest : public QObject {
     QVERIFY(std::abs(smallestBoundingSphere(points).radius - radius) <= 1e-5f * radius + 1e-6f);
   }
 
-  // Points inside a ball and a few on its surface that hold it fixed: the ball itself is the
+  // For points inside a ball and a few on its surface that hold it fixed, the ball itself is the
   // answer.
   void heldBall() {
     std::mt19937 random(7);

@@ -13,7 +13,7 @@
 using namespace sline;
 
 namespace {
-/// Every triangle tried, in double precision.
+/// Returns the nearest hit by trying every triangle, in double precision.
 std::optional<double> nearestByForce(const model::Mesh& mesh, const model::Ray& ray) {
   std::optional<double> best;
   const glm::dvec3 o = ray.origin;
@@ -87,7 +87,8 @@ class BvhTest : public QObject {
   }
 
   void closestOnSphere() {
-    // Seen from the centre's side and from outside the foot is in a face, on an edge or a corner.
+    // Seen from the centre's side and from outside, the foot is in a face, on an edge or on a
+    // corner.
     const auto mesh = test::sphere(10, 4);
     const model::Bvh bvh(mesh, model::spatialOrder(*mesh));
     std::mt19937 random(5);

@@ -55,7 +55,7 @@ class ClustersTest : public QObject {
     QCOMPARE(count, std::size_t(1000));
   }
 
-  // What a cluster's bounds promise must hold for each of its vertices, from eyes near and far.
+  // The promise of a cluster's bounds must hold for each of its vertices, from eyes near and far.
   void facingNeverLies_data() {
     QTest::addColumn<model::MeshPtr>("mesh");
     QTest::newRow("sphere") << test::sphere(5, 5);

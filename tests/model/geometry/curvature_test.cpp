@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// METHOD §2.5: accuracy of the estimate on surfaces whose curvature is known.
+// Tests METHOD §2.5: accuracy of the estimate on surfaces of known curvature.
 #include "model/geometry/curvature.h"
 
 #include <QtTest>
@@ -21,7 +21,7 @@ constexpr float bendX = 0.08f;
 constexpr float bendY = -0.02f;
 constexpr float patchSize = 6.0f;
 
-/// Principal curvatures with the larger magnitude first, or NaN where a border is near.
+/// Returns the principal curvatures with the larger magnitude first, or NaN if a border is near.
 using Known = glm::vec2 (*)(const glm::vec3&);
 using Project = glm::vec3 (*)(const glm::vec3&);
 
@@ -55,7 +55,8 @@ glm::vec3 toTorus(const glm::vec3& p) {
   return ring + tubeRadius * glm::normalize(p - ring);
 }
 
-/// z = (a·x² + b·y²)/2 with normals to +z: the shape operator dn is minus the graph's bending.
+/// Returns them on z = (a·x² + b·y²)/2 with normals to +z: the shape operator dn is minus the
+/// graph's bending.
 glm::vec2 onSaddle(const glm::vec3& p) {
   if (std::max(std::abs(p.x), std::abs(p.y)) > 0.8f * patchSize)
     return glm::vec2(NAN);
@@ -133,7 +134,8 @@ class CurvatureTest : public QObject {
     qInfo("median error %.4f %%, at half the edge length %.4f %%", 100 * double(coarse.median),
           100 * double(fine.median));
     QVERIFY(fine.median <= 0.002f);
-    // At least linear; below the noise of single precision there is nothing left to fall.
+    // The error falls at least linearly, unless it is below the noise of single precision, where it
+    // cannot fall.
     QVERIFY(fine.median <= 0.5f * coarse.median || fine.median < 1e-4f);
   }
 

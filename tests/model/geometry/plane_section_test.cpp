@@ -22,7 +22,7 @@ Plane plane(const glm::vec3& normal, float offset) {
   return {glm::normalize(normal), offset};
 }
 
-/// Turned inside out.
+/// Returns the mesh turned inside out.
 MeshPtr turned(const Mesh& mesh) {
   std::vector<Triangle> triangles(mesh.triangles().begin(), mesh.triangles().end());
   for (Triangle& t : triangles)
@@ -54,7 +54,7 @@ Key key(const glm::vec3& p) {
   return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f};
 }
 
-/// Ends that an odd number of segments share.
+/// Returns the number of end points that an odd number of segments share.
 std::size_t looseEnds(const PlaneSection& section) {
   std::map<Key, int> uses;
   for (const CutSegment& s : section.segments) {
@@ -65,8 +65,8 @@ std::size_t looseEnds(const PlaneSection& section) {
       std::count_if(uses.begin(), uses.end(), [](const auto& use) { return use.second % 2 != 0; }));
 }
 
-/// Length of the edges that one triangle of the cap has alone: with no T-junction inside, it is
-/// that of the outline.
+/// Returns the length of the edges that belong to only one triangle of the cap: with no T-junction
+/// inside, it is that of the outline.
 double rimOf(const std::vector<glm::vec3>& cap) {
   std::map<std::pair<Key, Key>, int> uses;
   const auto edge = [](const glm::vec3& a, const glm::vec3& b) {
@@ -184,7 +184,7 @@ void PlaneSectionTest::capsHaveNoCracks() {
     const glm::dvec3 a(section.cap[i]);
     const glm::dvec3 normal =
         glm::cross(glm::dvec3(section.cap[i + 1]) - a, glm::dvec3(section.cap[i + 2]) - a);
-    // Each faces the side that is taken away; slivers may round to the other.
+    // Each triangle faces the side that is taken away; slivers may round to the other.
     QVERIFY(glm::dot(normal, glm::dvec3(cut.normal)) > -1e-4);
     area += 0.5 * glm::length(normal);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What planes keep of a ray, what it meets of a cut surface, and one tree for each mesh.
+// Tests which part of a ray planes keep, what it meets of a cut surface, and that each mesh has one
+// tree.
 #include "model/geometry/sight.h"
 
 #include <QtTest>
@@ -60,7 +61,7 @@ class SightTest : public QObject {
   void entersThroughTheCutFace() {
     const MeshPtr ball = test::sphere(10.0f, 3);
     const BvhPtr tree = treeOf(ball);
-    // All with z > 0 is taken away; from above one looks onto the face at z = 0.
+    // The part with z > 0 is taken away; from above one looks onto the face at z = 0.
     const std::array planes{Plane{{0, 0, 1}, 0.0f}};
     const auto face = nearestKept(*tree, {{1, 2, 50}, {0, 0, -1}}, planes);
     QVERIFY(face && face->cutFace);

@@ -135,7 +135,7 @@ QByteArray gltf(const Mesh& mesh) {
   const qsizetype indexBytes = binary.size();
   model::Box box;
   for (const glm::vec3& p : mesh.positions()) {
-    // LPS millimetres → metres, y up, z to the front.
+    // The frame changes from LPS millimetres to metres with y up and z to the front.
     const glm::vec3 q = glm::vec3(p.x, p.z, -p.y) * 0.001f;
     append(binary, q);
     box.add(q);

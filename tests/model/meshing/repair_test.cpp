@@ -126,7 +126,7 @@ void RepairTest::cavityFacesInward() {
     QCOMPARE(report.turnedFaces, innerInsideOut ? 0 : int(count));
     QVERIFY(volume(s, 0, outer) > 0.0);
     QVERIFY(volume(s, outer, count) < 0.0);
-    // Inside two others: solid again.
+    // A body inside two others is solid again.
     QVERIFY(volume(s, outer + count, core.triangles.size()) > 0.0);
   }
 }
@@ -188,7 +188,7 @@ void RepairTest::duplicatesGo() {
 }
 
 void RepairTest::seamsClose() {
-  // Every triangle with its own three vertices, as STL has it.
+  // Every triangle has its own three vertices, as in STL.
   const Soup good = soup(*test::sphere(10, 2));
   Soup s;
   for (const Triangle& t : good.triangles) {

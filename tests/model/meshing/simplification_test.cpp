@@ -23,7 +23,7 @@ MeshPtr meshOf(std::vector<glm::vec3> positions, std::vector<model::Triangle> tr
       std::move(model::Mesh::create(std::move(positions), std::move(triangles))).value());
 }
 
-/// A closed slab of 80 × 80 × 10 mm whose vertices are off by up to 0.05 mm.
+/// Returns a closed slab of 80 × 80 × 10 mm with vertices that are off by up to 0.05 mm.
 MeshPtr noisySlab() {
   const MeshPtr ball = test::sphere(1.0f, 4);
   std::mt19937 random(3);
@@ -35,7 +35,7 @@ MeshPtr noisySlab() {
   return meshOf(std::move(positions), {ball->triangles().begin(), ball->triangles().end()});
 }
 
-/// Three leaves that meet in one edge, each of many triangles.
+/// Returns three leaves that meet in one edge, each of many triangles.
 MeshPtr book() {
   constexpr int cells = 12;
   std::vector<glm::vec3> positions;
@@ -59,7 +59,7 @@ MeshPtr book() {
   return meshOf(std::move(positions), std::move(triangles));
 }
 
-/// Two quilted sheets: apart by 0.2 mm but at each third vertex, which they share.
+/// Returns two quilted sheets, 0.2 mm apart except at each third vertex, which they share.
 MeshPtr quilt() {
   constexpr int cells = 30;
   std::vector<glm::vec3> positions;
@@ -95,7 +95,7 @@ MeshPtr quilt() {
   return meshOf(std::move(positions), std::move(triangles));
 }
 
-/// A ball of which one half is inside out.
+/// Returns a ball with one half inside out.
 MeshPtr halfTurned() {
   const MeshPtr ball = test::sphere(20, 4);
   std::vector<model::Triangle> triangles(ball->triangles().begin(), ball->triangles().end());
@@ -105,7 +105,7 @@ MeshPtr halfTurned() {
   return meshOf({ball->positions().begin(), ball->positions().end()}, std::move(triangles));
 }
 
-/// Two balls with one vertex in common.
+/// Returns two balls with one vertex in common.
 MeshPtr touchingBalls() {
   const MeshPtr ball = test::sphere(20, 4);
   const auto ends =
@@ -126,7 +126,8 @@ MeshPtr touchingBalls() {
   return meshOf(std::move(positions), std::move(triangles));
 }
 
-/// Pairs of triangles that disagree at their edge about which side is outside.
+/// Returns the number of pairs of triangles that disagree at their edge about which side is
+/// outside.
 std::size_t disagreements(const model::Mesh& mesh) {
   std::map<std::array<std::uint32_t, 2>, int> seen;
   for (const model::Triangle& t : mesh.triangles())
@@ -141,7 +142,7 @@ double distanceToSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dv
   return glm::distance(p, a + std::min(1.0, std::max(0.0, t)) * (b - a));
 }
 
-/// Every triangle tried, in double precision.
+/// Returns the distance found by trying every triangle, in double precision.
 double distanceByForce(const model::Mesh& mesh, const glm::vec3& point) {
   double best = 1e30;
   const glm::dvec3 p = point;
@@ -160,7 +161,7 @@ double distanceByForce(const model::Mesh& mesh, const glm::vec3& point) {
   return best;
 }
 
-/// At points drawn at random from the first surface, how far the second is.
+/// Returns how far the second surface is, at most, from points drawn at random on the first.
 double farthestByForce(const model::Mesh& from, const model::Mesh& to) {
   std::mt19937 random(7);
   std::uniform_int_distribution<std::size_t> triangle(0, from.triangleCount() - 1);
@@ -188,8 +189,8 @@ double volume(const model::Mesh& mesh) {
   return sum / 6.0;
 }
 
-/// Vertices − edges + triangles: 2 for a ball, 0 for a ring. Vertices without triangles do not
-/// count.
+/// Returns vertices − edges + triangles: 2 for a ball, 0 for a ring. Vertices without triangles do
+/// not count.
 int eulerOf(const model::Mesh& mesh) {
   std::set<std::uint32_t> vertices;
   std::set<std::array<std::uint32_t, 2>> edges;
@@ -219,8 +220,8 @@ class SimplificationTest : public QObject {
   void closed_data() {
     QTest::addColumn<MeshPtr>("mesh");
     QTest::addColumn<float>("bound");
-    QTest::addColumn<int>("times");  // fewer triangles, at least
-    // Triangles whose middle is s from a sphere of radius R have edges of √(6·R·s) or so.
+    QTest::addColumn<int>("times");  // least factor of fewer triangles
+    // Triangles with their middle s from a sphere of radius R have edges of about √(6·R·s).
     QTest::newRow("ball") << test::sphere(50, 4) << 0.8f << 8;
     QTest::newRow("ball, fine") << test::sphere(50, 4) << 0.3f << 2;
     QTest::newRow("ring") << test::torus(40, 10, 120, 40) << 0.3f << 5;
@@ -249,7 +250,7 @@ class SimplificationTest : public QObject {
     QCOMPARE(model::connectedComponents(*fewer.mesh).count,
              model::connectedComponents(*mesh).count);
     QVERIFY(std::abs(volume(*fewer.mesh) / volume(*mesh) - 1.0) < 0.03);
-    // The same again, bit for bit.
+    // A second run gives the same, bit for bit.
     QVERIFY(*model::simplified(mesh, bound, always).mesh == *fewer.mesh);
   }
 
@@ -272,7 +273,8 @@ class SimplificationTest : public QObject {
     QVERIFY(std::abs(model::rimLength(*fewer.mesh, model::VertexFaces(*fewer.mesh)) - rim) < 1e-3);
   }
 
-  /// What a half-edge structure cannot hold is cut open on the way and whole again afterwards.
+  /// Parts that a half-edge structure cannot hold are cut open on the way and whole again
+  /// afterwards.
   void cutsHeal_data() {
     QTest::addColumn<MeshPtr>("mesh");
     QTest::addColumn<int>("pieces");
@@ -297,7 +299,7 @@ class SimplificationTest : public QObject {
     QCOMPARE(eulerOf(*fewer.mesh), eulerOf(*mesh));
   }
 
-  /// Sheets sewn to themselves at random, some triangles turned, some there twice.
+  /// The sheets are sewn to themselves at random, with some triangles turned and some there twice.
   void sewnSheets() {
     std::mt19937 random(5);
     const auto below = [&](std::size_t n) { return std::uint32_t(random() % n); };
@@ -341,7 +343,8 @@ class SimplificationTest : public QObject {
   }
 
   void brokenMeshes() {
-    // Triangles without area and with one vertex twice, and a vertex where two cones touch.
+    // There are triangles without area and with one vertex twice, and a vertex where two cones
+    // touch.
     const MeshPtr odd = meshOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 0}},
                                {{0, 1, 2}, {0, 0, 1}, {0, 1, 3}, {4, 4, 4}, {0, 1, 3}});
     const model::Simplified same = model::simplified(odd, 10.0f, always);

@@ -32,7 +32,7 @@ Smoothed automatic(Soup& s) {
   return smooth(s.positions, s.triangles, commonGrids(measures).front(), {});
 }
 
-/// Mean angle between neighbouring faces, degrees.
+/// Returns the mean angle between neighbouring faces, in degrees.
 double bend(const Soup& s) {
   const HalfEdges edges(s.positions.size(), s.triangles);
   const auto normal = [&](std::size_t t) {
@@ -51,7 +51,8 @@ double bend(const Soup& s) {
 bool ballOf20(const glm::vec3& p) {
   return glm::distance(p, glm::vec3(24.2f, 24.1f, 23.9f)) < 20.0f;
 }
-/// A slanted rod, whose steps a smoothing filter likes to shrink away.
+/// Tells whether a point is in a slanted rod with steps that a smoothing filter likes to shrink
+/// away.
 bool slantedRod(const glm::vec3& p) {
   const glm::vec3 axis = glm::normalize(glm::vec3(0.35f, 0.2f, 1.0f));
   const glm::vec3 q = p - glm::vec3(30.0f, 30.0f, 30.0f);
@@ -142,7 +143,7 @@ void SmoothingTest::stepsOfABallGo() {
   double before2 = 0.0;
   double after2 = 0.0;
   for (std::size_t v = 0; v < before.positions.size(); ++v) {
-    // Half a step height, across a surface that is at most √3 voxels thick.
+    // The limit is half a step height, across a surface that is at most √3 voxels thick.
     QVERIFY(glm::distance(s.positions[v], before.positions[v]) <= 0.5f * 1.7321f);
     before2 += std::pow(double(glm::distance(before.positions[v], centre)) - 20.0, 2.0);
     after2 += std::pow(double(glm::distance(s.positions[v], centre)) - 20.0, 2.0);
@@ -188,7 +189,8 @@ void SmoothingTest::spacingIsFound() {
 }
 
 void SmoothingTest::greyValueSurfaceIsClean() {
-  // What marching cubes make of a smooth field: two coordinates on the grid, the third anywhere.
+  // Marching cubes make such vertices of a smooth field: two coordinates on the grid, the third
+  // anywhere.
   std::vector<glm::vec3> grey;
   std::vector<glm::vec3> labels;
   std::uint32_t seed = 1;
@@ -246,7 +248,7 @@ void SmoothingTest::coarseSphereIsRefined() {
   QCOMPARE(done.refinementSteps, 2);
   QCOMPARE(s.triangles.size(), 16 * triangles);
   QCOMPARE(HalfEdges(s.positions.size(), s.triangles).openCount(), std::size_t(0));
-  // Nearly interpolating: Loop's own rule would pull the sphere in by 0.3.
+  // The scheme is nearly interpolating: Loop's own rule would pull the sphere in by 0.3.
   QVERIFY2(done.displacement < 0.05f, qPrintable(QString::number(double(done.displacement))));
   for (const glm::vec3& p : s.positions)
     QVERIFY(std::abs(glm::length(p) - 10.0f) < 0.1f);
@@ -260,7 +262,7 @@ void SmoothingTest::coarsestAreRefinedFirst() {
     m.featureSize = 10.0f;
     return m;
   };
-  // Alone, each has what it wants; fine ones want nothing.
+  // Alone, each gets what it needs; fine ones need nothing.
   QCOMPARE(refinementAllowances(std::vector{measure(1000, 0.07f)}), std::vector{2});
   QCOMPARE(refinementAllowances(std::vector{measure(1000, 0.03f)}), std::vector{1});
   QCOMPARE(refinementAllowances(std::vector{measure(1000, 0.01f)}), std::vector{0});
@@ -304,7 +306,7 @@ void SmoothingTest::loopKeepsBorders() {
 }
 
 void SmoothingTest::nonManifoldSurvives() {
-  // Three sheets along one edge, and a vertex in no face.
+  // There are three sheets along one edge, and a vertex in no face.
   Soup s{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {5, 5, 5}},
          {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
   const Subdivided fine = loopSubdivided(s.positions, s.triangles);

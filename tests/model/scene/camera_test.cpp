@@ -31,14 +31,14 @@ std::vector<glm::vec3> corners(const Box& box) {
   return points;
 }
 
-/// Normalised device coordinates, −1 … 1.
+/// Returns normalised device coordinates, −1 … 1.
 glm::vec3 project(const Camera& camera, const Box& bounds, float aspect, const glm::vec3& p) {
   const glm::vec4 clip =
       projectionMatrix(camera, bounds, aspect) * viewMatrix(camera) * glm::vec4(p, 1.0f);
   return glm::vec3(clip) / clip.w;
 }
 
-/// What the points take of the picture, in normalised device coordinates.
+/// Returns the part of the picture that the points take, in normalised device coordinates.
 Box projectedBounds(const Camera& camera, const Box& bounds, float aspect,
                     const std::vector<glm::vec3>& points) {
   Box projected;
@@ -108,13 +108,13 @@ void CameraTest::viewsShowTheirSide() {
   QVERIFY(close(frame.right, vec(atRight), 1e-6f));
   QVERIFY(close(frame.up, vec(atTop), 1e-6f));
   QVERIFY(close(frame.back, vec(near), 1e-6f));
-  // The same through the matrices: a step to the patient's side is a step in the picture.
+  // The matrices agree: a step to the patient's side is a step in the picture.
   const glm::vec3 middle = project(camera, box, 1.5f, box.centre());
   QVERIFY(project(camera, box, 1.5f, box.centre() + 5.0f * vec(atRight)).x > middle.x + 1e-3f);
   QVERIFY(project(camera, box, 1.5f, box.centre() + 5.0f * vec(atTop)).y > middle.y + 1e-3f);
   QVERIFY(project(camera, box, 1.5f, box.centre() + 5.0f * vec(near)).z < middle.z);
   QVERIFY(!anatomicalViewNamed("dorsal").has_value());
-  // The way back, from the camera to the name; a step aside leaves it the nearest.
+  // The name is found back from the camera, and after a step aside it is still the nearest.
   QCOMPARE(anatomicalViewOf(camera), named);
   Camera aside = camera;
   aside.eye += 0.3f * glm::length(camera.eye - camera.target) * frame.right;
@@ -161,7 +161,8 @@ void CameraTest::fitsBoxWithMargin() {
 }
 
 void CameraTest::fitsPointsTighterThanTheirBox() {
-  // A needle from corner to corner and one point beside it: the box is much larger than they are.
+  // There is a needle from corner to corner and one point beside it: the box is much larger than
+  // they are.
   std::vector<glm::vec3> points;
   for (int i = 0; i <= 20; ++i)
     points.emplace_back(10.0f * float(i), 5.0f * float(i), 7.0f * float(i));
@@ -204,7 +205,7 @@ void CameraTest::fitsWithinSides() {
                   {.left = sides[0], .right = sides[1], .top = sides[2], .bottom = sides[3]});
   QVERIFY(close(cameraFrame(camera).back, before.back, 1e-6f));
   const Box seen = projectedBounds(camera, box, aspect, corners(box));
-  // What is free beyond the sides, in halves of the picture.
+  // This is the space left beyond the sides, in halves of the picture.
   const float left = seen.low.x + 1.0f - 2.0f * float(sides[0]);
   const float right = 1.0f - seen.high.x - 2.0f * float(sides[1]);
   const float top = 1.0f - seen.high.y - 2.0f * float(sides[2]);
@@ -279,7 +280,7 @@ void CameraTest::depthIsTightAndSound() {
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 4; ++row)
         QVERIFY(std::isfinite(matrix[column][row]));
-    // What stands a little before the eye and within the box is drawn.
+    // Anything a little before the eye and within the box is drawn.
     if (eyeY < 100.0f) {
       const float z = project(camera, box, 1.0f, {0, std::max(eyeY + 0.5f, -99.0f), 0}).z;
       QVERIFY2(z >= -1.0f && z <= 1.0f, qPrintable(QString::number(double(z))));

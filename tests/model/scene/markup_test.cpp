@@ -11,7 +11,7 @@ using namespace sline::model;
 
 namespace {
 
-/// Runs as they are told apart here: <b>, <i> and <bi> around what is not plain, "• " before items.
+/// Returns the runs with <b>, <i> and <bi> around what is not plain, and "• " before items.
 QString spelt(const std::vector<MarkedLine>& lines) {
   QStringList all;
   for (const MarkedLine& line : lines) {
@@ -27,7 +27,7 @@ QString spelt(const std::vector<MarkedLine>& lines) {
   return all.join('|');
 }
 
-/// Every byte of every span is one of the text's, in order.
+/// Tells whether every byte of every span is one of the text's, in order.
 bool spansAreSound(std::string_view text) {
   std::size_t last = 0;
   for (const MarkupLine& line : parsedMarkup(text)) {
@@ -69,7 +69,7 @@ class MarkupTest : public QObject {
     row("bold to bold", "**a****b**", "<b>ab</>");
     row("both to italic", "***a****b*", "<bi>a</><i>b</>");
     row("umlauts", "**Öffnung** *für* ÿ", "<b>Öffnung</> <i>für</> ÿ");
-    // What has no partner.
+    // These marks have no partner.
     row("lone asterisk", "L5*", "L5*");
     row("footnotes", "p* and q*", "p* and q*");
     row("product", "5 * 3 * 2", "5 * 3 * 2");
@@ -85,19 +85,19 @@ class MarkupTest : public QObject {
     row("blank within", "** a **", "** a **");
     row("nothing within", "****", "****");
     row("seven in a row", "*******a*******", "*******a*******");
-    // Lists.
+    // These are lists.
     row("list", "Parts:\n- one\n- *two*", "Parts:|• one|• <i>two</>");
     row("indented item", "  -   one", "• one");
     row("no item", "-one\n–\n-", "-one|–|-");
     row("markers do not span items", "- *a\n- b*", "• *a|• b*");
     row("asterisk as bullet is none", "* a\n* b", "* a|* b");
-    // Escapes.
+    // These are escapes.
     row("escaped", "\\*a\\*", "*a*");
     row("escaped in bold", "**\\*a\\***", "<b>*a*</>");
     row("escaped item", "\\- a", "- a");
     row("escaped escape", "\\\\*a*", "\\<i>a</>");
     row("other escapes stay", "C:\\new \\_ \\", "C:\\new \\_ \\");
-    // No HTML.
+    // HTML is not interpreted.
     row("tags", "<b>a</b> &amp; *c*", "<b>a</b> &amp; <i>c</>");
     row("blank lines", "\n \na\n\nb\r\n \n", "a||b");
     row("nothing", "", "");
@@ -123,7 +123,7 @@ class MarkupTest : public QObject {
   }
 
   /// Twenty times as much takes about twenty times as long: a parser that looks back for each
-  /// marker would take four hundred times.
+  /// marker would take four hundred times as long.
   void longTextsTakeNoLonger_data() {
     QTest::addColumn<QByteArray>("piece");
     for (const char* piece : {"*", "**", "*a", "**a", "a*", "*a ", "**a *b ", "*a**b", "***a ",
@@ -140,8 +140,8 @@ class MarkupTest : public QObject {
           spansAreSound(text) && plainText(AnnotationKind::callout, text).size() <= 3 * text.size();
       return sound ? double(timer.nsecsElapsed()) / 1e6 : 1e9;
     };
-    // The quickest of some: a machine that does other things too, or hands out memory slowly, makes
-    // single ones as slow as it likes.
+    // The quickest of several runs counts: a machine that does other things too, or hands out
+    // memory slowly, makes single ones as slow as it likes.
     double little = 1e9;
     double much = 1e9;
     for (int attempt = 0; attempt < 12 && much >= 200.0 * little; ++attempt) {

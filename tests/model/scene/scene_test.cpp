@@ -23,7 +23,7 @@ Node structure(const char* name, NodeId parent, MeshPtr mesh) {
   return node;
 }
 
-/// trunk ( vessels ( "Left_renal artery", vein ), liver ), bladder
+/// Holds trunk ( vessels ( "Left_renal artery", vein ), liver ), bladder.
 struct Sample {
   Scene scene;
   NodeId trunk, vessels, artery, vein, liver, bladder;
@@ -106,7 +106,7 @@ void SceneTest::inheritsStyle() {
   }
   s.scene.setNodes(nodes);
   const ResolvedStyle vein = s.scene.resolve(s.vein);
-  QCOMPARE(vein.gamma.value(), 1.0f);  // the nearest answer wins
+  QCOMPARE(vein.gamma.value(), 1.0f);  // the nearest value wins
   QVERIFY((vein.colour == Colour{1, 2, 3}));
   QVERIFY(vein.fill == Fill::paper);
   QCOMPARE(vein.penWeight, 2.0f);
@@ -190,7 +190,7 @@ void SceneTest::findsEachNodeOfALargeTree() {
   const MeshPtr ball = test::sphere(1.0f, 0);
   Scene scene;
   std::vector<NodeId> groups{rootId};
-  // Mostly to the last group, now and then to one before it.
+  // Nodes mostly go to the last group, now and then to one before it.
   for (int i = 0; i < 600; ++i) {
     const NodeId parent = i % 7 == 0 ? groups[std::size_t(i * 31) % groups.size()] : groups.back();
     if (i % 10 == 0)

@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
 namespace {
-/// What one worker has said before it was killed.
+/// Holds what one worker reported before it was killed.
 struct Log {
   long edited = 0;
   long saving = 0;
@@ -47,7 +47,7 @@ Log logOf(const QByteArray& said) {
   return log;
 }
 
-/// 0 where there is no file; −1 where it cannot be read.
+/// Returns the file's version, 0 if there is no file, or −1 if it cannot be read.
 long versionIn(const fs::path& file) {
   if (!fs::exists(file))
     return 0;
@@ -145,9 +145,9 @@ void AutosaveTest::damagedCopiesAreFoundAllTheSame() {
   QVERIFY(!document.ok() && document.error().file == found[0].copy.string());
 }
 
-/// 200 times: the file is whole and either the one before or the one that was being saved, and of
-/// what was edited later the copy has all but what came after the last one. Each worker goes on
-/// where the one before it was killed, over its lock and its leftovers.
+/// In 200 rounds the file is whole and either the one before or the one being saved, and the copy
+/// holds all later edits up to the last copy. Each worker goes on where the one before it was
+/// killed, over its lock and its leftovers.
 void AutosaveTest::killedAtAnyMoment() {
   const QTemporaryDir folder;
   const fs::path file = folder.filePath("work.sline").toStdString();
@@ -156,7 +156,7 @@ void AutosaveTest::killedAtAnyMoment() {
   constexpr int millisecondsBetweenCopies = 10;
   std::mt19937 random(3);
   long saved = 0;
-  long whole = 0;  // what nothing may be lost of any more
+  long whole = 0;  // this version may not be lost any more
   int duringSave = 0;
   int duringCopy = 0;
   int recoveries = 0;

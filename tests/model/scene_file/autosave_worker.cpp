@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stand-in for the window, made to be killed: it opens a scene file (or takes over what an
-// earlier one of its kind has left), edits, saves now and then and keeps copies, and says on
-// standard output what it is about to do and what it has done. Version n of the scene has n in its
-// name.
+// Stands in for the window, made to be killed: it opens a scene file (or takes over what an earlier
+// worker has left), edits, saves now and then and keeps copies, and reports on standard output what
+// it is about to do and what it has done. Version n of the scene has n in its name.
 //   autosave_worker FILE AUTOSAVE_FOLDER MILLISECONDS_BETWEEN_COPIES SEED
 #include <unistd.h>
 
@@ -19,7 +18,7 @@ using namespace sline;
 using namespace sline::model;
 
 namespace {
-/// In one piece and at once, so that it is out before the next thing can happen.
+/// Writes the report in one piece and at once, so that it is out before anything else can happen.
 void say(const std::string& what, long version) {
   const std::string line = what + " " + std::to_string(version) + "\n";
   if (write(STDOUT_FILENO, line.data(), line.size()) < 0)
@@ -50,8 +49,8 @@ long savedVersion(const std::filesystem::path& file) {
   return saved.ok() ? versionOf(saved->scene) : 0;
 }
 
-/// Goes on from what was left where that is newer than `number`: first it is in a copy of its own,
-/// then what was left is removed.
+/// Goes on from the leftovers if they are newer than `number`: first the scene is kept in a copy of
+/// its own, then the leftovers are removed.
 Result<long> takenOver(const Autosave& autosave, const std::filesystem::path& file, long number) {
   const auto left = recoverableIn(autosave.file().parent_path());
   for (const Recoverable& found : left)

@@ -20,7 +20,7 @@ MeshPtr meshOf(std::vector<glm::vec3> positions, std::vector<Triangle> triangles
   return mesh.ok() ? std::make_shared<const Mesh>(std::move(*mesh)) : nullptr;
 }
 
-/// Any finite floats and any indices, without rhyme or reason.
+/// Returns any finite floats and any indices, at random.
 MeshPtr noise(std::size_t vertices, std::size_t triangles) {
   std::mt19937 random(7);
   std::vector<glm::vec3> positions(vertices);

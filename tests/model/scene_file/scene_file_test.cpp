@@ -99,9 +99,9 @@ void SceneFileTest::newerFileIsForReading() {
   QVERIFY(document->warning().find("newer version") != std::string::npos);
   const Status over = writeSceneFile(file, *document);
   QVERIFY(!over.ok() && over.error().remedy.find("another name") != std::string::npos);
-  QVERIFY(!writeSceneFile(file, {}).ok());  // whatever it is that is saved there
+  QVERIFY(!writeSceneFile(file, {}).ok());  // whatever is saved there
   QCOMPARE(*readText(file, 1 << 20), newerFile());
-  // Under another name it keeps what is unknown here.
+  // Under another name it keeps members that this version does not know.
   const fs::path other = folder.filePath("b.sline").toStdString();
   QVERIFY(writeSceneFile(other, *document).ok());
   const std::string saved = *readText(other, 1 << 20);
@@ -165,8 +165,8 @@ void SceneFileTest::everyCutIsRefused() {
              std::to_string(size).c_str());
 }
 
-/// Bytes changed, cut out and put in, in the ZIP file and – packed again, so that they get past its
-/// checksums – in scene.json and in a mesh. Each gives a scene or a message.
+/// Bytes are changed, cut out and put in, in the ZIP file and – packed again, so that they get past
+/// its checksums – in scene.json and in a mesh. Each change gives a scene or a message.
 void SceneFileTest::mutationsNeverCrash() {
   const std::string good = sampleFile();
   const std::string json = test::memberOf(good, "scene.json");

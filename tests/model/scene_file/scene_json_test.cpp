@@ -106,7 +106,7 @@ void SceneJsonTest::unknownKeysAreKeptEverywhere() {
   QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
   QVERIFY(!again->nodes()[0].unread.empty());
   QVERIFY(jsonOf(*again) == json);
-  // What is said of a node goes where the node goes, and no known value is overruled by it.
+  // A node's unknown members go where the node goes, and overrule no known value.
   std::vector<Node> nodes = again->nodes();
   nodes[2].style.gamma = Gamma::clamped(1.0f);
   Scene edited = *again;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes of full size through the scene file: one of the data's and those the program models.
+// Tests scenes of full size through the scene file: one of the data's and those the program models.
 #include <QFileInfo>
 #include <QtTest>
 #include <array>
@@ -24,8 +24,8 @@ class WholeScenesTest : public QObject {
   static void roundsOf(const Scene& scene);
 };
 
-/// Twenty times saved and opened: the same bytes, the same scene, and no more than 16 bytes per
-/// triangle.
+/// Saves and opens twenty times: the bytes and the scene stay the same, with no more than 16 bytes
+/// per triangle.
 void WholeScenesTest::roundsOf(const Scene& scene) {
   const auto first = sceneFileBytes({.scene = scene});
   QVERIFY(first.ok());

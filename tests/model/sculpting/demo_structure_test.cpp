@@ -74,7 +74,7 @@ class DemoStructureTest : public QObject {
     QVERIFY(std::abs(volumeOf(meshOf(scene, "biter")) / (whole * 0.216) - 1.0) < 0.01);
   }
 
-  // A hollow ball whose wall follows the dent that another leaves, open below.
+  // The wall of a hollow ball, open below, follows the dent that another leaves.
   void hollowBodyKeepsItsWall() {
     DemoStructure hollow = ball("hollow", {0, 0, 0}, 12);
     hollow.wall = 2.0f;
@@ -207,7 +207,7 @@ class DemoStructureTest : public QObject {
       quality += 4.0 * std::sqrt(3.0) * area / squares;  // 1 where equilateral
     }
     QVERIFY(quality / double(mesh->triangleCount()) > 0.93);
-    // As evenly meshed as drawn lines need it: two in three vertices have six neighbours.
+    // The mesh is as even as drawn lines need it: two in three vertices have six neighbours.
     const model::VertexFaces faces(*mesh);
     std::size_t regular = 0;
     for (std::size_t v = 0; v < mesh->vertexCount(); ++v)

@@ -22,7 +22,7 @@ model::SampledField sampledBall(float radius, model::SampledField::Fineness fine
   return {near, {glm::vec3(-radius - 10.0f), glm::vec3(radius + 10.0f)}, fineness};
 }
 
-/// Where the field vanishes on the ray from the origin.
+/// Returns where the field vanishes on the ray from the origin.
 float radiusAlong(const model::Field& field, const glm::vec3& direction) {
   float inside = 0.0f;
   float outside = 40.0f;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shapes from which anatomy is built: their sizes, and that their distances are distances.
+// Tests the shapes from which anatomy is built: their sizes, and that their distances are
+// distances.
 #include <QtTest>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -21,7 +22,7 @@ glm::vec3 gradient(const Field& field, const glm::vec3& p) {
          (2.0f * h);
 }
 
-/// A quarter of a circle of that radius about the origin, in the plane z = 0.
+/// Returns a quarter of a circle of that radius about the origin, in the plane z = 0.
 template <class Point, class Make>
 std::vector<Point> quarter(float radius, const Make& make) {
   std::vector<Point> points;
@@ -62,7 +63,7 @@ class ShapesTest : public QObject {
     QVERIFY(band.distance({15, 9, 0.5f}) < 0.0f);
   }
 
-  // A quarter turn from one end to the other.
+  // The band makes a quarter turn from one end to the other.
   void bandTwists() {
     const model::Band band{{{0, 0, 0}, 8.0f, 2.0f, {0, 1, 0}},
                            {{20, 0, 0}, 8.0f, 2.0f, {0, 1, 1}},
@@ -87,7 +88,7 @@ class ShapesTest : public QObject {
     QVERIFY(std::abs(lamina.distance({7, -6, 0}) - 4.0f) < 1e-3f);
   }
 
-  // Part of a cylinder about z: no facets on either side.
+  // The lamina is part of a cylinder about z, with no facets on either side.
   void bentLaminaHasNoFacets() {
     std::vector<model::LaminaPoint> points;
     for (const float z : {0.0f, 15.0f, 30.0f}) {

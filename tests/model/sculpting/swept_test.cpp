@@ -33,7 +33,7 @@ glm::vec3 gradient(const Swept& swept, const glm::vec3& p) {
   return g;
 }
 
-/// A hairpin of radius 6 mm whose legs overlap: their middles are 10 mm apart.
+/// Returns a hairpin of radius 6 mm with legs that overlap: their middles are 10 mm apart.
 Swept hairpin() {
   std::vector<SweptPoint> points;
   for (float z = 0.0f; z < 60.0f; z += 10.0f)
@@ -56,7 +56,7 @@ class SweptTest : public QObject {
         {0, 1, 0});
     glm::vec3 before(0.0f);
     for (float along = -7.0f; along < 14.0f; along += 0.25f) {
-      // The place on the wall over this place of the axis.
+      // This is the place on the wall over this place of the axis.
       float r = 4.0f;
       while (swept.distance({along, r, 0}) < 0.0f)
         r += 0.01f;

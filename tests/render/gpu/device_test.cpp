@@ -55,7 +55,7 @@ class DeviceTest : public QObject {
   std::unique_ptr<Device> m_device;
 };
 
-/// An 8×8 target, and squares of half its side.
+/// Provides an 8×8 target, and squares of half its side.
 struct DeviceTest::Scene {
   Texture colours{TextureFormat::rgba8, {8, 8}, "colours"};
   Texture depths{TextureFormat::depth32f, {8, 8}, "depths"};
@@ -72,7 +72,7 @@ struct DeviceTest::Scene {
                     "squares"};
 
   Scene() {
-    // Lower left and upper right quarter.
+    // The squares are the lower left and the upper right quarter.
     const std::array<float, 4> corners{-1.0f, -1.0f, 0.0f, 0.0f};
     places.fill(std::as_bytes(std::span(corners)));
   }
@@ -146,7 +146,7 @@ void DeviceTest::draws_data() {
   QTest::addColumn<int>("test");
   QTest::addColumn<float>("z");
   QTest::addColumn<QList<int>>("expected");
-  // Over what is there: red 200, green 100, opaque, at depth 0.
+  // The square is drawn over red 200, green 100, opaque, at depth 0.
   const int off = int(DepthTest::off);
   const int less = int(DepthTest::less);
   QTest::newRow("plain") << int(Blend::off) << off << 0.0f << QList<int>{51, 102, 0, 102};
@@ -200,7 +200,7 @@ void DeviceTest::copiesDepth() {
   m_device->clear(*from.target, {.colour = glm::vec4(0.0f), .depth = 0.25f});
   m_device->clear(*to.target, {.colour = glm::vec4(0.0f), .depth = 1.0f});
   m_device->copyDepth(*from.target, *to.target, {0, 0, 2, 8});
-  // Window depth 0.5 lies behind what was copied and before what was not.
+  // Window depth 0.5 lies behind the copied depth and before the depth elsewhere.
   to.square(*m_device, 0.0f, glm::vec4(1.0f), {.depth = DepthTest::less});
   QCOMPARE(to.pixel(*m_device, 1, 1)[0], 0);
   QCOMPARE(to.pixel(*m_device, 2, 1)[0], 255);

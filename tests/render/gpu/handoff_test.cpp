@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures in turn, drawn and shown in one context: which is shown, and what of it.
+// Tests pictures drawn and shown in turn in one context: which is shown, and which part of it.
 #include <QtTest>
 
 #include "render/gpu/device.h"
@@ -29,7 +29,7 @@ class HandoffTest : public QObject {
   std::unique_ptr<HeadlessContext> m_context;
   std::unique_ptr<Device> m_device;
 
-  /// Shows into a target of its own: the picture's number, and the grey of a pixel.
+  /// Shows into a target of its own and returns the picture's number and the grey of a pixel.
   std::pair<std::uint64_t, int> shown(Handoff& handoff, TextureSize screen) {
     const Texture pixels(TextureFormat::rgba8, screen, "screen");
     const auto target = Target::create({{&pixels}, nullptr}, "screen");
@@ -56,7 +56,7 @@ class HandoffTest : public QObject {
     QCOMPARE(shown(handoff, size).first, std::uint64_t(0));
     drawGrey(*m_device, handoff, 0.2f, 1);
     QCOMPARE(shown(handoff, size), std::pair(std::uint64_t(1), 51));
-    // Shown again while the next one is being drawn.
+    // The picture is shown again while the next one is being drawn.
     QVERIFY(handoff.begin(size).ok());
     QCOMPARE(shown(handoff, size), std::pair(std::uint64_t(1), 51));
     drawGrey(*m_device, handoff, 0.4f, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The resolve pass against a reference on the CPU that sorts every pixel's layers.
+// Compares the resolve pass with a reference on the CPU that sorts every pixel's layers.
 #include <QtTest>
 #include <algorithm>
 #include <random>
@@ -23,7 +23,7 @@ constexpr int side = 96;
 constexpr int atlasWidth = 256;
 constexpr int atlasHeight = 512;
 
-/// Pixels of an atlas as the GPU holds them.
+/// Holds the pixels of an atlas as the GPU holds them.
 struct AtlasPixels {
   std::vector<std::uint8_t> colours = std::vector<std::uint8_t>(4 * atlasWidth * atlasHeight);
   std::vector<std::uint8_t> inks = std::vector<std::uint8_t>(atlasWidth * atlasHeight);
@@ -53,7 +53,7 @@ Case randomCase(int count, std::uint32_t seed) {
     for (int y = slot.y; y < slot.top(); ++y)
       for (int x = slot.x; x < slot.right(); ++x) {
         const std::size_t p = std::size_t(y) * atlasWidth + x;
-        // Few depths, so that ties happen everywhere; some pixels hold nothing.
+        // There are few depths, so that ties happen everywhere; some pixels hold nothing.
         c.pixels.depths[p] = below(4) == 0 ? 1.0f : 0.125f * float(1 + below(6));
         const int alpha = below(3) == 0 ? 255 : below(256);
         for (std::size_t k = 0; k < 3; ++k)

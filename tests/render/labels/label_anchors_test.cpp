@@ -13,7 +13,7 @@ using namespace sline::render;
 
 namespace {
 
-/// Seen from the front: a large sphere, and a small one before its middle.
+/// Holds a large sphere and a small one before its middle, as seen from the front.
 struct Two {
   model::Scene scene;
   model::NodeId large;
@@ -89,7 +89,7 @@ class LabelAnchorsTest : public QObject {
     QVERIFY(!shown(two.scene)[1].item.hidden);
   }
 
-  /// Moved by hand: so many heights of the picture, whatever its size.
+  /// An offset made by hand counts in heights of the picture, whatever its size.
   void offsetsGoWithThePicture() {
     Two two = twoSpheres();
     point(two.scene, two.large, {0.6f, -0.8f, 0.0f});
@@ -100,7 +100,7 @@ class LabelAnchorsTest : public QObject {
     QVERIFY(*shown(two.scene)[0].item.offset == glm::vec2(90.0f, -45.0f));
   }
 
-  /// What would have to be sorted first is told beforehand.
+  /// Meshes that would have to be sorted first are named beforehand.
   void meshesWithoutATreeAreTold() {
     Two two = twoSpheres();
     model::MeshTrees trees;
@@ -182,7 +182,7 @@ class LabelAnchorsTest : public QObject {
     QVERIFY(small && !small->hidden);
     const glm::vec3 place = *two.scene.placeOf(small->point);
     QVERIFY2(glm::length(place - glm::vec3(0.0f, -75.0f, 0.0f)) < 4.0f, "not in its middle");
-    // Of the large one a ring is seen around the small one.
+    // A ring of the large sphere is visible around the small one.
     const auto large = bestPlaceOn(two.scene, two.large, screen, trees);
     QVERIFY(large && !large->hidden);
     model::Scene scene = two.scene;
@@ -200,7 +200,7 @@ class LabelAnchorsTest : public QObject {
     QVERIFY(two.scene.placeOf(best->point)->y < -4.0f);
   }
 
-  /// What lets it show through draws lines over it all the same.
+  /// A structure that lets another show through still draws lines over it.
   void bestPlaceIsNotUnderLines() {
     Two two = twoSpheres();
     model::Style lines;
@@ -216,7 +216,7 @@ class LabelAnchorsTest : public QObject {
     const glm::vec2 edge = *screen.place({15.0f, -60.0f, 0.0f});
     QVERIFY2(glm::length(place - middle) > glm::length(edge - middle) + 1.0f,
              "the dot lies under another structure's lines");
-    // Where they are over all of it, it is in its middle.
+    // If the lines are over all of the structure, the place is in its middle.
     model::Node shell{.name = "shell", .mesh = test::sphere(45.0f, 3)};
     shell.style = lines;
     model::Scene under = scene;
@@ -226,7 +226,8 @@ class LabelAnchorsTest : public QObject {
     QVERIFY(glm::length(*screen.place(*under.placeOf(covered->point)) - middle) < 4.0f);
   }
 
-  /// Where a near part of the structure ends before a far one: from a little aside it is hidden.
+  /// If a near part of the structure ends before a far one, a place there is hidden from a little
+  /// aside.
   void bestPlaceIsNotAtAFold() {
     const auto plate = [](float left, float depth) {
       return std::vector<glm::vec3>{{left, depth, -20.0f},
@@ -244,7 +245,7 @@ class LabelAnchorsTest : public QObject {
     node.style.gamma = Gamma::clamped(5.0f);
     const model::NodeId id = scene.append(node);
     model::MeshTrees trees;
-    model::Camera camera = front();  // for which the fold is in the middle
+    model::Camera camera = front();  // the fold is in the middle of its picture
     camera.projection = model::Projection::orthographic;
     camera.heightMm = 100.0f;
     const auto best = bestPlaceOn(scene, id, Screen(camera, paper), trees);
@@ -260,7 +261,7 @@ class LabelAnchorsTest : public QObject {
     QVERIFY(mask.extent);
     const float radius = 0.5f * mask.extent->size().x;
     QVERIFY(std::abs(mask.extent->middle().x - 120.0f) < 1.0f);
-    // An outline of radius r/√(d² − r²) times the focal length.
+    // The outline has a radius of r/√(d² − r²) times the focal length.
     const float focal = 90.0f / std::tan(0.5f * 30.0f * 3.14159265f / 180.0f);
     const float expected = focal * 40.0f / std::sqrt(400.0f * 400.0f - 40.0f * 40.0f);
     QVERIFY2(std::abs(radius - expected) < 1.0f, qPrintable(QString::number(radius)));

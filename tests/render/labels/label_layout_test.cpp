@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a layout promises, on random labels: judged by mathematics of the test's own.
+// Tests the promises of a layout on random labels, with mathematics of the test's own.
 #include <QtTest>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -25,7 +25,8 @@ std::vector<Line> linesOf(const Leader& leader) {
   return lines;
 }
 
-/// Solves a + s (b − a) = c + t (d − c); parallel lines count as not meeting.
+/// Tells whether the lines meet by solving a + s (b − a) = c + t (d − c); parallel lines count as
+/// not meeting.
 bool meet(const Line& one, const Line& two) {
   const glm::dvec2 r = one.b - one.a;
   const glm::dvec2 q = two.b - two.a;
@@ -78,7 +79,7 @@ LabelRequest randomRequest(std::uint32_t seed, int most) {
   return request;
 }
 
-/// Marks such as a window has: a cube in a corner, a bar in another, letters at the sides.
+/// Returns marks such as a window has: a cube in a corner, a bar in another, letters at the sides.
 std::vector<LabelBox> marksOf(const glm::vec2& size) {
   const glm::vec2 middle = 0.5f * size;
   return {{{size.x - 24.0f, 2.0f}, {size.x - 2.0f, 24.0f}},
@@ -88,7 +89,7 @@ std::vector<LabelBox> marksOf(const glm::vec2& size) {
           {{middle.x - 4.0f, 2.0f}, {middle.x + 4.0f, 7.0f}}};
 }
 
-/// What of a layout lies where it must not; empty where nothing does.
+/// Returns a label or leader that lies where it must not; empty if there is none.
 QString inReserved(const LabelRequest& request, const LabelLayout& layout) {
   for (const PlacedLabel& label : layout.labels)
     for (const LabelBox& mark : request.space.reserved) {
@@ -101,7 +102,7 @@ QString inReserved(const LabelRequest& request, const LabelLayout& layout) {
   return {};
 }
 
-/// The cosine of the sharpest turn of the leader: 1 where it goes on straight, negative where it
+/// Returns the cosine of the sharpest turn of the leader: 1 if it goes on straight, negative if it
 /// turns back.
 double sharpestTurn(const Leader& leader) {
   double sharpest = 1.0;
@@ -115,8 +116,8 @@ double sharpestTurn(const Leader& leader) {
   return sharpest;
 }
 
-/// What is wrong between a label and its own place: its leader runs through its text, or the text
-/// covers the dot or the measured line.
+/// Returns what is wrong between a label and its own place: its leader runs through its text, or
+/// the text covers the dot or the measured line.
 QString broken(const LabelItem& item, const PlacedLabel& label) {
   constexpr float rounding = 0.01f;  // leaders end at the box's side
   for (const Line& line : linesOf(label.leader))
@@ -124,7 +125,7 @@ QString broken(const LabelItem& item, const PlacedLabel& label) {
       return QString("%1 runs through itself").arg(label.id.value);
   if (label.post == LabelPost::byHand)
     return {};
-  constexpr float dot = 0.8f;  // a pin's, the largest
+  constexpr float dot = 0.8f;  // the largest dot, that of a pin
   for (const glm::vec2& place : item.places)
     if (glm::length(place - glm::clamp(place, label.box.low, label.box.high)) < dot)
       return QString("%1 covers its dot").arg(label.id.value);
@@ -134,7 +135,7 @@ QString broken(const LabelItem& item, const PlacedLabel& label) {
   return {};
 }
 
-/// What of the promises does not hold; empty where all do.
+/// Returns a promise that does not hold; empty if all do.
 QString broken(const LabelRequest& request, const LabelLayout& layout) {
   if (layout.labels.size() + layout.leftOut.size() != request.items.size())
     return "labels are lost";
@@ -164,7 +165,7 @@ QString broken(const LabelRequest& request, const LabelLayout& layout) {
   return {};
 }
 
-/// Eight structures' places in the middle of a wide picture.
+/// Returns eight structures' places in the middle of a wide picture.
 LabelRequest roomy() {
   LabelRequest request;
   request.space.size = {340.0f, 190.0f};
@@ -310,7 +311,7 @@ class LabelLayoutTest : public QObject {
     }
   }
 
-  /// Places one below the other: their labels stand in that order.
+  /// Places lie one below the other, and their labels stand in that order.
   void orderAlongColumnsIsThatOfPlaces() {
     LabelRequest request = roomy();
     std::mt19937 random(3);
@@ -328,7 +329,7 @@ class LabelLayoutTest : public QObject {
           QVERIFY(one.box.middle().y < two.box.middle().y);
   }
 
-  /// A long label takes nothing of the other column's room.
+  /// A long label takes none of the other column's room.
   void columnsAreAsWideAsWhatStandsInThem() {
     LabelRequest request = roomy();
     request.space.size.x = 210.0f;
@@ -336,7 +337,7 @@ class LabelLayoutTest : public QObject {
       item.places.front().x -= 70.0f;
     request.obstacles.size = request.space.size;
     request.obstacles.extent = LabelBox{{37.0f, 10.0f}, {158.0f, 180.0f}};
-    request.items.back().box.x = 45.0f;  // the rightmost place's
+    request.items.back().box.x = 45.0f;  // belongs to the rightmost place
     const LabelLayout layout = layOutLabels(request);
     QCOMPARE(layout.leftOut.size(), std::size_t(0));
     QCOMPARE(layout.find({8})->post, LabelPost::right);
@@ -344,7 +345,8 @@ class LabelLayoutTest : public QObject {
       QVERIFY2(!overlap(label.box, *request.obstacles.extent), "a label covers the anatomy");
   }
 
-  /// What a column has no room for widens none, and the labels beside it stay where they were.
+  /// A label that has no room in a column widens none, and the labels beside it stay where they
+  /// were.
   void tooWideForColumnsIsLeftOut() {
     const LabelRequest request = roomy();
     const LabelLayout first = layOutLabels(request);
@@ -361,7 +363,7 @@ class LabelLayoutTest : public QObject {
       }
   }
 
-  /// Letters so large that no label is as narrow as a column may be: one is shown.
+  /// If letters are so large that no label is as narrow as a column may be, one is shown.
   void oneThatIsTooWideStandsAlone() {
     LabelRequest request = roomy();
     for (LabelItem& item : request.items)
@@ -373,7 +375,7 @@ class LabelLayoutTest : public QObject {
     QVERIFY(layOutLabels(request, &layout).find({1}));
   }
 
-  /// Put into a column: those there make room in their column, and nobody is lost.
+  /// When a label is put into a column, those there make room in their column, and none is lost.
   void othersGiveWayToTheHand() {
     const LabelRequest before = roomy();
     const LabelLayout first = layOutLabels(before);
@@ -393,13 +395,13 @@ class LabelLayoutTest : public QObject {
           changedSides +=
               label.id != request.items[moved].id && label.post != first.find(label.id)->post;
       }
-    // Of 392: those whose leaders would cross that of the one that was moved. It was 120 where they
-    // did not make room in their column.
+    // Of 392 labels, these have leaders that would cross that of the one that was moved. They were
+    // 120 when labels did not make room in their column.
     QVERIFY2(changedSides < 95, qPrintable(QString("%1 change sides").arg(changedSides)));
   }
 
-  /// A camera so near that there is anatomy behind the columns: who points there stands above or
-  /// below its place, not on it.
+  /// The camera is so near that there is anatomy behind the columns: a label that points there
+  /// stands above or below its place, not on it.
   void placesBehindColumns() {
     LabelRequest request = roomy();
     request.space.size = {180.0f, 160.0f};
@@ -422,7 +424,7 @@ class LabelLayoutTest : public QObject {
     }
   }
 
-  /// Text stands beside the line that it measures, whichever way that goes.
+  /// Text stands beside the line that it measures, in whichever direction that goes.
   void measuresAreNotCovered() {
     for (int turn = 0; turn < 12; ++turn) {
       LabelRequest request = roomy();

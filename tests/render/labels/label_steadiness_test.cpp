@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often labels jump while the camera turns: at most once in 20° on its way, seldom more where
-// none may be left out. Where the places of two labels pass each other, one must go, or their
-// leaders would cross.
+// Measures how often labels jump while the camera turns: at most once in 20° on its way, seldom
+// more if none may be left out. If the places of two labels pass each other, one label must go, or
+// their leaders would cross.
 #include <QDir>
 #include <QtTest>
 #include <cmath>
@@ -22,8 +22,9 @@ using namespace sline::render;
 namespace {
 
 constexpr glm::vec2 paper{338.7f, 190.5f};
-constexpr int window = 20;  // degrees
-/// Farther than the place itself went from one degree to the next: more than half a line of text.
+constexpr int window = 20;  // in degrees
+/// A label jumps if it goes this much farther than its place from one degree to the next: more than
+/// half a line of text.
 constexpr float jump = 2.5f;
 
 model::Camera around(const model::Scene& scene, float degrees) {
@@ -34,12 +35,12 @@ model::Camera around(const model::Scene& scene, float degrees) {
   const float c = std::cos(glm::radians(degrees));
   const float s = std::sin(glm::radians(degrees));
   camera.target = box.centre();
-  // A fifth farther, so that it fits from every side.
+  // The camera is a fifth farther away, so that the scene fits from every side.
   camera.eye = box.centre() + 1.2f * glm::vec3(c * way.x - s * way.y, s * way.x + c * way.y, way.z);
   return camera;
 }
 
-/// Up to that many labels, on the largest structures.
+/// Adds up to that many labels, on the largest structures.
 void label(model::Scene& scene, std::size_t number) {
   std::vector<std::pair<float, model::NodeId>> sizes;
   for (const model::NodeId id : scene.structuresBelow(model::rootId))
@@ -54,13 +55,13 @@ void label(model::Scene& scene, std::size_t number) {
 }
 
 struct Jumps {
-  int worst = 0;       ///< of any label in any window
-  double mean = 0.0;   ///< of a label in a window
+  int worst = 0;       ///< jumps of any label in any window
+  double mean = 0.0;   ///< jumps of a label in a window
   double often = 0.0;  ///< the share of windows in which a label jumps more than once
   double out = 0.0;    ///< the share of labels that are left out
 };
 
-/// A turn in steps of a degree, each layout made from the one before.
+/// Turns in steps of a degree, with each layout made from the one before.
 class Turn {
  public:
   Turn(std::size_t labels, bool moving) : m_moving(moving), m_jumped(labels), m_seen(labels) {}
@@ -73,7 +74,7 @@ class Turn {
       std::optional<Seen>& seen = m_seen[i];
       const PlacedLabel* is = after.find(request.items[i].id);
       m_out += is ? 0 : 1;
-      // Who went and comes back where it was has not jumped.
+      // A label that was gone and comes back where it was has not jumped.
       const bool jumps = is && m_steps > 0 &&
                          (!seen || glm::length(is->box.middle() - seen->middle) >
                                        jump + glm::length(place - seen->place));
@@ -106,7 +107,7 @@ class Turn {
   }
 
  private:
-  /// Where a label was seen last.
+  /// Holds where a label was seen last.
   struct Seen {
     glm::vec2 middle{0.0f};
     glm::vec2 place{0.0f};
@@ -120,7 +121,8 @@ class Turn {
   std::vector<std::optional<Seen>> m_seen;
 };
 
-/// Once round, by camera positions that follow each other and with a camera that keeps moving.
+/// Turns once round, by camera positions that follow each other and with a camera that keeps
+/// moving.
 std::pair<Jumps, Jumps> onceRound(const model::Scene& scene) {
   model::MeshTrees trees;
   Turn steps(scene.annotations().size(), false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts of labels and callouts: their fonts, how wide their runs are, where their lines end.
+// Tests texts of labels and callouts: their fonts, how wide their runs are, where their lines end.
 #include <QElapsedTimer>
 #include <QFontInfo>
 #include <QImage>
@@ -65,7 +65,8 @@ class LetteringTest : public QObject {
     m_typesetting = std::move(*made);
   }
 
-  /// Those that are built in, not what the machine makes of a font that it lacks.
+  /// The fonts are those that are built in, not substitutes that the machine makes for a font it
+  /// lacks.
   void fontsAreTheirOwn_data() {
     QTest::addColumn<bool>("isBold");
     QTest::addColumn<bool>("isItalic");
@@ -107,7 +108,7 @@ class LetteringTest : public QObject {
     QVERIFY(std::abs(textWidthMm(indented, 10.0f) - sum - 20.0f * millimetresPerPoint) < 1e-3f);
   }
 
-  /// Letters stand where they are measured, whichever side they are aligned at.
+  /// Letters stand where they are measured, whichever side they are aligned to.
   void outlinesAreWithinTheirWidth() {
     const TextLine line = lineOf({{"Hilum ", plain}, {"renale ", bold}, {"H", italic}});
     const auto width = double(textWidthMm(line, 10.0f));
@@ -270,7 +271,7 @@ class LetteringTest : public QObject {
     QCOMPARE(read, word);
   }
 
-  /// What is in a box lies within it, in the left column as in the right.
+  /// Text in a box lies within it, in the left column and in the right.
   void framesHoldTheirTexts() {
     for (const char* text : {"**WWW** *fff*\n- ***jjj*** WWWWW iiiii *lllll* WWWW\n- b",
                              "*Vesica* **urinaria** und mehr davon, als eine Zeile fasst"})
@@ -301,12 +302,12 @@ class LetteringTest : public QObject {
     QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
     QVERIFY(set.box.y > 400.0f);
     QVERIFY(plainText(set.lines.back()).endsWith(QChar(0x2026)));
-    // Not within a character.
+    // No cut is within a character.
     const LabelText umlauts = callout(QStringLiteral("xÄ").repeated(20'000));
     QVERIFY(!plainText(umlauts.lines).contains(QChar::ReplacementCharacter));
   }
 
-  /// A text without spaces goes on where its script lets lines end.
+  /// A text without spaces breaks where its script lets lines end.
   void scriptsTellWhereLinesEnd() {
     const QString text = QString::fromUtf8(
         "骶骨是由五块融合的椎骨组成的三角形骨骼，与两侧髋骨相关节（位于脊柱下端）");
@@ -314,7 +315,8 @@ class LetteringTest : public QObject {
     QVERIFY(set.lines.size() > 2);
     for (const TextLine& line : set.lines) {
       QVERIFY(textWidthMm(line, 10.0f) <= 30.0f);
-      // Neither begins with what belongs to the sign before it, nor ends with what opens.
+      // No line begins with a sign that belongs to the one before, and none ends with an opening
+      // one.
       const QString words = plainText(line);
       QVERIFY2(!QString::fromUtf8("，）").contains(words.front()) &&
                    !QString::fromUtf8("（").contains(words.back()),
@@ -361,13 +363,13 @@ class LetteringTest : public QObject {
       QVERIFY2(narrowest > 8.0f, "a word's last letters stand alone");
       QCOMPARE(plainText(set.lines), text);
     }
-    // Where nothing is said of words they are whole.
+    // Without widths for words they stay whole.
     if (hyphens)
       for (const TextLine& line : label(text, 34.0f).lines)
         QVERIFY(!line.hyphenated);
   }
 
-  /// Words that are narrower than a column may be are never parted, however short lines are.
+  /// Words narrower than a column may be are never divided, however short lines are.
   void usualWordsAreWhole() {
     const LabelText set = label(QStringLiteral("intervertebral sternocleidomastoid"), 12.0f,
                                 {.whole = 49.0f, .part = 20.0f});

@@ -33,7 +33,7 @@ class ScaleLengthTest : public QObject {
     QVERIFY(std::abs(roundStep(most) - step) < 1e-9 * step);
   }
 
-  /// As long on screen as two points that are that far apart at the pivot's depth.
+  /// The bar is as long on screen as two points that far apart at the pivot's depth.
   void isTrue_data() {
     QTest::addColumn<int>("projection");
     QTest::addColumn<glm::vec3>("pivot");

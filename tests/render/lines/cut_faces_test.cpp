@@ -55,7 +55,7 @@ class CutFacesTest : public QObject {
 
 void CutFacesTest::clips_data() {
   QTest::addColumn<Planes>("planes");
-  QTest::addColumn<double>("from");  // of a segment from x = 0 to x = 10
+  QTest::addColumn<double>("from");  // end of a segment from x = 0 to x = 10
   QTest::addColumn<double>("to");
   QTest::newRow("none") << Planes{} << 0.0 << 10.0;
   QTest::newRow("all kept") << Planes{plane({1, 0, 0}, 11)} << 0.0 << 10.0;
@@ -137,7 +137,7 @@ void CutFacesTest::linesStayOnTheKeptSide() {
 }
 
 void CutFacesTest::hatchingStopsAtTheCut() {
-  // A stroke along x from 0 to 10 in steps of 2 that widens, and a dot beyond the plane.
+  // There is a stroke along x from 0 to 10 in steps of 2 that widens, and a dot beyond the plane.
   Hatching hatching;
   for (int i = 0; i < 6; ++i)
     hatching.points.push_back({{2.0f * float(i), 0, 0}, {0, 0, 1}, 0.1f * float(i)});
@@ -157,7 +157,7 @@ void CutFacesTest::hatchingStopsAtTheCut() {
   QCOMPARE(span(front, 0), (std::pair{0.0f, 7.0f}));
   QVERIFY(std::abs(front.points[4].halfWidth - 0.35f) < 1e-6f);
   QCOMPARE(span(front, 1), (std::pair{4.0f, 4.0f}));
-  // Where the stroke leaves and comes back it becomes two.
+  // A stroke that leaves and comes back becomes two.
   Hatching bent = hatching;
   bent.points[2].position.z = 5.0f;
   clip(bent, Planes{plane({0, 0, 1}, 1)});
@@ -171,7 +171,7 @@ void CutFacesTest::hatchingStopsAtTheCut() {
 }
 
 void CutFacesTest::wedgeHasACorner() {
-  // Kept is a quarter of a ball: two half discs that meet along its diameter.
+  // A quarter of a ball is kept: two half discs that meet along its diameter.
   const model::SurfacePtr ball = model::prepareSurface(test::sphere(30.0f, 5));
   const Planes planes{plane({1, 0, 0}, 0), plane({0, 1, 0}, 0)};
   const std::vector<CutFace> faces = cutFaces(*ball, planes);
@@ -229,7 +229,7 @@ void CutFacesTest::whatIsTakenAwayHidesNothing() {
     return std::count(v.begin(), v.end(), true);
   };
   QVERIFY(count(visible) > count(before) + 20);
-  // Nothing that the cut face itself covers is seen.
+  // No line that the cut face itself covers is seen.
   const Plane other = plane({0, 1, 0}, 0);
   std::vector<Segment> behind = extractLines(*ring, camera, {})[LineKind::contour];
   clip(behind, std::span(&other, 1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hatching must do whatever it looks like: where it is, that seeds stay, that strokes keep
-// apart and grow evenly, that a mirror mirrors it.
+// Tests the properties that hatching must have whatever it looks like: its places, that seeds stay,
+// that strokes keep apart and grow evenly, that a mirror mirrors it.
 #include "render/lines/hatching.h"
 
 #include <QtTest>
@@ -55,14 +55,14 @@ std::span<const render::HatchPoint> pointsOf(const render::Hatching& h,
   return std::span(h.points).subspan(s.first, s.count);
 }
 
-/// Where a stroke is widest.
+/// Returns where a stroke is widest.
 glm::vec3 widest(std::span<const render::HatchPoint> points) {
   return std::max_element(points.begin(), points.end(),
                           [](const auto& a, const auto& b) { return a.halfWidth < b.halfWidth; })
       ->position;
 }
 
-/// λ² of ink, overlaps and hidden parts included.
+/// Returns the ink in λ², overlaps and hidden parts included.
 double ink(const render::Hatching& hatching, const model::Camera& camera) {
   const render::ViewScale scale(camera);
   double sum = 0.0;
@@ -76,7 +76,7 @@ double ink(const render::Hatching& hatching, const model::Camera& camera) {
   return sum;
 }
 
-/// Where the light is that leaves shadows.
+/// Returns the direction of the light that leaves shadows.
 glm::vec3 lightOf(const model::Camera& camera) {
   const model::CameraFrame frame = model::cameraFrame(camera);
   const glm::vec3 light = render::HatchingRequest().light;
@@ -108,7 +108,7 @@ class HatchingTest : public QObject {
       }));
   }
 
-  // On a torus κr < 0 only within the ring's inner half; that is where S eq. 6 puts hatching.
+  // On a torus κr < 0 only within the ring's inner half; S eq. 6 puts hatching there.
   void onlyInHollowsAndShadows() {
     const Subject torus = torusSubject();
     const model::Camera camera = orthographic(slanted, 30.0f);
@@ -129,7 +129,8 @@ class HatchingTest : public QObject {
     QVERIFY(hollow > 50);
   }
 
-  // Across hollows and around limbs, wherever it is clear which curvature is the stronger.
+  // Strokes run across hollows and around limbs, wherever it is clear which curvature is the
+  // stronger.
   void strokesRunAlongTheStrongerCurvature() {
     const Subject torus = torusSubject();
     int along = 0;
@@ -157,7 +158,7 @@ class HatchingTest : public QObject {
     QVERIFY(around > 50);
   }
 
-  // METHOD §6.10: what is drawn in one view is where it was in the one before.
+  // METHOD §6.10: strokes drawn in one view are where they were in the one before.
   void turningMovesNoStroke() {
     const Subject torus = torusSubject();
     std::set<std::array<float, 3>> before;
@@ -175,13 +176,13 @@ class HatchingTest : public QObject {
     QVERIFY2(known >= 0.97 * points, qPrintable(QString("%1 of %2").arg(known).arg(points)));
   }
 
-  // What a layout holds does not depend on which views asked for it.
+  // A layout's strokes do not depend on which views were drawn before.
   void viewsLeaveNoTrace() {
     const Subject fresh = torusSubject();
     const Subject used = torusSubject();
     for (const float height : {60.0f, 12.0f})
       used.hatched(orthographic(glm::vec3(1, 0.4f, -0.3f), height));
-    // So many that what the first ones asked for is forgotten.
+    // There are so many that the results of the first ones are forgotten.
     for (int i = 0; i < 14; ++i)
       used.hatched(orthographic(slanted + glm::vec3(0.02f * float(i), 0, 0), 20.0f));
     const render::Hatching a = fresh.hatched(orthographic(slanted, 24.0f));
@@ -196,7 +197,7 @@ class HatchingTest : public QObject {
   // METHOD §6.7: zooming by 4 moves no seed, and all keep their strokes.
   void zoomingMovesNoSeed() {
     const Subject torus = torusSubject();
-    // A lattice line may pierce the surface twice; what is seen of a stroke may be far from its
+    // A lattice line may pierce the surface twice; the visible part of a stroke may be far from its
     // seed.
     std::multimap<SeedKey, std::array<glm::vec3, 2>> before;
     const model::Camera far = orthographic(slanted, 40.0f);
@@ -247,8 +248,8 @@ class HatchingTest : public QObject {
     QVERIFY2(largest < 0.12, qPrintable(QString::number(largest)));
   }
 
-  // On a thin tube there is hardly room for strokes, and some are seen along their length: what is
-  // left of them is still no dot.
+  // On a thin tube there is hardly room for strokes, and some are seen along their length: the rest
+  // of them is still no dot.
   void strokesAreLongerThanWide() {
     const Subject tube(test::torus(10.0f, 0.8f, 200, 24));
     for (const float height : {24.0f, 60.0f}) {
@@ -271,7 +272,7 @@ class HatchingTest : public QObject {
     }
   }
 
-  // Strokes of one sheet never touch: between their middles is room for both half widths.
+  // Strokes of one sheet never touch: between their middles there is room for both half widths.
   void strokesDoNotTouch() {
     const Subject torus = torusSubject();
     const model::Camera camera = orthographic(slanted, 24.0f);
@@ -354,7 +355,7 @@ class HatchingTest : public QObject {
       QCOMPARE(s.count, 1u);
   }
 
-  // Twice the density: twice the strokes, thinner ones, of the same ink.
+  // Twice the density gives twice the strokes, thinner ones, of the same ink.
   void densityIsTheNumberOfStrokes_data() {
     QTest::addColumn<float>("density");
     QTest::newRow("a quarter") << 0.25f;
@@ -413,7 +414,7 @@ class HatchingTest : public QObject {
     }
   }
 
-  // From within a closed body, as an endoscope sees it, the wall is a tube's inner side.
+  // Seen from within a closed body, as by an endoscope, the wall is a tube's inner side.
   void seenFromWithin() {
     const Subject tube(test::torus(30.0f, 6.0f, 300, 60));
     model::Camera camera{.eye = {30, 0, 0}, .target = {29, 8, 0}, .up = {0, 0, 1}};

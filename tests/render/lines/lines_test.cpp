@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contours and suggestive contours against closed forms, and what must not change them.
+// Compares contours and suggestive contours with closed forms, and tests what must not change them.
 #include "render/lines/lines.h"
 
 #include <QtTest>
@@ -34,7 +34,7 @@ glm::vec3 middle(const render::Segment& s) {
   return 0.5f * (s.a + s.b);
 }
 
-/// Distance (mm) to the zero line of a function over the torus, to first order.
+/// Returns the distance (mm) to the zero line of a function over the torus, to first order.
 template <class Function>
 double distanceToZero(const Function& f, test::Torus::Point p) {
   const double h = 1e-4;
@@ -114,7 +114,7 @@ class LinesTest : public QObject {
         QCOMPARE(s.concave, k < 0.0);
     }
     for (int i = 0; i < 400; ++i) {
-      // tan v at which the normal turns away: cos v·(d·radial) + sin v·d.z = 0
+      // This is tan v where the normal turns away: cos v·(d·radial) + sin v·d.z = 0.
       const double u = 2.0 * M_PI * i / 400;
       const double radial = double(slanted.x) * std::cos(u) + double(slanted.y) * std::sin(u);
       for (const double turn : {0.0, M_PI}) {
@@ -216,7 +216,8 @@ class LinesTest : public QObject {
                      1.0) < 0.01);
   }
 
-  // From millimetres to metres: every threshold is made dimensionless with F.
+  // Changing millimetres to metres gives the same lines, since every threshold is made
+  // dimensionless with F.
   void scaledSceneGivesTheSameLines() {
     const auto mesh = test::torus(10, 3, 150, 60);
     const auto a = model::prepareSurface(mesh);

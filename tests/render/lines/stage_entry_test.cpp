@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines enter evenly (METHOD §7): as much is in at any time as that time says, and none stands
-// still.
+// Tests that lines enter evenly (METHOD §7): at any time as much is in as that time says, and none
+// stands still.
 #include "render/lines/stage_entry.h"
 #include "tests/support/suite.h"
 
@@ -34,8 +34,8 @@ void StageEntryTest::meanIsTheTime() {
 }
 
 void StageEntryTest::everyLineGrowsAllTheTime() {
-  // At a fifth of the mean rate or more: METHOD's limit for a dead stretch, should all but one rank
-  // be hidden.
+  // They grow at a fifth of the mean rate or more, METHOD's limit for a dead stretch, in case all
+  // but one rank are hidden.
   constexpr float step = 0.1f;
   for (const float rank : {0.0f, 0.1f, 0.5f, 0.9f, 1.0f}) {
     QCOMPARE(entered(0.0f, rank), 0.0f);

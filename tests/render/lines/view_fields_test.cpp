@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of METHOD §3 against closed forms and against finite differences over the mesh.
+// Compares the fields of METHOD §3 with closed forms and with finite differences over the mesh.
 #include "render/lines/view_fields.h"
 
 #include <QtTest>
@@ -56,7 +56,7 @@ class ViewFieldsTest : public QObject {
     QVERIFY(percentile(derivative, 95) < 0.05f);
   }
 
-  // k against the gradient of nv over each triangle, as METHOD §3 asks.
+  // k is compared with the gradient of nv over each triangle, as METHOD §3 asks.
   void lightGradientAgreesWithDifferences_data() {
     QTest::addColumn<bool>("perspective");
     QTest::newRow("perspective") << true;

@@ -28,7 +28,7 @@ Image plain(int width, int height, int grey) {
   return painted(width, height, [&](int, int) { return Pixel{grey, grey, grey, 255}; });
 }
 
-/// Pixels of the image with these three channels.
+/// Returns the number of pixels of the image with these three channels.
 int count(const Image& image, int red, int green, int blue) {
   int found = 0;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// METHOD's limits on real anatomy: the way from silhouette to shaded surface is seamless (§7), its
-// tone holds (§6.9), and strokes are steadier than hatching as printed (§6.10) with definite edges
-// (§6.8).
+// Tests METHOD's limits on real anatomy: the way from silhouette to shaded surface is seamless
+// (§7), its tone holds (§6.9), and strokes are steadier than hatching as printed (§6.10) with
+// definite edges (§6.8).
 #include <QtTest>
 #include <map>
 #include <optional>
@@ -29,11 +29,12 @@ class OrgansTest : public QObject {
 
  private:
   static QString path(const QString& file) { return QString(SLINE_TEST_DATA) + "/" + file; }
-  /// The scene of a file of the test data, read once; null where it cannot be read.
+  /// Returns the scene of a file of the test data, read once; null if it cannot be read.
   const model::Scene* sceneOf(const QString& file);
-  /// The organ from the front; none where there is no such anatomy.
+  /// Returns the organ from the front; none if there is no such anatomy.
   std::optional<render::Subject> subjectOf(const QString& name, int height);
-  /// Of an organ seen from the front; null where there is no such anatomy. Measured once.
+  /// Returns the steadiness of an organ seen from the front, measured once; null if there is no
+  /// such anatomy.
   const render::Steadiness* steadinessOf(const QString& name);
 
   std::unique_ptr<render::gpu::HeadlessContext> m_context;
@@ -50,7 +51,7 @@ constexpr int steadyHeight = 480;
 constexpr float aspect = 4.0f / 3.0f;
 constexpr int frames = 2;
 
-/// Organs by name and the file that holds them.
+/// Returns organs by name and the file that holds them.
 const std::map<QString, QString>& organFiles() {
   static const QString abdomen = "abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
   static const QString pelvis = "pelvis/bodyparts3d/";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of known pixels.
+// Makes pictures of known pixels.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace sline::test {
 
-/// `pixel(x, y)` gives {red, green, blue, alpha}.
+/// Returns a picture in which `pixel(x, y)` gives {red, green, blue, alpha}.
 template <class Pixel>
 render::Image painted(int width, int height, const Pixel& pixel) {
   render::Image image{.width = width, .height = height, .rgba = {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ramp's rules, on pictures whose course is known.
+// Tests the ramp's rules on pictures of known course.
 #include "render/measures/ramp.h"
 
 #include <QtTest>
@@ -34,8 +34,8 @@ int indexOf(Gamma gamma) {
   return int(std::lround(20.0f * gamma.value()));
 }
 
-/// A grey square on white. `grey` and `opacity` (0 … 255) are functions of the picture's index and,
-/// for squares of two halves, of the half.
+/// Draws a grey square on white. `grey` and `opacity` (0 … 255) are functions of the picture's
+/// index and, for squares of two halves, of the half.
 struct Course {
   std::function<int(int index, int half)> grey;
   std::function<int(int index)> opacity;
@@ -131,7 +131,7 @@ void RampTest::rules_data() {
   row("even", evenGrey, closingFill, {});
   row("a jump", [](int i) { return evenGrey(i) - (i > 30 ? 10 : 0); }, closingFill,
       {"1–2: jumps by 4.8 times the mean at Γ = 1.50"});
-  // Stands still over 2.20 … 2.45, then catches up.
+  // The grey stands still over 2.20 … 2.45, then catches up.
   row("a dead stretch",
       [](int i) { return i < 44 || i >= 60 ? evenGrey(i)
                          : i < 49          ? 166
@@ -182,7 +182,7 @@ void RampTest::halvesThatTurnInOppositeWays() {
   const auto ramp = render::measureRamp(course.pictures());
   QVERIFY(ramp.ok());
   const double share = ramp->tone.bumpedPixels;
-  // Half of the pixels, but for the blur over the border between the halves.
+  // The share is half of the pixels, except for the blur over the border between the halves.
   QVERIFY2(share > 0.42 && share < 0.55, qPrintable(QString::number(share)));
   QVERIFY(std::abs(ramp->tone.bumpedByStage[2] - share) < 1e-9);
 }
@@ -190,7 +190,7 @@ void RampTest::halvesThatTurnInOppositeWays() {
 void RampTest::changesOutsideOfTheRectangleDoNotCount() {
   const Course course = even();
   RampPictures pictures = course.pictures();
-  // Something elsewhere flickers, except where the rectangle is found.
+  // A pixel flickers elsewhere, except where the rectangle is found.
   pictures.whole = [whole = pictures.whole](Gamma gamma) {
     Result<Image> image = whole(gamma);
     if (indexOf(gamma) % 2 == 1)
@@ -239,7 +239,7 @@ void RampTest::deadStretchesStayWithinAStage() {
   steps.fill(0.01);
   steps[19] = 0.0;
   QVERIFY(!render::measureStage(steps, 3.0, 0.1).stalls());
-  // Nothing at all is exempt, not a stall.
+  // A stage without any change is exempt, not a stall.
   steps.fill(0.0);
   QVERIFY(render::measureStage(steps, 3.0, 0.0).exempt());
   QVERIFY(!render::measureStage(steps, 3.0, 0.0).stalls());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures whose steadiness is known: glued to the surface, fixed to the picture, hidden and shown.
+// Tests textures of known steadiness: glued to the surface, fixed to the picture, hidden and shown.
 #include "render/measures/steadiness.h"
 
 #include <QtTest>
@@ -40,7 +40,7 @@ render::Turntable turntable(const model::MeshPtr& mesh, model::Projection projec
           .printHeight = 240};
 }
 
-/// A picture of the surface whose ink is a function of the point.
+/// Returns a picture of the surface with ink as a function of the point.
 template <class Ink>
 render::HatchingPicture glued(const model::MeshPtr& mesh, const Ink& ink) {
   const auto bvh = std::make_shared<model::Bvh>(mesh, model::spatialOrder(*mesh));
@@ -55,7 +55,8 @@ render::HatchingPicture glued(const model::MeshPtr& mesh, const Ink& ink) {
   };
 }
 
-/// The same with strokes of definite edges, each pixel the mean of four by four samples.
+/// Returns such a picture with strokes of definite edges, each pixel the mean of four by four
+/// samples.
 template <class Inside>
 render::HatchingPicture drawnStrokes(const model::MeshPtr& mesh, const Inside& inside) {
   constexpr int samples = 4;
@@ -88,7 +89,7 @@ render::HatchingPicture fixedToThePicture() {
   };
 }
 
-/// Two plates, the near one in front of the left half of the far one.
+/// Returns two plates, the near one in front of the left half of the far one.
 model::MeshPtr plates() {
   std::vector<glm::vec3> positions;
   for (const auto& [y, low, high] : {std::array{-25.0f, -30.0f, 0.0f}, {25.0f, -30.0f, 30.0f}})
@@ -142,7 +143,7 @@ void SteadinessTest::gluedIsSteady() {
   QFETCH(model::Projection, projection);
   const model::MeshPtr ball = sphere(40.0f, 4);
   const render::Flicker flicker = flickerOf(turntable(ball, projection), glued(ball, waves));
-  // What is left is rounding to 8 bits and interpolation.
+  // The rest is rounding to 8 bits and interpolation.
   QVERIFY2(flicker.overSurface >= 0.0 && flicker.overSurface < 0.004,
            qPrintable(QString::number(flicker.overSurface)));
   QVERIFY(flicker.hatchedShare > 0.99);
@@ -160,7 +161,7 @@ void SteadinessTest::oversamplingTellsFineStrokesFromUnsteadyOnes() {
   QFETCH(int, oversampling);
   QFETCH(double, least);
   QFETCH(double, most);
-  // Strokes a pixel wide that move across themselves.
+  // These are strokes a pixel wide that move across themselves.
   const model::MeshPtr ball = sphere(40.0f, 4);
   render::Turntable table = turntable(ball, model::Projection::orthographic);
   table.width = 120;
@@ -227,7 +228,7 @@ void SteadinessTest::turnedCamera() {
   QVERIFY(close(glm::distance(camera.eye, middle), glm::distance(quarter.eye, middle)));
   QVERIFY(
       close(glm::distance(camera.eye, camera.target), glm::distance(quarter.eye, quarter.target)));
-  // What was to the right now lies ahead or behind; the vertical stays.
+  // The direction that was to the right now lies ahead or behind; the vertical stays.
   const model::CameraFrame before = model::cameraFrame(camera);
   const model::CameraFrame after = model::cameraFrame(quarter);
   QVERIFY(close(glm::dot(before.up, after.up), 1.0f));

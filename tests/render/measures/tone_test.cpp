@@ -41,7 +41,7 @@ void ToneTest::luminanceIsLinearLight_data() {
   QTest::addColumn<double>("luminance");
   QTest::newRow("black") << 0 << 0 << 0 << 0.0;
   QTest::newRow("white") << 255 << 255 << 255 << 1.0;
-  // ((128/255 + 0.055)/1.055)^2.4
+  // The value is ((128/255 + 0.055)/1.055)^2.4.
   QTest::newRow("half the display value") << 128 << 128 << 128 << 0.215861;
   QTest::newRow("below the bend: linear") << 10 << 10 << 10 << 10.0 / 255.0 / 12.92;
   QTest::newRow("red") << 255 << 0 << 0 << 0.2126;
@@ -89,7 +89,7 @@ void ToneTest::areasAndMasks() {
   const PixelMask mask = render::coveredMask(image, {2, 1, 9, 8});
   QCOMPARE(mask.count(), std::size_t(5 * 6));
   QCOMPARE(render::shrunk(mask, 2).count(), std::size_t(1 * 2));
-  // What the rectangle cuts off counts as outside.
+  // Pixels that the rectangle cuts off count as outside.
   QCOMPARE(render::shrunk(render::coveredMask(image, {5, 3, 3, 3}), 1).count(), std::size_t(1));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fills: Phong that enters with Γ, paper and tint, opacity, transparency (METHOD §7).
+// Tests fills: Phong that enters with Γ, paper and tint, opacity, transparency (METHOD §7).
 #include <QtTest>
 #include <cmath>
 
@@ -92,7 +92,7 @@ void FillPictureTest::fillModes_data() {
   QTest::addColumn<int>("fill");
   QTest::addColumn<int>("background");
   QTest::addColumn<QList<int>>("expected");
-  // A sphere of Γ = 1 before an opaque box of grey 0.
+  // A sphere of Γ = 1 stands before an opaque box of grey 0.
   QTest::newRow("none") << int(model::Fill::none) << int(Background::white) << QList<int>{};
   QTest::newRow("paper on white") << int(model::Fill::paper) << int(Background::white)
                                   << QList<int>{255, 255, 255, 255};
@@ -163,7 +163,7 @@ void FillPictureTest::opacityOfTheStyle() {
 }
 
 void FillPictureTest::seenFromWithin() {
-  // An open tube from the side of its mouth: its inner wall is lit like an outer one.
+  // The tube is open and seen from the side of its mouth: its inner wall is lit like an outer one.
   model::Scene scene;
   add(scene, cylinder(40.0f, 100.0f, 96, 48), gammaStyle(5.0f));
   model::Camera camera = frontal(150.0f);
@@ -206,7 +206,7 @@ void FillPictureTest::keyLightFallsFromTheUpperLeft() {
   QVERIFY2(corner(key, -1, -1) > 1.4 * corner(key, 1, 1),
            qPrintable(QString("%1, %2").arg(corner(key, -1, -1)).arg(corner(key, 1, 1))));
   QVERIFY(corner(key, 1, -1) > corner(key, 1, 1) && corner(key, 1, -1) < corner(key, -1, -1));
-  // What was drawn is drawn anew for another light.
+  // Structures that were drawn are drawn anew for another light.
   QCOMPARE(difference(picture(scene, frontal(150.0f), Background::white), head).largest, 0);
 }
 
@@ -227,7 +227,7 @@ void FillPictureTest::entersAsShadeOrAsLight() {
   style.colour = Colour{230, 120, 60};
   model::Scene scene;
   add(scene, sphere(50.0f, 5), style);
-  // The sphere's middle, and a place 5 of its 100 pixels from the rim.
+  // The places are the sphere's middle and one 5 of its 100 pixels from the rim.
   const auto change = [&](Background background, int x) {
     const Image image = picture(scene, frontal(150.0f), background);
     return pixelAt(image, x, 150).grey() - pixelAt(image, 2, 2).grey();

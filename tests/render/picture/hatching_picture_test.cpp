@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hatching in the picture: the same drawing at any size, mirrored by a mirror, hidden by its own
-// surface, black and white.
+// Tests hatching in the picture: the same drawing at any size, mirrored by a mirror, hidden by its
+// own surface, black and white.
 #include <QtTest>
 #include <cmath>
 
@@ -10,7 +10,7 @@
 using namespace sline;
 
 namespace {
-/// A fat ring, hollow side to the eye: much of its inner half is hatched.
+/// Returns a fat ring, hollow side to the eye: much of its inner half is hatched.
 model::Scene ring(bool mirrored = false) {
   const model::MeshPtr mesh =
       test::moved(*test::askew(*test::torus(10.0f, 7.0f, 240, 140)), 1.0f, {1.5f, 0.0f, -1.0f});
@@ -78,7 +78,7 @@ class HatchingPictureTest : public QObject {
     const auto there = m_studio.picture->render(ring(true), above(), settings);
     QVERIFY(here.ok() && there.ok());
     QVERIFY(inkShare(*here) > 0.003);
-    // What differs are pixels along edges of strokes; and it is no picture of the same thing.
+    // The pixels that differ lie along edges of strokes; and it is no picture of the same thing.
     const double apart = test::difference(*here, test::mirroredImage(*there)).share;
     const double unlike = test::difference(*here, *there).share;
     QVERIFY2(apart < 0.008 && unlike > 10.0 * apart,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers: order, what is kept between pictures, pieces of large pictures, refusals.
+// Tests layers: order, what is kept between pictures, pieces of large pictures, refusals.
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ namespace {
 
 const PictureSettings settings{.width = 640, .height = 480};
 
-/// A heap of shapes that overlap, in every stage of Γ.
+/// Returns a heap of shapes that overlap, in every stage of Γ.
 std::vector<model::Node> heap(bool linesOnly = false) {
   std::vector<model::Node> nodes;
   std::mt19937 random(5);
@@ -237,7 +237,7 @@ void LayersPictureTest::partsAlone() {
   style.colour = Colour{250, 60, 60};
   add(scene, torus(30.0f, 12.0f, 96, 48), style);
   PictureSettings asked = settings;
-  // The whole picture first: nothing kept from it may show in the parts.
+  // The whole picture is drawn first: nothing kept from it may show in the parts.
   const auto whole = m_studio.picture->render(scene, camera(), asked);
   QVERIFY(whole.ok());
   asked.parts = {.lines = lines, .hatching = false, .fills = fills};
@@ -309,7 +309,7 @@ void LayersPictureTest::targetsGetTheSamePicture() {
   const auto device = Device::create();
   QVERIFY(target.ok() && device.ok());
   (*device)->clear(**target, {.colour = glm::vec4(0.5f)});
-  // Given up before it is done, and then not.
+  // The picture is given up before it is done, and then it is not.
   std::atomic<bool> unwanted = true;
   model::Camera other = camera();
   other.eye.x += 5.0f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The CPU's share of a picture: places in the atlas, lists of tiles, projected bounds.
+// Tests the CPU's share of a picture: places in the atlas, lists of tiles, projected bounds.
 #include <QtTest>
 #include <random>
 
@@ -76,7 +76,7 @@ void LayoutTest::listsLayersInOrder() {
   QCOMPARE(offsets(1), (QList<int>{1, 2}));
   QCOMPARE(offsets(2), (QList<int>{2}));
   QCOMPARE(lists.tiles[2].y, 32);
-  // Squares of which nothing is wanted are left out, and wanted ones without layers are not.
+  // Squares that are not wanted are left out, and wanted ones without layers are not.
   TileMask some(region);
   some.mark({100, 0, 1, 1});
   const TileLists first = tileLists(layers, some);

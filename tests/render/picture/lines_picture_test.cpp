@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines in the picture: where they are, how wide, and that hidden ones stay hidden.
+// Tests lines in the picture: where they are, how wide, and that hidden ones stay hidden.
 #include <QtTest>
 #include <cmath>
 #include <numbers>
@@ -44,11 +44,11 @@ constexpr float pi = std::numbers::pi_v<float>;
 constexpr float turn = 2.0f * pi;
 
 struct Ring {
-  float inner = 0.0f;  ///< px, where ink starts seen from the centre
-  float width = 0.0f;  ///< px, ink added up along the ray
+  float inner = 0.0f;  ///< in px, where ink starts seen from the centre
+  float width = 0.0f;  ///< in px, ink added up along the ray
 };
 
-/// Ink along a ray from the picture's centre.
+/// Measures the ink along a ray from the picture's centre.
 Ring ring(const Image& image, float angle) {
   Ring r;
   constexpr float step = 0.125f;
@@ -56,7 +56,7 @@ Ring ring(const Image& image, float angle) {
   for (float radius = 0.0f; radius < 0.49f * float(image.height); radius += step) {
     const float x = 0.5f * float(image.width) + radius * std::cos(angle);
     const float y = 0.5f * float(image.height) + radius * std::sin(angle);
-    // Bilinear between pixel centres, so that slanted rays see the coverage itself.
+    // The samples are bilinear between pixel centres, so that slanted rays see the coverage itself.
     const float fx = x - 0.5f;
     const float fy = y - 0.5f;
     const int ix = int(std::floor(fx));
@@ -73,7 +73,7 @@ Ring ring(const Image& image, float angle) {
   return r;
 }
 
-/// A camera around the origin, `degrees` above the horizon.
+/// Returns a camera around the origin, `degrees` above the horizon.
 model::Camera tilted(float degrees, float heightMm) {
   model::Camera camera = frontal(heightMm);
   const float a = degrees * pi / 180.0f;
@@ -173,8 +173,8 @@ void LinesPictureTest::penIsEven() {
 void LinesPictureTest::hiddenLinesStayHidden_data() {
   QTest::addColumn<float>("degrees");
   QTest::addColumn<float>("gamma");
-  // From the horizon, where the far side and the hole hide behind the near side, to where the far
-  // contour passes close behind the visible one (the hole closes at about 36°).
+  // The views go from the horizon, where the far side and the hole hide behind the near side, to
+  // where the far contour passes close behind the visible one (the hole closes at about 36°).
   for (const float degrees : {0.0f, 4.0f, 12.0f, 20.0f, 30.0f})
     for (const float gamma : {1.0f, 2.0f})
       QTest::addRow("%g degrees, gamma %g", double(degrees), double(gamma)) << degrees << gamma;
@@ -342,8 +342,8 @@ void LinesPictureTest::doubleSizeIsTheSameDrawing() {
   QVERIFY2(std::abs(ratio - 4.0) < 0.12, qPrintable(QString::number(ratio)));
 }
 
-// The same rough ball, once as its file gave it, once refined on the way in: there its roughness is
-// the few vertices' noise, and no pen would draw it as lines.
+// The same rough ball comes once as its file gave it, and once refined on the way in: there its
+// roughness is the few vertices' noise, and no pen would draw it as lines.
 void LinesPictureTest::refinedSurfacesKeepTheirNoiseToThemselves() {
   const auto ball = test::sphere(20.0f, 4);
   std::vector<glm::vec3> positions(ball->positions().begin(), ball->positions().end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hatching as S §3.4 prints it: where it may be, where it is, and what it does not depend on.
+// Tests hatching as S §3.4 prints it: where it may be, where it is, and what it does not depend on.
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -21,20 +21,20 @@ namespace {
 constexpr int width = 480;
 constexpr int height = 360;
 
-/// Without lines, so that all ink is hatching.
+/// Returns a style without lines, so that all ink is hatching.
 model::Style bare(float gamma) {
   model::Style style = gammaStyle(gamma);
   style.penWeight = 0.0f;
   return style;
 }
 
-/// z = (a·x² + b·y²)/2, normals to +z, where the ray meets it nearest to the eye.
+/// Describes z = (a·x² + b·y²)/2, normals to +z, where the ray meets it nearest to the eye.
 struct Paraboloid {
   float a;
   float b;
   float size;
 
-  /// w_k of S eq. 6, −⟨k, v̂⟩ in 1/mm, in closed form, and nv.
+  /// Holds w_k of S eq. 6, −⟨k, v̂⟩ in 1/mm, in closed form, and nv.
   struct Fields {
     float darkening;
     float nv;
@@ -49,7 +49,7 @@ struct Paraboloid {
       return std::nullopt;
     float first = std::numeric_limits<float>::infinity();
     for (const float sign : {-1.0f, 1.0f}) {
-      // Citardauq's form: q2 may be next to nothing.
+      // In Citardauq's form q2 may be next to nothing.
       const float t =
           std::abs(q2) > 1e-9f ? (-q1 + sign * std::sqrt(root)) / (2.0f * q2) : -q0 / q1;
       const glm::vec3 p = from + t * direction;
@@ -279,7 +279,7 @@ void PrintedHatchingTest::orientationOfASheetChangesNothing() {
 }
 
 void PrintedHatchingTest::hiddenByItsOwnSurface() {
-  // A bowl with a lid that belongs to the same mesh: nothing of what is within may be hatched.
+  // A bowl has a lid that belongs to the same mesh: nothing within may be hatched.
   const model::MeshPtr bowl = paraboloid(0.02f, 0.012f, 30.0f, 80);
   const model::MeshPtr lid = paraboloid(0.0f, 0.0f, 60.0f, 8);
   std::vector<glm::vec3> positions(bowl->positions().begin(), bowl->positions().end());
@@ -333,7 +333,7 @@ void PrintedHatchingTest::methodsDiffer() {
   const Image printed = picture(scene, slanted(true));
   const Image strokes = picture(scene, slanted(true), HatchingMethod::strokes);
   QVERIFY(difference(printed, strokes).share > 0.01);
-  // The layer that is kept knows how it was hatched.
+  // The layer that is kept remembers how it was hatched.
   QCOMPARE(difference(picture(scene, slanted(true)), printed).largest, 0);
   std::vector<model::Node> nodes = scene.nodes();
   for (model::Node& node : nodes)

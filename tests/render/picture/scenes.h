@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small scenes, and ways to look at pictures of them.
+// Makes small scenes, and compares pictures of them.
 #pragma once
 
 #include <memory>
@@ -12,39 +12,39 @@
 
 namespace sline::test {
 
-/// A context and a picture in it, or why there is none.
+/// Holds a context and a picture in it, or why there is none.
 struct Studio {
   std::unique_ptr<render::gpu::HeadlessContext> context;
   std::unique_ptr<render::Picture> picture;
-  std::string absent;  ///< no driver: tests skip
-  std::string fault;   ///< a driver, but no picture: tests fail
+  std::string absent;  ///< set if there is no driver: tests skip
+  std::string fault;   ///< set if there is a driver, but no picture: tests fail
 };
 Studio openStudio(const render::PictureOptions& options = {});
 
-/// A structure of that shape at the top of the scene.
+/// Adds a structure of that shape at the top of the scene.
 model::NodeId add(model::Scene& scene, model::MeshPtr mesh, const model::Style& style);
 model::Style gammaStyle(float gamma);
-/// An orthographic camera along +y, `heightMm` high, that looks at the origin: x to the right, z
-/// up.
+/// Returns an orthographic camera along +y, `heightMm` high, that looks at the origin: x to the
+/// right, z up.
 model::Camera frontal(float heightMm);
 
 struct Pixel {
   int red, green, blue, alpha;
-  /// 0 black … 255 white.
+  /// Returns 0 for black … 255 for white.
   int grey() const { return (red + green + blue) / 3; }
 };
 Pixel pixelAt(const render::Image& image, int x, int y);
-/// Share of ink on a white picture: 1 − grey/255.
+/// Returns the share of ink on a white picture: 1 − grey/255.
 float inkAt(const render::Image& image, int x, int y);
-/// How far two pictures of one size are apart.
+/// Tells how far two pictures of one size are apart.
 struct Difference {
-  int largest = 0;     ///< of any channel
+  int largest = 0;     ///< in any channel
   double mean = 0.0;   ///< over all channels
-  double share = 0.0;  ///< of pixels that differ by more than 8
+  double share = 0.0;  ///< share of pixels that differ by more than 8
 };
 Difference difference(const render::Image& a, const render::Image& b);
 render::Image mirroredImage(const render::Image& image);
-/// Every 2×2 pixels averaged.
+/// Returns the image with every 2×2 pixels averaged.
 render::Image halved(const render::Image& image);
 
 }  // namespace sline::test

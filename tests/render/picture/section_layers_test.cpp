@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section planes and layers: whom a cut concerns, what is kept, pieces of large pictures.
+// Tests section planes and layers: which structures a cut affects, what is kept, pieces of large
+// pictures.
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -90,7 +91,7 @@ void SectionLayersTest::othersStayBitForBit() {
                     image.rgba.begin() + 4 * (std::ptrdiff_t(y) * image.width + end));
     return pixels;
   };
-  // A plane that meets the ball alone, one that is the ball's own, one that meets nothing.
+  // One plane meets the ball alone, one is the ball's own, one meets nothing.
   model::Scene plane = scene;
   cut(plane, AnatomicalView::left, -20.0f);
   model::Scene scoped = scene;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes with section planes, and where colours are in pictures of them.
+// Makes scenes with section planes, and finds colours in pictures of them.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@ inline void cut(model::Scene& scene, model::AnatomicalView kept, float mm,
   scene.appendSection(model::anatomicalSection(scene, scope, kept, mm));
 }
 
-/// Redder than it is blue, or the other way.
+/// Each tells whether a pixel is redder than it is blue, or the other way.
 inline bool reddish(const Pixel& p) {
   return p.red > p.blue + 24;
 }
@@ -54,7 +54,7 @@ inline bool drawn(const Pixel& p) {
   return p.grey() < 240;
 }
 
-/// A ball cut in the middle of its front, beside it a ring and a tube.
+/// Returns a ball cut in the middle of its front, beside it a ring and a tube.
 inline model::Scene crowd(float gamma) {
   model::Scene scene;
   add(scene, moved(*sphere(30.0f, 4), 1.0f, {-28, 0, 5}), styled(gamma, red));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section planes in the picture: cut faces where they must be, and nothing where things are gone.
+// Tests section planes in the picture: cut faces where they must be, and nothing where things are
+// gone.
 #include <QtTest>
 #include <cmath>
 #include <numbers>
@@ -74,7 +75,7 @@ void SectionsPictureTest::sphereIsDisc() {
   model::Scene scene;
   add(scene, moved(*sphere(40.0f, 5), 1.0f, {5, 0, -3}), styled(gamma, red));
   cut(scene, AnatomicalView::posterior, 15.0f);
-  // 4 pixels a millimetre, in the plane of the cut.
+  // The scale is 4 pixels a millimetre, in the plane of the cut.
   model::Camera camera = frontal(100.0f);
   camera.eye.y = -485.0f;
   if (perspective) {
@@ -91,7 +92,7 @@ void SectionsPictureTest::sphereIsDisc() {
            qPrintable(QString("%1 of %2").arg(face.count).arg(area)));
   QVERIFY2(std::abs(face.x - 220.0) < 0.5, qPrintable(QString::number(face.x)));
   QVERIFY2(std::abs(face.y - 212.0) < 0.5, qPrintable(QString::number(face.y)));
-  // Outside of face and pen there is nothing: all that is left of the ball lies behind.
+  // Outside of face and pen there is nothing: the rest of the ball lies behind.
   const Spot all = spot(image, drawn);
   QVERIFY(all.count < std::numbers::pi * std::pow(radius + 0.5 * pen + 1.0, 2.0));
 }
@@ -127,7 +128,7 @@ void SectionsPictureTest::colourFollowsFill() {
 
 void SectionsPictureTest::outlineAtEveryGamma_data() {
   QTest::addColumn<float>("gamma");
-  QTest::addColumn<double>("width");  // of the scene's pen
+  QTest::addColumn<double>("width");  // width of the scene's pen
   QTest::newRow("silhouette") << 0.0f << 1.0;
   QTest::newRow("contours") << 1.0f << 1.0;
   QTest::newRow("hatching") << 3.0f << 1.0;
@@ -144,7 +145,7 @@ void SectionsPictureTest::outlineAtEveryGamma() {
   cut(scene, AnatomicalView::posterior, 10.0f);
   const Image image =
       picture(scene, frontal(100.0f), {.width = 1440, .height = 1440});  // λ is 2 pixels
-  // Ink along a row through the middle: twice across the pen of 4 pixels.
+  // Ink adds up along a row through the middle: twice across the pen of 4 pixels.
   double ink = 0.0;
   for (int x = 0; x < image.width; ++x)
     ink += double(inkAt(image, x, 720));
@@ -216,7 +217,7 @@ void SectionsPictureTest::mirroredSceneMirroredPicture() {
 
 void SectionsPictureTest::nothingIsLeftOfWhatIsGone_data() {
   QTest::addColumn<int>("kept");
-  QTest::addColumn<int>("x");  // towards which side of the picture things stay
+  QTest::addColumn<int>("x");  // the side of the picture towards which things stay
   QTest::addColumn<int>("y");
   // Seen from the front: the patient's left is on the right of the picture.
   QTest::newRow("left") << int(AnatomicalView::left) << 1 << 0;
@@ -256,13 +257,13 @@ void SectionsPictureTest::capsHideWhatIsBehind() {
   QFETCH(float, gamma);
   model::Scene scene;
   add(scene, sphere(40.0f, 5), styled(gamma, red));
-  // One within the ball behind the cut, one behind the ball.
+  // One ball is within the cut ball behind the cut, one behind the cut ball.
   add(scene, moved(*sphere(8.0f, 4), 1.0f, {10, 20, 5}), styled(4.0f, blue));
   add(scene, moved(*sphere(8.0f, 4), 1.0f, {-10, 70, -5}), styled(4.0f, blue));
   cut(scene, AnatomicalView::posterior, 0.0f);
   const model::Camera from = frontal(100.0f);
   QCOMPARE(spot(picture(scene, from), bluish).count, 0);
-  // Where the eye is among what is gone, nothing of the inside shows either.
+  // If the eye is in the part that is gone, nothing of the inside shows either.
   model::Camera near;
   near.eye = {2.0f, -30.0f, 3.0f};
   near.target = {2.0f, 10.0f, 3.0f};
@@ -346,7 +347,7 @@ void SectionsPictureTest::inkAloneHasNoColour() {
     return std::max({p.red, p.green, p.blue}) - std::min({p.red, p.green, p.blue}) > 2;
   };
   QCOMPARE(spot(image, coloured).count, 0);
-  QVERIFY(spot(image, drawn).count > 4000);  // of the faces' hatching
+  QVERIFY(spot(image, drawn).count > 4000);  // the ink of the faces' hatching
 }
 
 SLINE_TEST_WITH_EVENTS(SectionsPictureTest)

@@ -71,7 +71,7 @@ class BezierFitTest : public QObject {
     for (const glm::vec2& p : points)
       QVERIFY2(distanceTo(on, p) <= 1.05f * tolerance,
                qPrintable(QString::number(distanceTo(on, p))));
-    // Nor does the curve swing out between the points.
+    // The curve does not swing out between the points either.
     for (const glm::vec2& p : on)
       QVERIFY(distanceTo(points, p) <= 2.0f * tolerance);
   }

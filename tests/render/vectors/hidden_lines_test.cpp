@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hidden-line removal against rays: what is drawn can be seen, and what can be seen is drawn.
+// Compares hidden-line removal with rays: every drawn line can be seen, and every line that can be
+// seen is drawn.
 #include <QtTest>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -17,7 +18,7 @@ using namespace sline;
 namespace {
 
 constexpr glm::vec2 page(160.0f, 90.0f);
-constexpr float viewHeight = 60.0f;            // mm of the scene
+constexpr float viewHeight = 60.0f;            // in mm of the scene
 constexpr float outputUnit = page.y / 720.0f;  // λ
 // A stroke's middle lies half a pen beside its line; curves, pixels and cusps take the rest.
 constexpr float near = 2.5f * outputUnit;
@@ -30,7 +31,7 @@ model::Camera camera(const glm::vec3& direction) {
           .heightMm = viewHeight};
 }
 
-/// A tube along a trefoil knot: it passes before and behind itself.
+/// Returns a tube along a trefoil knot: it passes before and behind itself.
 model::MeshPtr knot(float tube, int along, int around) {
   const auto at = [](double t) {
     return 6.0 * glm::dvec3(std::sin(t) + 2.0 * std::sin(2.0 * t),
@@ -55,7 +56,7 @@ model::MeshPtr knot(float tube, int along, int around) {
       triangles.push_back({index(i, k), index(i + 1, k), index(i + 1, k + 1)});
       triangles.push_back({index(i, k), index(i + 1, k + 1), index(i, k + 1)});
     }
-  // Outwards: away from the tube's middle.
+  // The normals face outwards, away from the tube's middle.
   const glm::vec3 a = positions[triangles[0][0]];
   const glm::vec3 normal =
       glm::cross(positions[triangles[0][1]] - a, positions[triangles[0][2]] - a);
@@ -84,12 +85,13 @@ std::vector<model::MeshPtr> meshesNamed(const QString& name) {
     return {test::torus(15.0f, 6.0f, 240, 96)};
   if (name == "knot")
     return {knot(2.5f, 600, 48)};
-  // One inside another, a third half behind them.
+  // One sphere is inside another, a third half behind them.
   return {test::sphere(12.0f, 5), test::sphere(6.0f, 5),
           test::moved(*test::sphere(8.0f, 5), 1.0f, {12.0f, 14.0f, 3.0f})};
 }
 
-/// Points of all contour segments whose middles rays from the eye reach, on the page.
+/// Returns, on the page, the points of all contour segments with middles that rays from the eye
+/// reach.
 std::vector<glm::vec2> seenByRays(const std::vector<model::MeshPtr>& meshes,
                                   const model::Camera& eye, bool hides) {
   std::vector<std::unique_ptr<model::Bvh>> trees;
@@ -137,7 +139,7 @@ std::vector<glm::vec2> drawn(const render::VectorDrawing& drawing) {
 
 struct Distances {
   float largest = 0.0f;
-  double farShare = 0.0;  ///< of those that have nothing near
+  double farShare = 0.0;  ///< share of points that have no other near
 };
 Distances distances(const std::vector<glm::vec2>& from, const std::vector<glm::vec2>& to) {
   Distances found;
@@ -198,7 +200,7 @@ class HiddenLinesTest : public QObject {
     QVERIFY(missing.largest <= 2.5f * outputUnit);
   }
 
-  // What a fill does to a sphere inside another.
+  // Fills change how a sphere inside another is drawn.
   void fillsHide_data() {
     QTest::addColumn<int>("fill");
     QTest::addColumn<int>("inner");  // 0 hidden, 1 paler than ink, 2 black
@@ -256,7 +258,7 @@ class HiddenLinesTest : public QObject {
     QVERIFY(!render::drawVectors(scene, eye, {.sizeMm = {160.0f, std::nanf("")}}).ok());
     eye.heightMm = 0.0f;
     QVERIFY(!render::drawVectors(scene, eye, {}).ok());
-    // Nothing to see is no fault.
+    // An empty scene is no fault.
     QVERIFY(vectors(model::Scene(), camera({0.0f, -1.0f, 0.0f})).structures.empty());
   }
 };

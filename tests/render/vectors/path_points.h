@@ -7,7 +7,7 @@
 
 namespace sline::test {
 
-/// Points along the curve, `steps` to a piece, both ends included.
+/// Returns points along the curve, `steps` to a piece, both ends included.
 inline std::vector<glm::vec2> pointsOn(const render::Curve& curve, int steps = 16) {
   std::vector<glm::vec2> points{curve.start};
   glm::vec2 from = curve.start;
@@ -23,7 +23,7 @@ inline std::vector<glm::vec2> pointsOn(const render::Curve& curve, int steps = 1
   return points;
 }
 
-/// Signed, positive where it runs counter-clockwise with y upwards.
+/// Returns the signed area, positive if the curve runs counter-clockwise with y upwards.
 inline float areaOf(const render::Curve& curve) {
   const std::vector<glm::vec2> points = pointsOn(curve);
   double twice = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tones of fills and how many of them are drawn.
+// Tests tones of fills and how many of them are drawn.
 #include "render/vectors/seen_tones.h"
 
 #include <QtTest>
@@ -12,7 +12,8 @@ using namespace sline::render;
 
 namespace {
 
-/// Stripes of tones 1 … `tones`, each `width` pixels wide and 10 high, grey from black to white.
+/// Returns stripes of tones 1 … `tones`, each `width` pixels wide and 10 high, grey from black to
+/// white.
 SeenTones stripes(int tones, int width, float transmittance = 1.0f) {
   SeenTones seen;
   seen.area = {5, 7, tones * width, 10};
@@ -32,7 +33,7 @@ class SeenTonesTest : public QObject {
   Q_OBJECT
  private slots:
   void outlinesAreAsLongAsTheSteps() {
-    // Eleven borders between twelve stripes, ten pixels each.
+    // There are eleven borders between twelve stripes, ten pixels each.
     QCOMPARE(outlineLength(stripes(12, 3)), 110.0);
     QCOMPARE(outlineLength(stripes(1, 40)), 0.0);
     // A step over three tones is three outlines.
@@ -70,7 +71,7 @@ class SeenTonesTest : public QObject {
     QVERIFY(std::abs(seen.colours[2].r - 5.0f / 6.0f) < 1e-6f);
   }
 
-  // The middle of what is filled at its rim alone must not darken.
+  // A structure filled at its rim alone must not darken in its middle.
   void whatIsClearStaysClear() {
     SeenTones seen = stripes(5, 1);
     for (std::size_t k = 0; k < 5; ++k)
@@ -101,7 +102,7 @@ class SeenTonesTest : public QObject {
     for (const SeenTones& seen : all)
       after += outlineLength(seen);
     QVERIFY2(after <= 1.1 * before / 5.0, qPrintable(QString::number(after / before)));
-    QVERIFY(after >= 0.5 * before / 5.0);  // no more than it must
+    QVERIFY(after >= 0.5 * before / 5.0);  // joined no more than needed
   }
 
   void whatIsHardlySeenHasFewerTones() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fills as shapes, painted again by a plain rule and held against what shading says.
+// Paints fills again as shapes by a plain rule and compares them with what shading gives.
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,7 @@ bool inside(const render::Path& path, const glm::vec2& p) {
   return odd;
 }
 
-/// Red, green and blue of the fills at a point of the scene, painted on white; 0 … 255.
+/// Returns red, green and blue of the fills at a point of the scene, painted on white; 0 … 255.
 glm::vec3 paintedAt(const render::VectorDrawing& drawn, float x, float z) {
   const glm::vec2 p = 0.5f * drawn.sizeMm + drawn.sizeMm.y / viewHeight * glm::vec2(x, -z);
   glm::vec3 page(255.0f);
@@ -79,7 +79,7 @@ glm::vec3 paintedAt(const render::VectorDrawing& drawn, float x, float z) {
   return page;
 }
 
-/// phong.glsl, for a ball of that radius.
+/// Returns the colour that phong.glsl gives for a ball of that radius.
 glm::vec3 shaded(const Colour& own, float radius, float x, float z) {
   const glm::vec3 colour = glm::vec3(own.red, own.green, own.blue) / 255.0f;
   const float facing = std::sqrt(std::max(0.0f, 1.0f - (x * x + z * z) / (radius * radius)));
@@ -123,7 +123,7 @@ class VectorFillsTest : public QObject {
     }
   }
 
-  // The nearer ball is seen, whole; the farther one where it is not hidden.
+  // The nearer ball is seen whole, the farther one where it is not hidden.
   void nearHidesFar() {
     const Colour red{200, 40, 40};
     const Colour blue{40, 40, 200};
@@ -146,7 +146,7 @@ class VectorFillsTest : public QObject {
     QVERIFY(largest(paintedAt(drawn, 2.0f, 0.0f) - wanted) < 10.0f);
   }
 
-  // Nothing between neighbours: neither paper nor a third colour.
+  // Between neighbours there is neither paper nor a third colour.
   void noSeamsBetweenNeighbours() {
     const Colour red{200, 40, 40};
     const auto drawn = drawing({{{0.0f, -20.0f, 0.0f}, 8.0f, 5.0f, red},

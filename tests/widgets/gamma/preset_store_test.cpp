@@ -38,7 +38,7 @@ void PresetStoreTest::survivesItsFile() {
   settings.sync();
   QSettings again(settings.fileName(), QSettings::IniFormat);
   {
-    // What is not understood is left out.
+    // A preset that cannot be read is left out.
     again.beginWriteArray(QStringLiteral("presets"), 3);
     again.setArrayIndex(2);
     again.setValue(QStringLiteral("name"), QStringLiteral("spoiled"));

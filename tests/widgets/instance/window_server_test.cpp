@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files handed from one start of the program to the window of another, in one process: the caller
-// waits in a thread of its own, as a second start waits before it has a window.
+// Tests files handed from one start of the program to the window of another, in one process: the
+// caller waits in a thread of its own, as a second start waits before it has a window.
 #include <fcntl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -28,7 +28,7 @@ bool handedWhileEventsRun(const QString& socket, const HandedFiles& what) {
     QCoreApplication::processEvents();
   return caller.get();
 }
-/// The socket of somebody who speaks without knowing the program.
+/// Returns the socket of a caller that does not know the program's protocol.
 int callerOf(const QString& socket) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -40,7 +40,7 @@ int callerOf(const QString& socket) {
   return there ? caller : -1;
 }
 
-/// Says as much of the rest as the other side takes now; true when that has hung up.
+/// Sends as much of the rest as the other side takes now; returns true when that has hung up.
 bool isHungUpOn(int caller, QByteArray& rest) {
   const ssize_t sent = ::send(caller, rest.constData(), std::size_t(rest.size()), MSG_NOSIGNAL);
   if (sent > 0)
@@ -72,7 +72,7 @@ class WindowServerTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return heard.size() == 2; }));
   }
 
-  /// Nobody else may call: the socket is the user's alone.
+  /// No other user may call: the socket is the user's alone.
   void socketIsPrivate() {
     WindowServer window(socket(), [] { return true; });
     QVERIFY(window.listen());
@@ -89,14 +89,15 @@ class WindowServerTest : public QObject {
     QVERIFY(timer.elapsed() < 500);
   }
 
-  /// A window that asks something itself is left in peace.
+  /// A window that is asking a question itself is not disturbed.
   void notFree() {
     WindowServer window(socket(), [] { return false; });
     QVERIFY(window.listen());
     QVERIFY(!handedWhileEventsRun(socket(), files));
   }
 
-  /// One that hangs holds up nobody for long, and does not open the files when it goes on.
+  /// A window that hangs does not hold up the caller for long, and does not open the files when it
+  /// goes on.
   void hangs() {
     WindowServer window(socket(), [] { return true; });
     QVERIFY(window.listen());
@@ -110,7 +111,7 @@ class WindowServerTest : public QObject {
     QCOMPARE(heard, 0);
   }
 
-  /// What a crash leaves of a socket does not keep the next window from having one.
+  /// A socket left by a crash does not keep the next window from having one.
   void afterACrash() {
     QFile left(socket());
     QVERIFY(left.open(QIODevice::WriteOnly));
@@ -147,7 +148,7 @@ class WindowServerTest : public QObject {
     QTest::newRow("without an end") << QByteArray(longestMessage + 100, 'x');
   }
 
-  /// They are not heard, and the window is there for the next.
+  /// Bad callers are not heard, and the window is there for the next.
   void badCallers() {
     QFETCH(QByteArray, said);
     WindowServer window(socket(), [] { return true; });

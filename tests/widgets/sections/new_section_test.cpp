@@ -28,7 +28,8 @@ class NewSectionTest : public QObject {
   }
 
  private slots:
-  /// Whatever the kind, what lies towards the eye goes, and the plane goes through the place.
+  /// Whatever the kind of section, the part towards the eye is taken away, and the plane goes
+  /// through the place.
   void cutFaceLooksAtTheEye_data() {
     QTest::addColumn<int>("kind");
     QTest::addColumn<int>("view");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles stand where the plane is drawn; drags follow the mouse.
+// Tests that handles stand where the plane is drawn, and that drags follow the mouse.
 #include <QTest>
 #include <glm/geometric.hpp>
 
@@ -57,7 +57,7 @@ class SectionHandlesTest : public QObject {
     QCOMPARE(handles->outline.size(), std::size_t(4));
     const glm::vec2 top = *pixelOf(c, frame.centre + frame.halfV * frame.v, size);
     QVERIFY(glm::length(handles->slide - top) < 0.1f);
-    // The arrow leads to what is taken away.
+    // The arrow points to the part that is taken away.
     const glm::vec2 taken =
         *pixelOf(c, frame.centre + frame.halfV * frame.v + 20.0f * plane.normal, size);
     QVERIFY(glm::dot(glm::normalize(taken - top), glm::normalize(handles->tip - top)) > 0.99f);
@@ -70,7 +70,8 @@ class SectionHandlesTest : public QObject {
   }
 
   void alwaysWithinReach() {
-    // So near that the rectangle's edges are out of the picture; then inside the body.
+    // The eye is so near that the rectangle's edges are out of the picture; then it is inside the
+    // body.
     const SectionFrame frame = sectionFrame({.normal = {1, 0, 0}, .offset = 0.0f}, body);
     const model::Camera close = zoomed(camera(-60.0f, 10.0f), {}, 6.0f);
     const auto handles = sectionHandles(frame, close, size);
@@ -112,7 +113,7 @@ class SectionHandlesTest : public QObject {
       QVERIFY2(std::abs(moved.offset - (plane.offset + way)) < 0.2f,
                qPrintable(QString::number(moved.offset)));
     }
-    // In whole steps, and not out of the body.
+    // The plane moves in whole steps, and not out of the body.
     const glm::vec2 to = *pixelOf(c, held + 33.0f * plane.normal, size);
     const float snapped = slide.at(to, true).offset;
     QVERIFY(std::abs(snapped - 18.0f) < 2.6f && std::abs(std::remainder(snapped, 2.0f)) < 1e-3f);
@@ -121,7 +122,7 @@ class SectionHandlesTest : public QObject {
   }
 
   void slideAlongTheSight() {
-    // Nothing to follow: up leads away from the eye.
+    // There is no direction to follow on screen: up leads away from the eye.
     const model::Plane plane{.normal = {0, -1, 0}, .offset = 0.0f};
     const SectionFrame frame = sectionFrame(plane, body);
     const SectionDrag slide = drag(SectionGrip::slide, frame, camera(0.0f, 0.0f), {450.0f, 300.0f});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A section's handles by hand, without a window: each drag is one undo step.
+// Tests a section's handles by hand, without a window: each drag is one undo step.
 #include <QSignalSpy>
 #include <QTest>
 #include <glm/geometric.hpp>
@@ -33,7 +33,7 @@ Pointer at(const glm::vec2& pixel, Qt::KeyboardModifiers keys = {}) {
 class SectionToolTest : public QObject {
   Q_OBJECT
 
-  /// A ball, cut in two and seen obliquely.
+  /// Holds a ball, cut in two and seen obliquely.
   struct Bench {
     Session session;
     FixedView view;
@@ -62,7 +62,7 @@ class SectionToolTest : public QObject {
     QVERIFY(!b.tool.press(at({450, 350})));
     b.activate();
     QVERIFY(b.tool.handles(size));
-    // One that cuts nothing now has no handles.
+    // A section that is switched off has no handles.
     model::Section off = b.session.scene().sections().front();
     off.enabled = false;
     b.session.apply("off", model::withSectionChanged(b.session.scene(), off.id, off));
@@ -127,7 +127,7 @@ class SectionToolTest : public QObject {
     QVERIFY(b.plane().normal == glm::vec3(-1, 0, 0));
     QCOMPARE(b.steps(), before + 1);
     b.session.undo();
-    // Dragged, it takes the arrow along.
+    // A dragged tip takes the arrow along.
     QVERIFY(b.tool.press(at(tip)));
     b.tool.move(at(tip + glm::vec2(30, 0)));
     b.tool.release(at(tip + glm::vec2(30, 0)));

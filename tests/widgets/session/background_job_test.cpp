@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A job ends in exactly one way, tells how far it is, and is over when its owner lets go of it.
+// Tests that a job ends in exactly one way, tells how far it is, and is over when its owner lets go
+// of it.
 #include "widgets/session/background_job.h"
 
 #include <QSignalSpy>
@@ -13,7 +14,7 @@ using namespace sline::widgets;
 
 namespace {
 
-/// What was heard of one job.
+/// Holds the signals that one job has sent.
 struct Ends {
   explicit Ends(BackgroundJob& job)
       : done(&job, &BackgroundJob::done),

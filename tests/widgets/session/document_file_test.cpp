@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The document and its file: what is saved, what differs, who may write.
+// Tests the document and its file: what is saved, what differs, who may write.
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -53,7 +53,7 @@ class DocumentFileTest : public QObject {
                          model::withLook(session.scene(), first, {.gamma = Gamma::clamped(value)}),
                          series);
   }
-  /// False where it was not saved.
+  /// Saves the scene; returns false if it was not saved.
   static bool save(Session& session, const fs::path& path,
                    SceneSaver::As as = SceneSaver::As::document) {
     SceneSaver saver(session);
@@ -61,12 +61,12 @@ class DocumentFileTest : public QObject {
     saver.save(path, as);
     return QTest::qWaitFor([&] { return !saver.busy(); }) && saved.count() == 1;
   }
-  /// As another program would find it.
+  /// Returns the scene as another program would find it.
   static model::Scene onDisk(const fs::path& path) {
     const auto read = model::readSceneFile(path);
     return read.ok() ? read->scene : model::Scene();
   }
-  /// The same bytes as a file; meshes that were read are other objects.
+  /// Tells whether both give the same bytes as a file; meshes that were read are other objects.
   static bool same(const model::Scene& a, const model::Scene& b) {
     return *model::sceneFileBytes({.scene = a}) == *model::sceneFileBytes({.scene = b});
   }
@@ -101,7 +101,7 @@ class DocumentFileTest : public QObject {
     session.redo();
     QVERIFY(session.modified());
     QCOMPARE(marks.count(), 3);
-    // Keys in a row become one step, whose end may be where they began.
+    // Keys in a row become one step, which may end where it began.
     session.undo();
     const QString series = QStringLiteral("keys");
     QVERIFY(gamma(session, 3.0f, series) && gamma(session, 3.5f, series));
@@ -112,7 +112,7 @@ class DocumentFileTest : public QObject {
     QVERIFY(session.modified());
     session.cancelPreview();
     QVERIFY(!session.modified());
-    // By hand to where it was: no step back, yet nothing to save.
+    // The user returns by hand to the saved state: no step back, yet nothing to save.
     const model::Scene saved = session.scene();
     QVERIFY(gamma(session, 1.0f));
     QVERIFY(session.apply(QStringLiteral("back"), {saved, true}));
@@ -154,7 +154,7 @@ class DocumentFileTest : public QObject {
     session.undo();
     QVERIFY(model::FileLock::held(a) && !model::FileLock::held(b));
     QCOMPARE(session.title(), QStringLiteral("a.sline"));
-    QVERIFY(open(session, a));  // again: the lock is its own
+    QVERIFY(open(session, a));  // opened again: the lock is its own
     QVERIFY(session.file().writable == Writable::yes);
     session.closeDocument();
     QVERIFY(!model::FileLock::held(a));
@@ -163,7 +163,8 @@ class DocumentFileTest : public QObject {
     QVERIFY(model::FileLock::held(a));
     QVERIFY(session.file().writable == Writable::yes);
     session.redo();
-    // Meanwhile somebody else writes it: what undo brings back must not go over that.
+    // Meanwhile another program writes the file: the scene that undo brings back must not overwrite
+    // that.
     model::Scene other = balls();
     other.append({.name = "three", .mesh = test::sphere(3, 1)});
     QVERIFY(model::writeSceneFile(a, {.scene = other}).ok());
@@ -267,7 +268,7 @@ class DocumentFileTest : public QObject {
       QVERIFY(gamma(session, value));
       saver.save(path, SceneSaver::As::document);
     }
-    QVERIFY(gamma(session, 4.5f));  // none has this
+    QVERIFY(gamma(session, 4.5f));  // no file that was saved has this value
     QTRY_COMPARE(saved.count(), 3);
     QCOMPARE(ended.count(), 1);
     QVERIFY(session.modified());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one door for change: steps, drags, jobs.
+// Tests the one way by which scenes change: steps, drags, jobs.
 #include <QSemaphore>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -159,7 +159,7 @@ class SessionTest : public QObject {
     QCOMPARE(failures.count(), 0);
   }
 
-  /// A maker that reports nothing hears of it too, and a session that goes waits for it.
+  /// A job that reports nothing is told to stop, too, and a session that ends waits for it.
   void silentJobsStopToo() {
     const auto ended = std::make_shared<std::atomic<bool>>(false);
     {

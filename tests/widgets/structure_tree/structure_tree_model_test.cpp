@@ -22,7 +22,7 @@ using Model = StructureTreeModel;
 class StructureTreeModelTest : public QObject {
   Q_OBJECT
 
-  /// Organs ( kidney ureter ) bone
+  /// Returns Organs ( kidney ureter ) bone.
   static model::Scene body() {
     const model::MeshPtr ball = test::sphere(1.0f, 1);
     model::Scene scene;
@@ -107,7 +107,7 @@ class StructureTreeModelTest : public QObject {
     }
   }
 
-  /// Rows come, go and move one by one, and back again; what Qt asks of a model holds throughout.
+  /// Rows come, go and move one by one, and back again; the rules of Qt's models hold throughout.
   void rowsMoveWithoutReset() {
     Session session;
     QVERIFY(open(session));
@@ -235,7 +235,7 @@ class StructureTreeModelTest : public QObject {
              QStringLiteral("Shown"));
   }
 
-  /// One pass over the scene finds what asking node by node does.
+  /// One pass over the scene finds the same as visiting it node by node.
   void rowStatesAgreeWithTheScene() {
     const model::MeshPtr ball = test::sphere(1.0f, 1);
     model::Scene scene;

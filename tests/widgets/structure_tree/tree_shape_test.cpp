@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps from one tree to another lead there, and are few where little has changed.
+// Tests that steps from one tree to another lead there, and are few if little has changed.
 #include <QTest>
 #include <algorithm>
 #include <random>

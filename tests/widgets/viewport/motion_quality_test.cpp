@@ -18,7 +18,7 @@ class MotionQualityTest : public QObject {
     QTest::newRow("a little slow") << 75.0 << 1.0f << 0.75f;
     QTest::newRow("slow") << 120.0 << 1.0f << 0.5f;
     QTest::newRow("very slow") << 1000.0 << 1.0f << 1.0f / 3.0f;
-    // Fast as it is, a full one would not be.
+    // The coarse picture is fast, but a full one would not be.
     QTest::newRow("coarse and slow") << 59.0 << 0.5f << 0.5f;
     QTest::newRow("coarse and fast") << 10.0 << 0.5f << 1.0f;
   }

@@ -82,7 +82,8 @@ class MousePresetTest : public QObject {
     QVERIFY(view.now == before);  // the drag is over
   }
 
-  /// No two rows of a table want the same hand, and help has a line for each way to move.
+  /// No two rows of a table use the same buttons and keys, and help has a line for each way to
+  /// move.
   void tablesAreSound() {
     for (const MousePresetName& name : mousePresetNames()) {
       QCOMPARE(mousePresetNamed(QLatin1String(name.id)), name.preset);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras in, cameras out: what keeps its place, what moves where the mouse goes.
+// Tests functions from cameras to cameras: what keeps its place, and what moves where the mouse
+// goes.
 #include <QTest>
 #include <glm/geometric.hpp>
 
@@ -14,7 +15,8 @@ namespace {
 
 constexpr glm::vec2 size(800.0f, 600.0f);
 
-/// Where a point stands in the picture that the renderer draws, in pixels from the upper left.
+/// Returns where a point stands in the picture that the renderer draws, in pixels from the upper
+/// left.
 glm::vec2 pixelOf(const model::Camera& camera, const glm::vec3& p) {
   const model::Box box{p - 50.0f, p + 50.0f};
   const glm::vec4 clip = model::projectionMatrix(camera, box, size.x / size.y) *
@@ -85,7 +87,7 @@ class NavigationTest : public QObject {
     const model::Camera pole = orbited(camera(), {}, 30.0f, tilt);
     QVERIFY(!model::cameraFault(pole));
     QVERIFY(std::abs(model::cameraFrame(pole).back.z - height) < 1e-4f);
-    // And comes back the way it went.
+    // The camera comes back the way it went.
     const model::Camera back = orbited(pole, {}, -30.0f, -90.0f * height);
     QVERIFY(glm::length(back.eye - camera().eye) < 0.5f);
   }
@@ -151,7 +153,7 @@ class NavigationTest : public QObject {
     const glm::vec3 right(50.0f, 0.0f, 0.0f);  // in the anterior view
     const glm::vec2 at = pixelOf(rolled(before, 90.0f), right) - 0.5f * size;
     QVERIFY(std::abs(at.x) < 0.5f && at.y > 10.0f);
-    // By hand: a quarter of a turn clockwise, from the right of the middle to below it.
+    // A drag makes a quarter of a turn clockwise, from the right of the middle to below it.
     const CameraDrag drag(
         {.kind = CameraDrag::Kind::roll, .pixel = {600.0f, 300.0f}, .camera = before});
     const glm::vec2 dragged = pixelOf(drag.at({400.0f, 500.0f}, size), right) - 0.5f * size;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cube never swaps left and right: its letters stand where the renderer draws those sides.
+// Tests that the cube never swaps left and right: its letters stand where the renderer draws those
+// sides.
 #include <QTest>
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -46,8 +47,8 @@ float cross(const glm::vec2& a, const glm::vec2& b) {
 class OrientationCubeTest : public QObject {
   Q_OBJECT
  private slots:
-  /// Each anatomical view shows its own face, its letter upright; the letters at the picture's
-  /// edges say the same of the faces beside it.
+  /// Each anatomical view shows its own face, with its letter upright; the letters at the picture's
+  /// edges name the faces beside it.
   void anatomicalViews_data() {
     QTest::addColumn<int>("view");
     QTest::addColumn<char>("letter");
@@ -68,8 +69,8 @@ class OrientationCubeTest : public QObject {
     QCOMPARE(faces[0].letter, letter);
     QVERIFY(glm::length(faces[0].right - glm::vec2(30, 0)) < 1e-3f);
     QVERIFY(glm::length(faces[0].up - glm::vec2(0, -30)) < 1e-3f);
-    // A click on it changes nothing but the pivot's place; a click on its right edge brings the
-    // side to the front that stands at the picture's right edge.
+    // A click on the face changes only the pivot's place; a click on its right edge brings to the
+    // front the side that stands at the picture's right edge.
     QVERIFY(*cubePartAt(faces, {2, 3}) == CubePart(sideOf(letter)));
     const CubePart edge = *cubePartAt(faces, {27, 0});
     const char right = render::edgeLetters(camera).right.front();
@@ -79,8 +80,8 @@ class OrientationCubeTest : public QObject {
     QVERIFY(render::edgeLetters(again) == render::edgeLetters(camera));
   }
 
-  /// Right-handed for every camera: letters are never seen from behind, and stand in the direction
-  /// in which the renderer's projection puts their side.
+  /// The cube is right-handed for every camera: letters are never seen from behind, and stand in
+  /// the direction in which the renderer's projection puts their side.
   void neverMirrored() {
     for (int turn = -180; turn < 180; turn += 23)
       for (int tilt = -80; tilt <= 80; tilt += 16) {

@@ -12,7 +12,7 @@ using namespace sline::widgets;
 class PickIndexTest : public QObject {
   Q_OBJECT
  private slots:
-  /// What a section takes away cannot be picked; its cut face can.
+  /// A part that a section takes away cannot be picked; its cut face can.
   void sectionsLetThrough_data() {
     QTest::addColumn<float>("at");
     QTest::addColumn<float>("picked");
@@ -38,7 +38,7 @@ class PickIndexTest : public QObject {
     QVERIFY(std::abs(pick->position.y - picked) < 1.0f);
   }
 
-  /// Three spheres in a row along the ray, the first at y = −100.
+  /// Three spheres lie in a row along the ray, the first at y = −100.
   void nearestThatIsSeen_data() {
     QTest::addColumn<QList<float>>("gammas");
     QTest::addColumn<QString>("fills");
@@ -87,11 +87,12 @@ class PickIndexTest : public QObject {
     QVERIFY(std::abs(pick->position.y - (-130.0f + 100.0f * float(picked))) < 1.0f);
     const model::Ray beside{.origin = {200.0f, -500.0f, 0.0f}, .direction = {0, 1, 0}};
     QVERIFY(!index.look(scene, {&beside, 1}).seen);
-    // Another scene, another answer: nothing is remembered of the first.
+    // Another scene gives another answer: nothing is remembered of the first.
     QVERIFY(!index.look({}, {&ray, 1}).seen);
   }
 
-  /// A ball in front of another, seen from the front, 1 mm a pixel: what the first lets through.
+  /// A ball is in front of another, seen from the front at 1 mm a pixel; the rows test what the
+  /// first lets through.
   void seen_data() {
     QTest::addColumn<QPointF>("pixel");  // from the balls' middle
     QTest::addColumn<float>("gamma");
@@ -164,7 +165,7 @@ class PickIndexTest : public QObject {
     camera.heightMm = 200.0f;
     camera.eye = {0.0f, -1000.0f, 200.0f};
     PickIndex index;
-    // Where the near side's upper rim lies before the far side.
+    // In this column the near side's upper rim lies before the far side.
     int onRing = 0;
     for (float y = 60.0f; y < 140.0f; y += 1.0f) {
       const auto pick = index.look(scene, sightsAround(camera, {100.0f, y}, {200, 200})).seen;
@@ -173,8 +174,8 @@ class PickIndexTest : public QObject {
       else
         QVERIFY(!pick || pick->id == behind);
     }
-    // Three lines cross the column (upper and lower outline, and the near side's rim), each as
-    // wide as a hand is unsteady, and no more.
+    // Three lines cross the column (upper and lower outline, and the near side's rim), each as wide
+    // as a hand is unsteady, and no wider.
     QVERIFY2(onRing > 14 && onRing < 45, qPrintable(QString::number(onRing)));
   }
 

@@ -54,7 +54,7 @@ bool hasLabel(const model::Scene& scene, model::NodeId structure) {
   });
 }
 
-/// In the background: sorting the meshes takes longer than a window may stand still.
+/// Runs in the background, because sorting the meshes takes longer than a window may stand still.
 std::vector<model::Annotation> labelsFor(const model::Scene& scene, const NodeIds& structures,
                                          const render::Screen& screen,
                                          const std::stop_token& stop) {
@@ -116,7 +116,7 @@ void LabelActions::makeTools() {
   connect(&m_labels, &PictureLabels::missed, this, [this] {
     m_window.statusBar()->showMessage(tr("Nothing is there: click on a structure"), readable);
   });
-  // Whatever else is said goes away again; how to go on with a tool stays.
+  // Other messages disappear after a while; the hint on how to go on with a tool stays.
   connect(m_window.statusBar(), &QStatusBar::messageChanged, this, [this](const QString& says) {
     if (says.isEmpty() && !m_hint.isEmpty())
       m_window.statusBar()->showMessage(m_hint);
@@ -138,7 +138,8 @@ void LabelActions::makeTools() {
 }
 
 bool LabelActions::eventFilter(QObject* watched, QEvent* event) {
-  // A key takes the tool up and never puts it away: what is typed next would be keys of the window.
+  // A key takes the tool up and never puts it away: otherwise letters typed next would act as keys
+  // of the window.
   const auto* action = qobject_cast<const QAction*>(watched);
   if (event->type() != QEvent::Shortcut || !action || !action->isChecked())
     return QObject::eventFilter(watched, event);

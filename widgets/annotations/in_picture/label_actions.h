@@ -16,10 +16,10 @@ namespace sline::widgets {
 class PictureLabels;
 class ViewControl;
 
-/// The actions that make labels, one for each kind, and the one that labels what is selected.
+/// Returns the actions that make labels, one for each kind, and the one that labels the selection.
 std::vector<QAction*> labelMakers(const WindowActions& actions);
 
-/// Labels in the window: what the actions do with them, and how the picture shows them, which the
+/// Runs the actions that concern labels in the window and has the picture show labels as the
 /// preferences say.
 class LabelActions : public QObject {
   Q_OBJECT
@@ -44,9 +44,10 @@ class LabelActions : public QObject {
   void follow();
   void showMaking();
   void showState();
-  /// Each of the selected structures that has no label gets one, where it is best seen.
+  /// Labels each selected structure that has no label, at the point where it is best seen.
   void labelSelected();
-  /// What to say where saved views leave out the label that was made last; empty: none does.
+  /// Returns what to say when saved views leave out the label that was made last; empty if none
+  /// does.
   QString notInAllViews() const;
   void take(const std::vector<model::Annotation>& found, int opening);
 
@@ -57,7 +58,7 @@ class LabelActions : public QObject {
   PictureLabels& m_labels;
   Preferences& m_preferences;
   const WindowActions& m_actions;
-  QString m_hint;  ///< how to go on with the tool in hand
+  QString m_hint;  ///< how to go on with the current tool
   BackgroundQueue m_queue;
 };
 

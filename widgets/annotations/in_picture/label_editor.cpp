@@ -87,7 +87,7 @@ void LabelEditor::keyPressEvent(QKeyEvent* event) {
 
 void LabelEditor::focusOutEvent(QFocusEvent* event) {
   LabelField::focusOutEvent(event);
-  // Its own menu, or another window before this one, is no going elsewhere.
+  // Opening its own menu, or another window in front of this one, does not count as leaving it.
   if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason)
     finish();
 }

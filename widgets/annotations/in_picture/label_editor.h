@@ -5,8 +5,8 @@
 
 namespace sline::widgets {
 
-/// A small field over the picture in which a label's words are typed. Return takes them over, as
-/// does whoever goes elsewhere; Esc forgets them.
+/// Holds a small field over the picture in which a label's words are typed. Return, or moving to
+/// another control, accepts them; Esc discards them.
 class LabelEditor : public LabelField {
   Q_OBJECT
  public:
@@ -14,13 +14,13 @@ class LabelEditor : public LabelField {
 
   struct Words {
     QString text;        ///< offered, and selected
-    bool lines = false;  ///< a callout's: marked up, and Shift+Return begins another one
+    bool lines = false;  ///< for a callout: marked up, and Shift+Return begins a new line
     float points = 10.0f;
   };
-  /// Beside the place, where all of it is in the picture.
+  /// Opens beside the place, shifted so that all of it lies in the picture.
   void open(const QPoint& place, const Words& words);
   bool isOpen() const { return isVisible(); }
-  /// As if somebody had pressed Return.
+  /// Accepts the words as if Return had been pressed.
   void finish();
   void cancel();
 

@@ -10,8 +10,8 @@ namespace sline::widgets {
 
 namespace {
 
-constexpr float placeReach = 7.0f;  ///< pixels by which a hand may miss a place
-constexpr float boxReach = 2.0f;    ///< and a text
+constexpr float placeReach = 7.0f;  ///< pixels by which a press may miss a place
+constexpr float boxReach = 2.0f;    ///< pixels by which it may miss a text
 
 }  // namespace
 

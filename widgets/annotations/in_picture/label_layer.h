@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Labels over the picture, and what can be taken hold of in them.
+// Shows labels over the picture and finds the parts of them that can be dragged.
 #pragma once
 
 #include <QWidget>
@@ -15,9 +15,9 @@ struct LabelGrip {
   bool operator==(const LabelGrip&) const = default;
 };
 
-/// What of a sheet is at the pixel; places come before texts.
+/// Returns the part of the sheet that is at the pixel; places come before texts.
 std::optional<LabelGrip> gripAt(const LabelSheet& sheet, const glm::vec2& pixel);
-/// A label's text in the window's pixels; empty where it has none in the sheet.
+/// Returns the box of a label's text in the window's pixels; empty if it has none in the sheet.
 QRectF boxOf(const LabelSheet& sheet, model::AnnotationId id);
 
 class LabelLayer : public QWidget {
@@ -25,17 +25,17 @@ class LabelLayer : public QWidget {
  public:
   explicit LabelLayer(QWidget* picture);
 
-  /// The labels of the picture that is shown.
+  /// Shows the labels of the current picture.
   void show(LabelSheetPtr sheet);
-  /// Null where no labels are shown.
+  /// Returns null where no labels are shown.
   const LabelSheet* sheet() const { return m_sheet.get(); }
 
-  /// What is said of labels beside themselves.
+  /// Holds what is marked besides the labels themselves.
   struct Marks {
     std::optional<model::AnnotationId> hovered;
     std::optional<model::AnnotationId> active;
-    std::optional<glm::vec2> begun;  ///< a place of one that is being made
-    std::optional<glm::vec2> mouse;  ///< where the second would be, of a distance
+    std::optional<glm::vec2> begun;  ///< the first place of a label that is being made
+    std::optional<glm::vec2> mouse;  ///< where the second place of a distance would be
     bool operator==(const Marks&) const = default;
   };
   void mark(const Marks& marks);

@@ -21,7 +21,7 @@ bool wanted(const model::Scene& scene, const LabelWish& wish) {
                      [](const model::Annotation& annotation) { return annotation.visible; });
 }
 
-/// All that is painted, in millimetres; halos and dots lie that far beyond.
+/// Returns the box of all that is painted, in millimetres, with a margin for halos and dots.
 render::LabelBox extentOf(const render::LabelPlate& plate) {
   constexpr float beyond = 1.6f;
   render::LabelBox all{glm::vec2(std::numeric_limits<float>::infinity()),
@@ -47,11 +47,10 @@ bool same(const LabelWish& a, const LabelWish& b) {
   return tied(a) == tied(b);
 }
 
-/// Around a text's box: room for halos and frames, millimetres.
+/// The space around a text's box for halos and frames, in millimetres.
 constexpr float textMargin = 1.0f;
 
-/// The text alone, the box's corner `textMargin` from the origin, with the frame that belongs to
-/// it.
+/// Returns the text alone with its frame, with the box's corner `textMargin` from the origin.
 render::LabelPlate textAlone(const render::LabelPlate& plate, std::size_t i,
                              const render::PlacedLabel& placed) {
   constexpr float outside = 1e4f;
@@ -59,7 +58,7 @@ render::LabelPlate textAlone(const render::LabelPlate& plate, std::size_t i,
                            .labels = {plate.labels[i]},
                            .texts = {plate.texts[i]},
                            .layout = {.labels = {placed}}};
-  // On which side its place is tells how lines are aligned.
+  // The side on which its place lies decides how lines are aligned.
   const bool after = placed.box.high.x < plate.labels[i].item.places.front().x;
   alone.labels[0].item.places = {glm::vec2(after ? outside : -outside, -outside)};
   alone.layout.labels[0].leader.clear();
@@ -67,7 +66,7 @@ render::LabelPlate textAlone(const render::LabelPlate& plate, std::size_t i,
   return alone;
 }
 
-/// With what their looks depend on.
+/// Returns a key of everything that the lines' looks depend on.
 QString keyOf(const std::vector<render::TextLine>& lines) {
   QString key;
   for (const render::TextLine& line : lines) {
@@ -82,7 +81,7 @@ QString keyOf(const std::vector<render::TextLine>& lines) {
 QString keyOf(const LabelWish& wish, const render::LabelPlate& alone) {
   const std::vector<render::TextLine>& lines = alone.texts[0].lines;
   const render::LabelPost post = alone.layout.labels[0].post;
-  // One line fills its box, whichever way it is aligned.
+  // A single line fills its box, whichever way it is aligned.
   const bool right = lines.size() > 1 &&
                      (post == render::LabelPost::left || (post == render::LabelPost::beside &&
                                                           alone.labels[0].item.places[0].x > 0.0f));
@@ -95,7 +94,7 @@ QString keyOf(const LabelWish& wish, const render::LabelPlate& alone) {
   return looks.join(QLatin1Char(' ')) + keyOf(lines);
 }
 
-/// Leaders and places, without texts and their frames.
+/// Returns the leaders and places, without texts and their frames.
 render::LabelPlate withoutTexts(render::LabelPlate plate) {
   plate.style.mode = render::LabelMode::on;
   for (render::ShownLabel& label : plate.labels)
@@ -121,7 +120,8 @@ bool outgrown(const model::Camera& settled, const model::Camera& camera) {
 
 void LabelDrawer::paintTexts(QPainter& painter, const LabelSheet& sheet) {
   const double scale = double(sheet.wish.pixelsPerMm) * sheet.wish.ratio;
-  // Labels come and go while a camera turns; what is out of use for long goes with all others.
+  // Labels come and go while a camera turns; when too many are kept, all are dropped, the unused
+  // ones among them.
   constexpr std::size_t mostKept = 400;
   if (m_texts.size() > mostKept)
     m_texts.clear();
@@ -140,7 +140,7 @@ void LabelDrawer::paintTexts(QPainter& painter, const LabelSheet& sheet) {
       letters.scale(scale, scale);
       render::paintLabels(letters, alone);
     }
-    // On whole pixels, where it is as sharp as it was painted.
+    // The image is placed on whole pixels, so that it is as sharp as it was painted.
     const glm::vec2 corner = placed->box.low - textMargin;
     painter.drawImage(QPoint(int(std::lround(scale * double(corner.x))),
                              int(std::lround(scale * double(corner.y)))),
@@ -163,7 +163,7 @@ void LabelDrawer::paint(LabelSheet& sheet) {
   const double scale = double(wish.pixelsPerMm) * wish.ratio;
   QPainter painter(&sheet.image);
   painter.translate(QPointF((wish.ratio * sheet.corner).toPoint()) * -1.0);
-  // Lines to write on are no texts.
+  // Blank lines to write on are not texts.
   const bool blank = wish.style.mode == render::LabelMode::blank;
   painter.save();
   painter.scale(scale, scale);
@@ -177,7 +177,7 @@ void LabelDrawer::paint(LabelSheet& sheet) {
 
 const render::LabelLayout* LabelDrawer::before(const model::Camera& camera,
                                                const LabelWish& wish) const {
-  constexpr float another = 0.85f;  // cosine of the angle beyond which nobody follows a turn
+  constexpr float another = 0.85f;  // cosine of the largest angle of a turn that is followed
   if (!m_last || m_last->empty() || m_last->wish.document != wish.document ||
       m_last->wish.size != wish.size || m_last->wish.style.points != wish.style.points ||
       m_last->wish.style.mode != wish.style.mode || m_last->wish.arrivals != wish.arrivals ||

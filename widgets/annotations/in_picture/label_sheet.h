@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The labels of one picture, laid out and painted by whoever draws the picture, so that they belong
-// to it and the window has only to show them.
+// Lays out and paints the labels of one picture on the thread that draws the picture, so that they
+// belong to it and the window only has to show them.
 #pragma once
 
 #include <QImage>
@@ -14,41 +14,42 @@
 
 namespace sline::widgets {
 
-/// How labels are wanted in a window's picture.
+/// Describes how labels are to appear in a window's picture.
 struct LabelWish {
   render::LabelStyle style{.mode = render::LabelMode::off};
   glm::vec2 size{0.0f};  ///< the window's picture, in its pixels
   float pixelsPerMm = 96.0f / 25.4f;
-  double ratio = 1.0;   ///< the screen's pixels to the window's
-  int document = 0;     ///< another one has nothing to do with the labels before
-  bool moving = false;  ///< the camera is on its way: who has just jumped does not jump again
-  int arrivals = 0;     ///< another one is another view: labels stand as if there were none before
+  double ratio = 1.0;   ///< screen pixels per pixel of the window
+  int document = 0;     ///< a new document has no relation to the labels before it
+  bool moving = false;  ///< the camera is moving: a label that has just jumped does not jump again
+  int arrivals = 0;     ///< changes with the view: labels then stand as if none were before
 };
 
 struct LabelSheet {
   model::Camera camera;
   LabelWish wish;
   render::LabelPlate plate;
-  model::Camera settled;  ///< of the last layout that followed no other
-  QImage image;           ///< of all that is painted; transparent elsewhere
-  QPointF corner;         ///< where it lies, in the window's pixels
+  model::Camera settled;  ///< the camera of the last layout that did not follow another one
+  QImage image;           ///< everything that is painted; transparent elsewhere
+  QPointF corner;         ///< the image's corner, in the window's pixels
 
   bool empty() const { return plate.layout.labels.empty(); }
-  /// Some labels were left out only because the camera moved.
+  /// Tells whether some labels were left out only because the camera was moving.
   bool waits() const { return wish.moving && !plate.layout.waiting.empty(); }
 };
-/// The picture is so much larger or smaller that labels that followed it may stand anywhere.
+/// Tells whether the picture has grown or shrunk so much that labels that followed it may stand
+/// anywhere.
 bool outgrown(const model::Camera& settled, const model::Camera& camera);
 
 using LabelSheetPtr = std::shared_ptr<const LabelSheet>;
 
-/// Lives where pictures are drawn. Each sheet starts from the one before, so that labels are steady
-/// while the camera turns.
+/// Draws label sheets on the thread that draws pictures. Each sheet starts from the one before, so
+/// that labels are steady while the camera turns.
 class LabelDrawer {
  public:
-  /// Nothing while meshes must be sorted first, which takes longer than a picture may.
+  /// Returns null while meshes must be sorted first, which takes longer than a picture may.
   LabelSheetPtr draw(const model::Scene& scene, const model::Camera& camera, const LabelWish& wish);
-  /// Sorts one mesh; false where none is left.
+  /// Sorts one mesh; returns false where none is left.
   bool prepare(const model::Scene& scene);
 
  private:
@@ -59,7 +60,7 @@ class LabelDrawer {
   model::MeshTrees m_trees;
   LabelSheetPtr m_last;
   model::Scene m_lastScene;
-  /// Texts as they were painted, by all that their looks depend on: letters with halos take longer
+  /// Painted texts, keyed by everything that their looks depend on: letters with halos take longer
   /// to paint than all else, and only their places change while a camera turns.
   std::map<QString, QImage> m_texts;
 };

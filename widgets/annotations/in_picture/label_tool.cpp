@@ -7,7 +7,8 @@ namespace sline::widgets {
 
 namespace {
 
-/// From the middle of its places to the middle of its text, in heights of the picture.
+/// Returns the way from the middle of its places to the middle of its text, in heights of the
+/// picture.
 glm::vec2 offsetIn(const LabelSheet& sheet, model::AnnotationId id) {
   const render::PlacedLabel* placed = sheet.plate.layout.find(id);
   for (const render::ShownLabel& label : sheet.plate.labels)
@@ -38,7 +39,7 @@ bool LabelTool::press(const Pointer& pointer) {
   if (!grip || pointer.button != Qt::LeftButton || (pointer.keys & Qt::ShiftModifier) != 0 ||
       !model::findAnnotation(m_session.scene(), grip->id))
     return false;
-  if (m_ending) {  // for an answer that is still on its way
+  if (m_ending) {  // an answer is still on its way
     m_answered = m_asked;
     commit();
   }
@@ -73,7 +74,7 @@ void LabelTool::moveText(const Pointer& pointer) {
 void LabelTool::movePlace(const Pointer& pointer) {
   m_surface(pointer.pixel, [this, number = ++m_asked](const std::optional<model::Anchor>& anchor) {
     const model::Annotation* annotation = before();
-    // Answers come in the order of the questions; those to a drag that was ended are nobody's.
+    // Answers come in the order of the questions; those for a drag that has ended are ignored.
     if (!annotation || number <= m_answered || number > m_asked)
       return;
     m_answered = number;

@@ -9,8 +9,8 @@
 
 namespace sline::widgets {
 
-/// Moves labels: their texts anywhere, what they point at over surfaces; each drag is one undo
-/// step. A press on a label makes it the active one; those that are locked stay where they are.
+/// Moves labels: their texts anywhere, the places that they point at over surfaces; each drag is
+/// one undo step. A press on a label makes it the active one; locked labels stay where they are.
 class LabelTool : public QObject, public Tool {
   Q_OBJECT
  public:
@@ -40,10 +40,10 @@ class LabelTool : public QObject, public Tool {
   Surface m_surface;
   std::optional<LabelGrip> m_grip;
   glm::vec2 m_pressed{0.0f};
-  glm::vec2 m_offset{0.0f};  ///< of the text when the drag began, heights of the picture
+  glm::vec2 m_offset{0.0f};  ///< of the text when the drag began, in heights of the picture
   int m_asked = 0;
   int m_answered = 0;
-  bool m_ending = false;  ///< with the answer that is on its way
+  bool m_ending = false;  ///< the drag ends when the pending answer arrives
 };
 
 }  // namespace sline::widgets

@@ -17,7 +17,7 @@ namespace sline::widgets {
 
 namespace {
 
-/// Letters of 10 pt are a line's share of its height.
+/// The page's height at which letters of 10 pt have the height of one of the lines.
 constexpr float presentedPageMm = float(presentedLines) * 10.0f * render::millimetresPerPoint;
 
 QString stepOf(model::AnnotationKind kind) {
@@ -58,7 +58,7 @@ PictureLabels::PictureLabels(Place place)
   Session& session = m_place.session;
   connect(&session, &Session::documentChanged, this, &PictureLabels::documentChange);
   connect(&session, &Session::activeAnnotationChanged, this, &PictureLabels::showMarks);
-  // Del and F2 are about what was chosen last.
+  // Del and F2 act on what was selected last.
   connect(&session, &Session::selectionChanged, this,
           [&session] { session.activateAnnotation(std::nullopt); });
 }
@@ -111,7 +111,7 @@ float PictureLabels::shareBeside(const model::Scene& scene, const model::Camera&
   const glm::vec2 size = now.size / now.pixelsPerMm;
   if (m_style.mode == render::LabelMode::off || !(size.x > 0.0f) || !(size.y > 0.0f))
     return 1.0f;
-  // The same on both sides: the anatomy turns, and labels go with it.
+  // Both sides get the same width, because labels move with the anatomy when it turns.
   const render::ColumnWidths widths =
       render::widthsBesideFitted(scene, render::Screen(camera, size), now.style);
   const float widest = std::max(widths.left, widths.right);
@@ -190,7 +190,7 @@ void PictureLabels::clicked(const Picks& picks, const QPointF& at) {
 
 void PictureLabels::begin(model::Annotation annotation, const QString& offered, const QPointF& at) {
   m_editor->finish();
-  constexpr int beside = 12;  // pixels: what is pointed at stays in sight
+  constexpr int beside = 12;  // pixels, so that the labelled place stays in sight
   const bool lines = annotation.kind == model::AnnotationKind::callout;
   m_new = annotation.id == model::AnnotationId{};
   m_written = std::move(annotation);
@@ -277,7 +277,7 @@ bool PictureLabels::press(const QKeyEvent& key) {
     return false;
   const std::optional<model::AnnotationId> active = m_place.session.activeAnnotation();
   if (key.key() == Qt::Key_Escape) {
-    // One step back for each press.
+    // Each press goes one step back.
     if (!m_begun.empty())
       make(m_making);
     else if (m_making)

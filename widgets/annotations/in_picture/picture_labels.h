@@ -12,18 +12,18 @@ class QKeyEvent;
 
 namespace sline::widgets {
 
-/// Labels in the picture: shown, taken hold of, made by a click on a structure and a few letters,
-/// edited where they stand.
+/// Manages labels in the picture: shows them, lets the user drag them, makes them from a click on a
+/// structure and a few letters, and edits them where they stand.
 class PictureLabels : public QObject {
   Q_OBJECT
  public:
-  /// What it needs of the picture.
+  /// Holds the parts of the picture that labels need.
   struct Place {
     QWidget& picture;
     Session& session;
     Picker& picker;
     std::function<Picker::Question(const QPointF&)> question;
-    /// Where other marks are, pixels: no label is there.
+    /// Returns the rectangles of other marks, in pixels, where no label may be.
     std::function<std::vector<QRectF>()> marks;
   };
   explicit PictureLabels(Place place);
@@ -32,58 +32,61 @@ class PictureLabels : public QObject {
   const LabelLayer& layer() const { return *m_layer; }
   LabelEditor& editor() { return *m_editor; }
 
-  /// How they look; their ink goes by the picture's background.
+  /// Returns how labels look; their ink depends on the picture's background.
   const render::LabelStyle& style() const { return m_style; }
   void setStyle(const render::LabelStyle& style);
   void setDark(bool dark);
-  /// As large as on a page of the picture's height, to be read from afar.
+  /// Makes labels as large as on a page of the picture's height, to be read from afar.
   void setPresented(bool presented) { m_presented = presented; }
-  /// For a picture of the widget as it is now; `moving`: its camera is on its way.
+  /// Returns the labels wanted for a picture of the widget as it is now; `moving` tells that its
+  /// camera is on its way.
   LabelWish wish(bool moving = false) const;
-  /// The camera has gone to another view: labels stand there as if there had been none before.
-  /// False where there are none.
+  /// Notes that the camera has gone to another view, where labels stand as if there had been none
+  /// before. Returns false where there are no labels.
   bool arrive();
-  /// The picture has become so much larger or smaller that they are to be laid out anew.
+  /// Tells whether the picture has grown or shrunk so much that labels must be laid out anew.
   bool outgrown() const;
-  /// Some are left out until the camera rests.
+  /// Tells whether some labels are left out until the camera rests.
   bool waits() const;
-  /// What labels beside the anatomy leave of the picture's width, 0 … 1, as that camera looks.
+  /// Returns the share of the picture's width, 0 … 1, that labels beside the anatomy leave as that
+  /// camera looks.
   float shareBeside(const model::Scene& scene, const model::Camera& camera) const;
-  /// The labels of the picture that is shown from now on; null: they are not known yet.
+  /// Takes over the labels of the picture that is shown from now on; null if they are not known
+  /// yet.
   void took(const LabelSheetPtr& sheet, const model::Camera& camera);
-  /// All of the picture's labels are known.
+  /// Tells whether all of the picture's labels are known.
   bool ready() const { return m_ready; }
-  /// Nothing can be done to them while something else than the document is shown.
+  /// Prevents any change to labels while something other than the document is shown.
   void setShut(bool shut);
 
-  /// Each click makes one of that kind, until there is none.
+  /// Returns the kind of label that each click makes; empty if clicks make none.
   std::optional<model::AnnotationKind> making() const { return m_making; }
   void make(std::optional<model::AnnotationKind> kind);
-  /// Asked for the saved view that one is in, which labels made now belong to: its place among the
-  /// scene's, where there is one.
+  /// Sets the function that returns the current saved view, to which new labels belong, as its
+  /// place among the scene's views, if there is one.
   void setCurrentView(std::function<std::optional<std::size_t>()> current);
   std::optional<std::size_t> currentView() const;
-  /// Words for it are typed where it stands.
+  /// Opens the editor for the label's words where the label stands.
   void edit(model::AnnotationId id);
   void remove(model::AnnotationId id);
 
-  /// True where that is for labels.
+  /// Tells whether labels take the click.
   bool click(const QPointF& at);
   bool doubleClick(const QPointF& at);
   bool wants(const QKeyEvent& key) const;
   bool press(const QKeyEvent& key);
-  /// The mouse is there and nothing is held; nothing: it is elsewhere.
+  /// Notes where the mouse is while no button is held; empty if it is elsewhere.
   void hover(const std::optional<QPointF>& at);
-  /// Where labels want one.
+  /// Returns the cursor that labels ask for, if any.
   std::optional<Qt::CursorShape> cursor() const;
 
  signals:
-  /// The picture's labels are to be drawn anew.
+  /// Tells that the picture's labels must be drawn anew.
   void wishChanged();
   void makingChanged();
-  /// A click found nothing that a label could be on.
+  /// Tells that a click found nothing that a label could be on.
   void missed();
-  /// It is in the scene.
+  /// Tells that the label is in the scene.
   void made(sline::model::AnnotationId id);
 
  private:
@@ -108,8 +111,8 @@ class PictureLabels : public QObject {
   model::Camera m_camera;  ///< of the picture that is shown
   std::optional<QPointF> m_mouse;
   std::optional<model::AnnotationKind> m_making;
-  std::vector<model::Anchor> m_begun;          ///< places of a distance
-  std::optional<model::Annotation> m_written;  ///< the one that words are typed for
+  std::vector<model::Anchor> m_begun;          ///< the places of a distance so far
+  std::optional<model::Annotation> m_written;  ///< the label for which words are typed
   bool m_new = false;                          ///< it is not in the scene yet
 };
 

@@ -3,7 +3,8 @@
 
 namespace sline::widgets {
 
-/// So many letters' heights make a presented picture's: what can be read from the last row.
+/// The height of a presented picture in heights of its letters, which can be read from the last
+/// row.
 inline constexpr int presentedLines = 40;
 
 }  // namespace sline::widgets

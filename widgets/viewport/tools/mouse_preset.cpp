@@ -29,7 +29,7 @@ constexpr std::array slicerRows{
     MouseRow{Qt::LeftButton, Qt::ControlModifier | Qt::ShiftModifier, Kind::zoom},
     MouseRow{Qt::LeftButton, Qt::ControlModifier, Kind::roll}};
 
-/// The left button is left to selecting; with Alt it stands in for a missing middle one.
+/// Leaves the left button to selecting; with Alt it replaces a missing middle button.
 constexpr std::array blenderRows{
     MouseRow{Qt::MiddleButton, Qt::NoModifier, Kind::orbit},
     MouseRow{Qt::LeftButton, Qt::AltModifier, Kind::orbit},
@@ -50,7 +50,7 @@ QString buttonText(Qt::MouseButton button) {
   }
 }
 
-/// "Ctrl+Shift+Left drag", the keys as this system writes them.
+/// Returns "Ctrl+Shift+Left drag", with the keys as this system writes them.
 QString handText(const MouseRow& row) {
   QString keys = QKeySequence(int(row.keys)).toString(QKeySequence::NativeText);
   while (keys.endsWith(QLatin1Char('+')))
@@ -71,7 +71,7 @@ QString meaningOf(Kind kind) {
   }
 }
 
-/// All drags that do the same, in one row.
+/// Returns one row for all drags that do the same.
 ControlRow dragRow(MousePreset preset, Kind kind) {
   QStringList hands;
   for (const MouseRow& row : presetRows(preset))
@@ -95,7 +95,7 @@ std::span<const MouseRow> presetRows(MousePreset preset) {
 
 std::optional<CameraDrag::Kind> dragOf(MousePreset preset, Qt::MouseButton button,
                                        Qt::KeyboardModifiers keys) {
-  // A key of the number pad or a group switch held down means nothing here.
+  // Modifiers for the number pad or a group switch are ignored here.
   const Qt::KeyboardModifiers counted =
       keys & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
   for (const MouseRow& row : presetRows(preset))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the mouse does to the camera, as tables: one for each program whose users come to this one.
+// Lists how the mouse moves the camera, as tables: one for each program from which users come to
+// this one.
 #pragma once
 
 #include <QString>
@@ -14,14 +15,14 @@ namespace sline::widgets {
 
 enum class MousePreset { sline, slicer, blender };
 
-/// Dragging with that button and those keys moves the camera so.
+/// Maps a button and keys to the way in which dragging with them moves the camera.
 struct MouseRow {
   Qt::MouseButton button = Qt::LeftButton;
   Qt::KeyboardModifiers keys;
   CameraDrag::Kind kind = CameraDrag::Kind::orbit;
 };
 std::span<const MouseRow> presetRows(MousePreset preset);
-/// Absent where such a drag does nothing.
+/// Returns the kind of drag; absent where such a drag does nothing.
 std::optional<CameraDrag::Kind> dragOf(MousePreset preset, Qt::MouseButton button,
                                        Qt::KeyboardModifiers keys);
 
@@ -30,17 +31,17 @@ struct MousePresetName {
   const char* id = "";  ///< in settings
   QString title;
 };
-/// In the order of the enumeration.
+/// Returns the presets in the order of the enumeration.
 std::vector<MousePresetName> mousePresetNames();
-/// The first one for an unknown id.
+/// Returns the preset of that id; the first one for an unknown id.
 MousePreset mousePresetNamed(const QString& id);
 
-/// A row of help: what is done with mouse or keys, and what comes of it.
+/// A row of help: what the user does with mouse or keys, and its effect.
 struct ControlRow {
   QString control;
   QString meaning;
 };
-/// All that mouse, touchpad and the viewport's own keys do.
+/// Returns all that mouse, touchpad and the viewport's own keys do.
 std::vector<ControlRow> controlRows(MousePreset preset);
 
 }  // namespace sline::widgets

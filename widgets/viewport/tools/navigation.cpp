@@ -12,11 +12,11 @@ namespace sline::widgets {
 namespace {
 
 constexpr glm::dvec3 longAxis(0.0, 0.0, 1.0);
-/// A drag over the picture's whole height turns by this much.
+/// The degrees by which a drag over the picture's whole height turns.
 constexpr float degreesPerHeight = 200.0f;
-/// Below this the horizon's slant is rounding, left over from earlier turns.
+/// The slant of the horizon below which it is rounding, left over from earlier turns.
 constexpr double levelSlant = 1e-3;
-/// A drag upwards over the picture's whole height makes all this many times as large.
+/// The factor by which a drag upwards over the picture's whole height enlarges the scene.
 constexpr float zoomPerHeight = 8.0f;
 
 glm::vec2 centred(const glm::vec2& pixel, const glm::vec2& size) {
@@ -39,7 +39,7 @@ model::Camera orbited(const model::Camera& camera, const glm::vec3& pivot, float
   const double pole = std::max(glm::radians(90.0), std::abs(elevation));
   const double tilt =
       std::clamp(elevation + glm::radians(double(tiltDegrees)), -pole, pole) - elevation;
-  // The camera goes the other way than the scene seems to.
+  // The camera goes the opposite way to the scene's apparent movement.
   const glm::dquat tilting = glm::angleAxis(-tilt, right);
   const glm::dquat turning = glm::angleAxis(-glm::radians(double(turnDegrees)), longAxis);
   const glm::dquat both = turning * tilting;
@@ -76,7 +76,7 @@ model::Camera zoomed(const model::Camera& camera, const glm::vec3& at, float fac
 
 model::Camera rolled(const model::Camera& camera, float degrees) {
   const model::CameraFrame frame = model::cameraFrame(camera);
-  // What stands upright comes to lean to the right where the camera's up leans to the left.
+  // An upright thing leans to the right where the camera's up leans to the left.
   const double angle = glm::radians(double(degrees));
   model::Camera turned = camera;
   turned.up =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the mouse moves the camera: cameras in, cameras out, no window. Pixels count from the
-// picture's upper left corner, y downwards.
+// Computes how the mouse moves the camera: cameras in, cameras out, no window. Pixels count from
+// the picture's upper left corner, y downwards.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -21,7 +21,7 @@ model::Camera orbited(const model::Camera& camera, const glm::vec3& pivot, float
 /// picture that is `height` pixels high.
 model::Camera panned(const model::Camera& camera, const glm::vec3& at, const glm::vec2& pixels,
                      float height);
-/// Draws the scene `factor` times as large around the point, which keeps its place in the picture.
+/// Magnifies the scene by `factor` around the point, which keeps its place in the picture.
 model::Camera zoomed(const model::Camera& camera, const glm::vec3& at, float factor);
 
 /// Turns the picture about its middle, by degrees clockwise.
@@ -31,12 +31,12 @@ model::Camera rolled(const model::Camera& camera, float degrees);
 model::Camera turnedTo(const model::Camera& camera, const glm::vec3& pivot, const glm::vec3& from,
                        const glm::vec3& up);
 
-/// The line of sight through a pixel; its direction is a unit vector.
+/// Returns the line of sight through a pixel; its direction is a unit vector.
 model::Ray sightThrough(const model::Camera& camera, const glm::vec2& pixel, const glm::vec2& size);
-/// Where the line of sight through the pixel reaches the depth of `at`.
+/// Returns the point where the line of sight through the pixel reaches the depth of `at`.
 glm::vec3 pointAtDepthOf(const model::Camera& camera, const glm::vec3& at, const glm::vec2& pixel,
                          const glm::vec2& size);
-/// The pixel of a point; absent for one that is not in front of the eye.
+/// Returns the pixel of a point; absent for one that is not in front of the eye.
 std::optional<glm::vec2> pixelOf(const model::Camera& camera, const glm::vec3& p,
                                  const glm::vec2& size);
 
@@ -51,7 +51,8 @@ class CameraDrag {
     glm::vec3 pivot{0.0f};
   };
   explicit CameraDrag(const Start& start) : m_start(start) {}
-  /// The camera for the mouse at that pixel; depends on where the drag began, not on the way.
+  /// Returns the camera for the mouse at that pixel, which depends on where the drag began, not on
+  /// the path.
   model::Camera at(const glm::vec2& pixel, const glm::vec2& size) const;
 
  private:

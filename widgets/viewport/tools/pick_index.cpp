@@ -12,12 +12,12 @@ namespace sline::widgets {
 
 namespace {
 
-/// How a structure lets what is behind it be seen.
+/// Tells how much of what is behind a structure can be seen.
 enum class Body { outline, veil, solid };
 
 Body bodyOf(const model::ResolvedStyle& style) {
   constexpr float suggestiveContours = 1.5f;  // the first of them appear
-  constexpr float thin = 0.4f;                // more of what is behind is seen than of the surface
+  constexpr float thin = 0.4f;  // more can be seen of what is behind than of the surface
   const bool told = style.gamma.value() >= suggestiveContours;
   if (!told && style.fill == model::Fill::none)
     return Body::outline;
@@ -26,7 +26,7 @@ Body bodyOf(const model::ResolvedStyle& style) {
   return Body::solid;
 }
 
-/// One structure at the place.
+/// A structure that is found at the place.
 struct Found {
   Pick pick;
   Body body = Body::solid;
@@ -35,7 +35,7 @@ struct Found {
   bool outline = false;  ///< its outline passes there
 };
 
-/// Where the rays meet what is left of one mesh.
+/// Finds where the rays meet what is left of one mesh.
 class Probe {
  public:
   Probe(const model::Bvh& tree, std::span<const model::Plane> planes)
@@ -45,7 +45,7 @@ class Probe {
     Found found{.body = body};
     const std::optional<float> middle = meet(rays.front());
     found.within = middle.has_value();
-    // A solid one that is met needs no line to be seen by.
+    // A solid structure that the middle ray meets is seen without any line.
     if (middle && body == Body::solid) {
       found.at = *middle;
       return found;
@@ -75,8 +75,8 @@ class Probe {
     const std::optional<model::CutHit> met = model::nearestKept(m_tree, ray, m_planes);
     return met ? std::optional(met->hit.t) : std::nullopt;
   }
-  /// A step in depth between neighbouring rays that no surface makes unless one part of it stands
-  /// before another: seen at less than 5°.
+  /// Returns a step in depth between neighbouring rays that no surface makes unless one part of it
+  /// stands before another: seen at less than 5°.
   static float fold(std::span<const model::Ray> rays, float at) {
     constexpr float steep = 12.0f;
     const auto point = [at](const model::Ray& ray) { return ray.origin + at * ray.direction; };
@@ -92,7 +92,7 @@ bool near(std::span<const model::Ray> rays, const model::Box& box) {
                      [&](const model::Ray& ray) { return model::reaches(ray, box); });
 }
 
-/// The place in the order of what is seen; smaller comes first, then what is nearer.
+/// Returns the place in the order of what is seen; smaller comes first, then what is nearer.
 int rank(const Found& found, float solidAt) {
   if (found.body != Body::solid && found.outline && found.at <= solidAt)
     return 0;

@@ -34,11 +34,11 @@ Picks lookUp(PickIndex& index, const Picker::Question& question) {
   Picks picks = index.look(question.scene, question.rays);
   if (!question.anchored || !picks.seen)
     return picks;
-  constexpr float far = 0.015f;  // of the structure's size
+  constexpr float far = 0.015f;  // a share of the structure's size
   const model::Node& node = *question.scene.find(picks.seen->id);
   const auto nearest = model::nearestPoint(*node.mesh, picks.seen->position);
   const float away = nearest ? glm::length(nearest->place - picks.seen->position) : 0.0f;
-  // A cut face is no part of the mesh: a place on it is one in space.
+  // A cut face is no part of the mesh, so a place on it is a point in space.
   if (!nearest || (away > far * glm::length(node.mesh->bounds().size()) &&
                    !question.scene.sectionsOf(node.id).empty()))
     picks.anchor = picks.seen->position;

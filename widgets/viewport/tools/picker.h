@@ -11,7 +11,7 @@
 
 namespace sline::widgets {
 
-/// Where a person points: rays through the pixel and around it, within which lines count.
+/// Returns rays through the pixel at which the user points and around it, within which lines count.
 std::vector<model::Ray> sightsAround(const model::Camera& camera, const glm::vec2& pixel,
                                      const glm::vec2& size);
 
@@ -28,11 +28,12 @@ class Picker : public QObject {
     bool anchored = false;  ///< Picks::anchor is wanted
   };
   using Answer = std::function<void(const Picks&)>;
-  /// Every one of these is answered, in their order.
+  /// Asks a question; each is answered, in the order of asking.
   void ask(Question question, Answer answer);
-  /// Answered unless another of these, or `forget`, comes before; for names under the mouse.
+  /// Asks a question that is answered unless another of these, or `forget`, comes first; for names
+  /// under the mouse.
   void askLatest(Question question, Answer answer);
-  /// Nobody wants the answer to `askLatest` any more.
+  /// Drops the answer to `askLatest`, which is no longer wanted.
   void forget() { ++*m_latest; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points between Qt and GLM, as they stand.
+// Converts points between Qt and GLM, unchanged.
 #pragma once
 
 #include <QPointF>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tools: what a pressed mouse does in the picture, as small objects that need no window.
+// Defines tools: what a pressed mouse does in the picture, as small objects that need no window.
 #pragma once
 
 #include <Qt>
@@ -21,9 +21,9 @@ struct Pointer {
 
 /// The picture on screen.
 struct ShownPicture {
-  model::Camera camera;            ///< it was drawn with: it may lag behind the one that moves
+  model::Camera camera;            ///< of the picture: it may lag behind the moving camera
   glm::vec2 size{1.0f};            ///< pixels
-  std::optional<glm::vec2> mouse;  ///< over it, while no tool is held
+  std::optional<glm::vec2> mouse;  ///< over the picture, while no tool is held
 };
 
 /// The view that tools look through and move.
@@ -38,25 +38,25 @@ class ViewControl {
 class Tool {
  public:
   virtual ~Tool() = default;
-  /// True where the tool takes the mouse: it then hears of every move until release or cancel.
+  /// Returns true if the tool takes the mouse: it then gets every move until release or cancel.
   virtual bool press(const Pointer& pointer) = 0;
   virtual void move(const Pointer& pointer) = 0;
   virtual void release(const Pointer& pointer) = 0;
-  /// All is as it was before the press.
+  /// Restores everything as it was before the press.
   virtual void cancel() = 0;
 
-  /// True where a press would take hold of a thing that is seen there.
+  /// Tells whether a press would take hold of a thing that is seen there.
   virtual bool grips(const Pointer&) const { return false; }
-  /// The cursor over such a thing.
+  /// Returns the cursor over such a thing.
   virtual std::optional<Qt::CursorShape> cursor(const Pointer&) const { return std::nullopt; }
-  /// It hears of moves from the first pixel on, not only once a hand that shakes in a click cannot
-  /// have made them.
+  /// Tells whether the tool gets moves from the first pixel on, instead of only once they are too
+  /// large for the tremor of a hand that clicks.
   virtual bool movesAtOnce() const { return false; }
-  /// The release of what it took is never a click.
+  /// Tells whether the release after a press that it took is never a click.
   virtual bool keepsClicks() const { return false; }
-  /// Shows what it has over the picture, which is another one or lies under another mouse now.
+  /// Updates what it shows over the picture, after the picture or the mouse over it has changed.
   virtual void show(const ShownPicture&) {}
-  /// The picture's background is dark, or no more.
+  /// Tells the tool whether the picture's background is dark.
   virtual void setDark(bool) {}
 };
 

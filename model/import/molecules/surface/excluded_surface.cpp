@@ -12,13 +12,13 @@ namespace sline::model {
 
 namespace {
 
-/// Distance to the accessible surface and the point of it that is nearest.
+/// Holds a distance to the accessible surface and the point of it that is nearest.
 struct Nearest {
   double distance;
   glm::dvec3 foot{0.0, 0.0, 0.0};
 };
 
-/// How far from the accessible surface distances are wanted.
+/// Returns how far from the accessible surface distances are wanted.
 double reachOf(double spacing) {
   return probeRadius + 1.01 * spacing;
 }
@@ -44,7 +44,7 @@ class ProbeField : public LocalField {
       }
   }
 
-  /// How deep p lies in the ball that covers it most; negative outside all.
+  /// Returns how deep p lies in the ball that covers it most; negative outside all.
   double depth(const glm::dvec3& p) const { return deepest(p).first; }
 
   FieldPoint at(const glm::dvec3& p) const override {
@@ -52,8 +52,8 @@ class ProbeField : public LocalField {
     FieldPoint result{nearest.distance - probeRadius, p};
     if (std::abs(result.value) > 0.5 * m_spacing)
       return result;
-    // From the foot inwards by the probe's radius; where the foot changes on the way (a crease),
-    // again from there.
+    // The walk goes from the foot inwards by the probe's radius; where the foot changes on the way
+    // (a crease), it starts again from there.
     for (int i = 0; i < 3 && std::abs(nearest.distance - probeRadius) > 1e-7; ++i) {
       const double length = glm::length(result.onSurface - nearest.foot);
       if (nearest.distance >= m_reach || !(length > 1e-9))
@@ -82,9 +82,9 @@ class ProbeField : public LocalField {
     return most;
   }
 
-  /// Signed: positive inside the union. The ball around p of the depth of the deepest ball lies in
-  /// the union, so where that ball's sphere is free at the foot, nothing is nearer; elsewhere an
-  /// arc or corner is.
+  /// Returns the signed distance, positive inside the union. The ball around p of the depth of the
+  /// deepest ball lies in the union, so where that ball's sphere is free at the foot, nothing is
+  /// nearer; elsewhere an arc or corner is.
   Nearest nearestTo(const glm::dvec3& p) const {
     const auto [deep, index] = deepest(p);
     if (deep >= m_reach)
@@ -169,7 +169,7 @@ class ExcludedSolid : public ImplicitSolid {
     if (balls.empty())
       return nullptr;
     auto field = std::make_unique<ProbeField>(m_surface, std::move(balls), spacing);
-    // The distance changes by at most that between the points, so the middle speaks for the box.
+    // The distance changes by at most that between the points, so the middle stands for the box.
     const double half = 0.5 * glm::length(high - low);
     const double depth = field->depth(0.5 * (low + high));
     if (depth > probeRadius + half || (depth < 0.0 && depth + half < probeRadius))
@@ -182,7 +182,7 @@ class ExcludedSolid : public ImplicitSolid {
   const SolventAccessible& m_surface;
 };
 
-/// The connected pieces of a mesh, as the piece of each triangle.
+/// Returns the connected pieces of a mesh, as the piece of each triangle.
 std::vector<std::uint32_t> piecesOf(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> parent(mesh.positions.size());
   std::iota(parent.begin(), parent.end(), 0u);
@@ -202,14 +202,14 @@ std::vector<std::uint32_t> piecesOf(const TriangleMesh& mesh) {
   return pieces;
 }
 
-/// Sums of one piece of the surface.
+/// Holds sums over one piece of the surface.
 struct Piece {
   double volume = 0.0;
   Box box;
   std::vector<std::uint32_t> triangles;
 };
 
-/// The solid angle under which a triangle is seen from p (van Oosterom & Strackee 1983).
+/// Returns the solid angle under which a triangle is seen from p (van Oosterom & Strackee 1983).
 double solidAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const double la = glm::length(a);
   const double lb = glm::length(b);
@@ -258,7 +258,8 @@ std::vector<Piece> measured(const TriangleMesh& mesh) {
 void fillVoids(TriangleMesh& mesh, std::span<const glm::dvec3> guests) {
   std::vector<Triangle> kept;
   for (const Piece& piece : measured(mesh)) {
-    // Fewer than four triangles lie flat on each other: a speck below the lattice's spacing.
+    // Fewer than four triangles lie flat on each other: they are a speck below the lattice's
+    // spacing.
     if (piece.triangles.size() < 4)
       continue;
     if (piece.volume < 0.0 && std::none_of(guests.begin(), guests.end(), [&](const glm::dvec3& p) {

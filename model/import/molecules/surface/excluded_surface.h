@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The solvent-excluded surface: the boundary of what a probe rolling over the atoms cannot enter
-// (Richards 1977; Connolly, J. Appl. Cryst. 16, 1983). It is where the distance to the
+// Makes the solvent-excluded surface: the boundary of the space that a probe rolling over the atoms
+// cannot enter (Richards 1977; Connolly, J. Appl. Cryst. 16, 1983). It is where the distance to the
 // solvent-accessible surface equals the probe's radius (Xu & Zhang, PLoS ONE 4, 2009). They take
 // that distance from a grid; here it is exact, to the nearest patch, arc or corner, so neither the
 // lattice nor its orientation leaves a mark and each vertex lies on the surface.
@@ -15,11 +15,12 @@
 
 namespace sline::model {
 
-/// Of a water molecule, in ångström.
+/// The radius of a water molecule, in ångström.
 inline constexpr double probeRadius = 1.4;
 
-/// `accessible` is of the atoms grown by `probeRadius`. Closed voids stay only where one of
-/// `guests` lies in them: others are never seen, and would be holes in a cut face.
+/// Returns the excluded surface. `accessible` is that of the atoms grown by `probeRadius`. Closed
+/// voids stay only where one of `guests` lies in them: others are never seen, and would be holes in
+/// a cut face.
 TriangleMesh excludedSurface(const SolventAccessible& accessible,
                              std::span<const glm::dvec3> guests, double spacing,
                              const std::function<bool()>& goesOn);

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
 
-/// The fourteen neighbours of a lattice point: eight near ones along the cubes' diagonals and six
-/// far ones along the axes.
+/// Lists the fourteen neighbours of a lattice point: eight near ones along the cubes' diagonals and
+/// six far ones along the axes.
 constexpr std::array<LatticePoint, 14> neighbours = {{{1, 1, 1},
                                                       {-1, 1, 1},
                                                       {1, -1, 1},
@@ -37,7 +37,7 @@ constexpr int square(int x) {
   return x * x;
 }
 
-/// For each neighbour the others that share a lattice edge with it.
+/// Returns for each neighbour the others that share a lattice edge with it.
 constexpr std::array<unsigned, 14> linkOf() {
   std::array<unsigned, 14> link{};
   for (std::size_t i = 0; i < neighbours.size(); ++i)
@@ -65,7 +65,7 @@ bool isConnected(unsigned set) {
   return reached == set;
 }
 
-/// A lattice point at one end of a cut.
+/// Describes a lattice point at one end of a cut.
 struct End {
   LatticePoint point;
   std::uint32_t cut = 0;
@@ -96,7 +96,7 @@ class CutMesher {
 
   const Cut& cut(std::size_t i) const { return m_surface.cuts[i]; }
 
-  /// The same edge cut in several blocks is one cut.
+  /// Merges cuts of the same edge in several blocks into one cut.
   void mergeCuts() {
     std::vector<Cut>& cuts = m_surface.cuts;
     std::vector<std::uint32_t> order(cuts.size());
@@ -140,8 +140,8 @@ class CutMesher {
     return std::span(m_ends).subspan(m_points[point], last - m_points[point]);
   }
 
-  /// How far along the cut edge the surface is from the end, and how near is near (the two numbers
-  /// of Labelle & Shewchuk for long and short edges).
+  /// Tells whether the surface is near the end of the cut edge; the two thresholds, for long and
+  /// short edges, are those of Labelle & Shewchuk.
   bool isNear(const End& end) const {
     const Cut& c = cut(end.cut);
     const bool along = square(c.inside.x - c.outside.x) + square(c.inside.y - c.outside.y) +
@@ -150,7 +150,8 @@ class CutMesher {
     return (end.outside ? 1.0f - c.share : c.share) < (along ? 0.249f : 0.413f);
   }
 
-  /// The surface near the lattice point is one sheet, so that its cuts may become one vertex.
+  /// Tells whether the surface near the lattice point is one sheet, so that its cuts may become one
+  /// vertex.
   bool isOneSheet(std::span<const End> ends) const {
     unsigned across = 0;
     for (const End& end : ends) {
@@ -182,7 +183,7 @@ class CutMesher {
     }
     std::sort(order.begin(), order.end());
     for (const auto& [share, p] : order) {
-      // Where the other end of a cut has moved already, that cut is the other's.
+      // Where the other end of a cut has moved already, that cut belongs to the other end.
       const auto ends = endsOf(p);
       m_snapped[p] = char(std::none_of(ends.begin(), ends.end(), [&](const End& e) {
         return m_snapped[m_pointAt[2 * std::size_t(e.cut) + (e.outside ? 0 : 1)]] != 0;
@@ -219,8 +220,8 @@ class CutMesher {
     }
   }
 
-  /// Marks the lattice points at vertices where the triangles are no manifold; false where there is
-  /// none.
+  /// Marks the lattice points at vertices where the triangles are no manifold; returns false where
+  /// there is none.
   bool findFaults(std::vector<char>& keep) const {
     struct Half {
       std::uint32_t low;
@@ -267,7 +268,7 @@ class CutMesher {
 
   std::uint32_t from(std::uint32_t half) const { return m_triangles[half / 3][half % 3]; }
 
-  /// Calls for each vertex at which more than one fan of triangles meets.
+  /// Calls `found` for each vertex at which more than one fan of triangles meets.
   template <class Found>
   void forEachSecondFan(const std::vector<std::uint32_t>& opposite, const Found& found) const {
     std::vector<char> seen(opposite.size(), 0);
@@ -287,7 +288,7 @@ class CutMesher {
   }
 
   TriangleMesh build() {
-    // Vertices whose triangles all fell away are left out.
+    // Vertices that have lost all their triangles are left out.
     std::vector<std::uint32_t> number(m_places.size(), none);
     TriangleMesh mesh;
     for (Triangle t : m_triangles) {
@@ -306,7 +307,7 @@ class CutMesher {
   CutSurface m_surface;
   std::vector<End> m_ends;               ///< by point
   std::vector<std::uint32_t> m_points;   ///< where each point's ends begin in m_ends
-  std::vector<std::uint32_t> m_pointAt;  ///< of the inner and the outer end of each cut
+  std::vector<std::uint32_t> m_pointAt;  ///< points of the inner and the outer end of each cut
   std::vector<char> m_snapped;
   std::vector<std::uint32_t> m_vertexOf;
   std::vector<glm::vec3> m_places;

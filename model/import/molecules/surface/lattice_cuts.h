@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a surface cuts the edges of the body-centred cubic lattice, and the mesh through the cuts.
+// Represents the points where a surface cuts the edges of the body-centred cubic lattice, and makes
+// the mesh through them.
 #pragma once
 
 #include <array>
@@ -11,8 +12,8 @@
 
 namespace sline::model {
 
-/// A lattice point in half spacings: all three coordinates even (corners of the cubes) or all odd
-/// (their centres).
+/// A lattice point is given in half spacings: all three coordinates are even (corners of the cubes)
+/// or all odd (their centres).
 struct LatticePoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -20,14 +21,14 @@ struct LatticePoint {
   auto operator<=>(const LatticePoint&) const = default;
 };
 
-/// A lattice edge whose ends lie on either side of the surface.
+/// A cut lies on a lattice edge that has its ends on either side of the surface.
 struct Cut {
   LatticePoint inside;
   LatticePoint outside;
-  float share = 0.5f;      ///< of the edge that lies inside
+  float share = 0.5f;      ///< the share of the edge that lies inside
   glm::vec3 place;         ///< on the surface
   glm::vec3 insidePlace;   ///< the surface's point next to the inner end
-  glm::vec3 outsidePlace;  ///< and next to the outer one
+  glm::vec3 outsidePlace;  ///< the surface's point next to the outer end
 };
 
 struct CutSurface {

@@ -13,7 +13,7 @@ namespace sline::model {
 
 namespace {
 
-/// Cubes along the side of a block, which is worked on at a time.
+/// Number of cubes along the side of a block, which is worked on at a time.
 constexpr int side = 8;
 constexpr int points = side + 1;
 
@@ -46,7 +46,7 @@ std::vector<BlockIndex> blocksOf(const ImplicitSolid& solid, double spacing) {
   return blocks;
 }
 
-/// One block of cubes: samples the function and cuts the tetrahedra.
+/// Samples the function in one block of cubes and cuts its tetrahedra.
 class Block {
  public:
   Block(const ImplicitSolid& solid, const BlockIndex& index, double spacing)
@@ -83,7 +83,7 @@ class Block {
         for (int y = 0; y < points; ++y)
           for (int x = 0; x < points; ++x) {
             Sample& s = at(k, x, y, z);
-            // Corners 0 … side, centres −1 … side − 1.
+            // Corners have indices 0 … side, centres −1 … side − 1.
             s.point = {2 * (m_index[0] * side + x) - k, 2 * (m_index[1] * side + y) - k,
                        2 * (m_index[2] * side + z) - k};
             s.field = m_field->at(placeOf(s.point));
@@ -98,7 +98,8 @@ class Block {
     return m_samples[row * points + std::size_t(x)];
   }
 
-  /// The four tetrahedra around each edge between a cube's centre and that of its lower neighbour.
+  /// Cuts the four tetrahedra around each edge between a cube's centre and that of its lower
+  /// neighbour.
   void cutCube(const std::array<int, 3>& cube) {
     if (!m_mixed)
       return;
@@ -120,14 +121,14 @@ class Block {
     }
   }
 
-  /// `t` is positively oriented: (t1−t0)×(t2−t0) points to t3's side.
+  /// Cuts a tetrahedron. `t` is positively oriented: (t1−t0)×(t2−t0) points to t3's side.
   void cutTetrahedron(const std::array<const Sample*, 4>& t) {
     int mask = 0;
     for (int i = 0; i < 4; ++i)
       mask |= t[i]->inside() ? 1 << i : 0;
     if (mask == 0 || mask == 15)
       return;
-    // Even permutations that bring the one or two corners on their own to the front.
+    // These even permutations bring the one or two corners on their own to the front.
     static constexpr int orders[16][4] = {{},           {0, 1, 2, 3}, {1, 0, 3, 2}, {0, 1, 2, 3},
                                           {2, 3, 0, 1}, {0, 2, 3, 1}, {1, 2, 0, 3}, {3, 2, 1, 0},
                                           {3, 2, 1, 0}, {0, 3, 1, 2}, {1, 3, 2, 0}, {2, 3, 0, 1},
@@ -154,7 +155,7 @@ class Block {
     const auto wanted = [&](const auto& known) {
       return known.first == &in && known.second == &out;
     };
-    // A cut is asked for again by the tetrahedra just before, seldom later.
+    // A cut is asked for again by the tetrahedra that follow, seldom later.
     const std::size_t memory = std::min<std::size_t>(m_recent.size(), 24);
     for (std::size_t i = m_recent.size() - memory; i < m_recent.size(); ++i)
       if (wanted(m_recent[i]))

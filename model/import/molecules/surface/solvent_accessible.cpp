@@ -14,7 +14,7 @@ namespace sline::model {
 namespace {
 
 constexpr double cellSize = 4.0;
-/// Of matter with all its hydrogens there are about ten in 64 Å³.
+/// Matter with all its hydrogens has about ten in 64 Å³.
 constexpr std::size_t mostInCell = 40;
 constexpr double fullTurn = 2.0 * std::numbers::pi;
 
@@ -34,7 +34,7 @@ void takeOut(std::vector<std::pair<double, double>>& spans, double low, double h
   spans = std::move(left);
 }
 
-/// The same for any angles at most one turn apart.
+/// Takes out the angles within `half` of `middle`, at most one turn apart.
 void takeOutAround(std::vector<std::pair<double, double>>& spans, double middle, double half) {
   double low = middle - half;
   low -= fullTurn * std::floor(low / fullTurn);
@@ -44,7 +44,7 @@ void takeOutAround(std::vector<std::pair<double, double>>& spans, double middle,
     takeOut(spans, 0.0, high - fullTurn);
 }
 
-/// Two unit vectors that stand on n and on each other.
+/// Returns two unit vectors that are perpendicular to n and to each other.
 std::pair<glm::dvec3, glm::dvec3> frameOf(const glm::dvec3& n) {
   const glm::dvec3 other =
       std::abs(n.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
@@ -143,7 +143,7 @@ void SolventAccessible::leaveOutSwallowed() {
     const auto near = neighboursOf(i);
     const bool swallowed = std::any_of(near.begin(), near.end(), [&](std::uint32_t k) {
       const Ball& other = m_balls[k];
-      // Of two equal balls the first stays.
+      // The first of two equal balls stays.
       return glm::length(other.centre - ball.centre) + ball.radius <= other.radius + 1e-6 &&
              (other.radius > ball.radius + 1e-6 || k < i);
     });
@@ -173,7 +173,7 @@ std::optional<ExposedArc> SolventAccessible::arcOf(std::size_t a, std::size_t b)
   for (const std::uint32_t k : neighboursOf(a)) {
     if (k == b)
       continue;
-    // Covered where |c + ρ(u cos φ + v sin φ) − c_k|² < R_k².
+    // A point is covered where |c + ρ(u cos φ + v sin φ) − c_k|² < R_k².
     const glm::dvec3 off = m_balls[k].centre - arc.centre;
     const double x = glm::dot(off, arc.u);
     const double y = glm::dot(off, arc.v);
@@ -219,7 +219,7 @@ std::optional<SolventAccessible> SolventAccessible::of(std::vector<Ball> balls,
   });
   if (stopped)
     return std::nullopt;
-  // A sphere shows where part of its edge does, or where it has none.
+  // A sphere is exposed where part of its edge is, or where it has no edge.
   surface.m_exposed.assign(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
     if (surface.neighboursOf(i).empty() || !surface.m_arcs[i].empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glTF 2.0 and GLB: every primitive of triangles in the scene becomes a surface in scene
+// Reads glTF 2.0 and GLB: every primitive of triangles in the scene becomes a surface in scene
 // coordinates (metres, +y up). Skins, morph targets and textures are not read.
 #include "model/import/readers/gltf/gltf.h"
 
@@ -67,7 +67,8 @@ class GltfReader {
     m_result.warnings.push_back(m_source.warning(where + " " + reason));
   }
 
-  /// True where the primitive is one this cannot read; the rest of the file may still be good.
+  /// Returns true where the primitive is one that cannot be read; the rest of the file may still be
+  /// good.
   bool isLeftOut(const Json& primitive, std::uint64_t mode, const std::string& where) {
     if (extension(primitive, dracoExtension) && !m_document.decoders.mesh) {
       warn(where, "is compressed by KHR_draco_mesh_compression, which is not supported");
@@ -110,7 +111,7 @@ class GltfReader {
     return finish(m_source, std::move(mesh), m_result);
   }
 
-  /// A primitive that is unpacked as a whole, whatever its mode: it has become triangles.
+  /// Reads a primitive that is unpacked as a whole, whatever its mode: it has become triangles.
   Status readPacked(const Json& primitive, const Json& packed, const GltfInstance& instance,
                     const std::string& where) {
     if (!m_unpacked.contains(&packed)) {
@@ -140,8 +141,8 @@ class GltfReader {
     return Unit{};
   }
 
-  /// The corners in drawing order: the indices, or all vertices in turn. Memory for the triangles
-  /// they make is taken from the budget.
+  /// Returns the corners in drawing order: the indices, or all vertices in turn. Memory for the
+  /// triangles they make is taken from the budget.
   Result<std::vector<std::uint32_t>> cornersOf(const Json& primitive, std::size_t vertices,
                                                const std::string& where) {
     std::vector<std::uint32_t> corners;
@@ -165,7 +166,7 @@ class GltfReader {
     return corners;
   }
 
-  /// §3.7.2.1: how corners make triangles.
+  /// Makes triangles of corners by §3.7.2.1.
   static std::vector<Triangle> cut(const std::vector<std::uint32_t>& c, Mode mode) {
     std::vector<Triangle> result;
     const std::size_t step = mode == Mode::triangles ? 3 : 1;
@@ -186,7 +187,8 @@ class GltfReader {
       const glm::dvec4 moved = toScene * glm::dvec4(p, 1.0);
       p = {narrowed(moved.x), narrowed(moved.y), narrowed(moved.z)};
     }
-    // A mirroring transform turns surfaces inside out (§3.5.2); its triangles turn with it.
+    // A mirroring transform turns surfaces inside out (§3.5.2), so the triangles are turned as
+    // well.
     if (glm::determinant(glm::dmat3(toScene)) < 0.0)
       for (Triangle& t : mesh.triangles)
         std::swap(t[1], t[2]);
@@ -218,7 +220,7 @@ class GltfReader {
   const Source& m_source;
   GltfDocument& m_document;
   RawMeshes m_result;
-  /// Decoded once, however many primitives share them.
+  /// Holds positions that are decoded once, however many primitives share them.
   std::map<std::uint64_t, std::vector<glm::vec3>> m_positions;
   std::map<std::uint64_t, std::vector<std::uint32_t>> m_scratch;
   std::map<const Json*, GltfUnpackedMesh> m_unpacked;
@@ -263,7 +265,7 @@ bool isCompressedGltf(const std::filesystem::path& file) {
     return packed && speaksOfCompression(packed->text());
   }
   std::ifstream in(file, std::ios::binary);
-  // A GLB begins with its JSON; what follows may be long.
+  // A GLB begins with its JSON; the rest may be long.
   std::array<char, 20> head{};
   in.read(head.data(), head.size());
   const bool glb = in && std::string_view(head.data(), 4) == "glTF";

@@ -26,13 +26,13 @@ std::optional<ScalarType> componentType(std::uint64_t code) {
   }
 }
 
-/// Elements at equal distances in a buffer.
+/// Describes elements at equal distances in a buffer.
 struct Strided {
   const char* first = nullptr;
   std::size_t stride = 0;
 };
 
-/// Where an accessor or one of its sparse parts lies: a buffer view and an offset into it.
+/// Says where an accessor or one of its sparse parts lies: a buffer view and an offset into it.
 struct Placement {
   const Json& owner;
   std::uint64_t count = 0;
@@ -41,13 +41,13 @@ struct Placement {
   bool mayStride = true;
 };
 
-/// The bytes of a buffer view and how far apart its elements begin; 0 where it does not say.
+/// Holds the bytes of a buffer view and how far apart its elements begin; 0 where it does not say.
 struct ViewBytes {
   std::string_view bytes;
   std::uint64_t stride = 0;
 };
 
-/// A view under EXT_meshopt_compression, unpacked once.
+/// Returns a view under EXT_meshopt_compression, unpacked once.
 Result<ViewBytes> unpackedView(GltfDocument& document, std::uint64_t index, const Json& packed) {
   const Source& source = document.source;
   const std::string place = placeOf("bufferViews", index);
@@ -106,7 +106,7 @@ Result<Strided> locate(GltfDocument& document, const Placement& wanted) {
   return Strided{view->bytes.data() + offset, std::size_t(stride)};
 }
 
-/// What an accessor says about itself.
+/// Holds what an accessor says about itself.
 struct Accessor {
   const Json& json;
   std::string place;

@@ -65,7 +65,7 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
   return loadAs<std::uint32_t>(bytes.data() + at, std::endian::native != std::endian::little);
 }
 
-/// GLB: "glTF", version, length, then chunks of length, type and data.
+/// Splits a GLB: "glTF", version, length, then chunks of length, type and data.
 Status splitGlb(const Source& source, std::string_view& json, std::string_view& binary) {
   const std::string_view text = source.text();
   if (text.size() < 20)
@@ -94,7 +94,7 @@ Status splitGlb(const Source& source, std::string_view& json, std::string_view& 
   return Unit{};
 }
 
-/// %20 and its like resolved; none where malformed.
+/// Resolves %20 and its like; returns nothing where it is malformed.
 std::optional<std::string> percentDecoded(std::string_view uri) {
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {

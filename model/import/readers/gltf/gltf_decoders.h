@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the reader of glTF is lent to unpack what is compressed. The libraries that do so are not
-// this room's: without them it leaves compressed meshes out and says so.
+// Declares the functions that the reader of glTF is given to unpack compressed data. The libraries
+// that do so are not this library's: without them it leaves compressed meshes out and says so.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace sline::model {
 
-/// A buffer view under EXT_meshopt_compression.
+/// Describes a buffer view under EXT_meshopt_compression.
 struct GltfPackedView {
   std::string_view bytes;
   std::size_t count = 0;
@@ -23,7 +23,7 @@ struct GltfPackedView {
   std::string filter;      ///< empty or NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL
 };
 
-/// A primitive under KHR_draco_mesh_compression.
+/// Describes a primitive under KHR_draco_mesh_compression.
 struct GltfPackedMesh {
   std::string_view bytes;
   std::uint32_t positions = 0;  ///< the unique id of the attribute that has them
@@ -35,16 +35,16 @@ struct GltfUnpackedMesh {
   std::vector<std::uint32_t> corners;  ///< three to a triangle, each below positions.size()
 };
 
-/// Errors of the functions say only what is wrong.
+/// Holds the decoders. Their errors give only the reason.
 struct GltfDecoders {
-  Result<std::string> (*view)(const GltfPackedView&) = nullptr;  ///< → count · stride bytes
+  Result<std::string> (*view)(const GltfPackedView&) = nullptr;  ///< returns count · stride bytes
   Result<GltfUnpackedMesh> (*mesh)(const GltfPackedMesh&) = nullptr;
 };
 
-/// Whether the file speaks of one of the two extensions. False for one that cannot be read.
+/// Tells whether the file mentions one of the two extensions; false for one that cannot be read.
 bool isCompressedGltf(const std::filesystem::path& file);
 
-/// As readGltf (readers.h), unpacking what the decoders can.
+/// Reads like readGltf (readers.h), but unpacks what the decoders can.
 Result<RawMeshes> readGltfWith(const GltfDecoders& decoders, const std::filesystem::path& file,
                                const ReadLimits& limits);
 

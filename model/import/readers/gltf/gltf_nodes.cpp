@@ -13,7 +13,7 @@ namespace sline::model {
 namespace {
 constexpr std::size_t deepestNode = 256;
 
-/// A node that is waiting to be visited and what it inherits.
+/// Describes a node that is waiting to be visited and what it inherits.
 struct NodeVisit {
   std::uint64_t node = 0;
   std::size_t depth = 0;
@@ -21,7 +21,7 @@ struct NodeVisit {
   glm::dmat4 toScene{1.0};
 };
 
-/// §3.5.2: a column-major matrix, or translation · rotation · scale.
+/// Returns the transform by §3.5.2: a column-major matrix, or translation · rotation · scale.
 glm::dmat4 localTransform(const Json& node) {
   if (const std::vector<double> m = numbersMember(node, "matrix", 16); !m.empty())
     return glm::make_mat4(m.data());
@@ -47,7 +47,8 @@ std::vector<std::uint64_t> indicesIn(const Json* list) {
   return indices;
 }
 
-/// The scene's own nodes; in a file without scenes, the nodes that are nobody's children.
+/// Returns the scene's own nodes; in a file without scenes, the nodes that are no other node's
+/// children.
 std::vector<std::uint64_t> rootNodes(const Json& root) {
   const Json* scene = element(root, "scenes", wholeMember(root, "scene").value_or(0));
   if (scene)
@@ -72,9 +73,9 @@ Result<std::vector<GltfInstance>> meshInstances(const GltfDocument& document) {
   const Json* nodes = member(document.root, "nodes");
   std::vector<bool> visited(nodes && nodes->is_array() ? nodes->size() : 0, false);
   std::vector<NodeVisit> waiting;
-  // Every node below carries the names above it: a short file could make much of long ones.
+  // Every node below carries the names above it: a short file could multiply long ones.
   std::uint64_t nameBytes = 0;
-  // The last one pushed is visited first.
+  // The node pushed last is visited first.
   const auto push = [&](std::vector<std::uint64_t> list, const NodeVisit& parent) {
     std::reverse(list.begin(), list.end());
     std::uint64_t bytes = 0;

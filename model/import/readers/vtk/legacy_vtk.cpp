@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Legacy VTK, POLYDATA of versions 1 to 5.1, text and binary: POINTS, POLYGONS and TRIANGLE_STRIPS.
-// Read here rather than by vtkPolyDataReader, which trusts counts and cell lengths (it allocates
-// and reads by them before anything can check them) and takes seconds for a large text file.
+// Reads legacy VTK, POLYDATA of versions 1 to 5.1, text and binary: POINTS, POLYGONS and
+// TRIANGLE_STRIPS. vtkPolyDataReader is not used, because it trusts counts and cell lengths (it
+// allocates and reads by them before anything can check them) and takes seconds for a large text
+// file.
 #include "model/import/readers/vtk/legacy_vtk.h"
 
 #include "model/base/letters.h"
@@ -140,7 +141,8 @@ class LegacyParser {
         [&](auto& values) { return readCountedCells(values, place, kind, *first, *second); });
   }
 
-  /// Versions below 5: each cell is its number of points and the points; `numbers` counts both.
+  /// Reads cells of versions below 5: each cell is its number of points and the points; `numbers`
+  /// counts both.
   template <class Values>
   Status readCountedCells(Values& values, const char* place, Cells kind, std::uint64_t cells,
                           std::uint64_t numbers) {
@@ -174,7 +176,8 @@ class LegacyParser {
     return Unit{};
   }
 
-  /// Version 5: OFFSETS where each cell begins, one more than cells, and CONNECTIVITY.
+  /// Reads cells of version 5: OFFSETS where each cell begins, one more than cells, and
+  /// CONNECTIVITY.
   Status readOffsetCells(const char* place, Cells kind, std::uint64_t offsetCount,
                          std::uint64_t cornerCount) {
     if (offsetCount == 0)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pieces of a legacy VTK file ("VTK File Formats", vtk.org) that its two parsers share.
+// Provides the pieces of a legacy VTK file ("VTK File Formats", vtk.org) that its two parsers
+// share.
 #pragma once
 
 #include <optional>
@@ -11,8 +12,8 @@
 
 namespace sline::model {
 
-/// The file as it is being read. In a binary file blocks of big-endian values stand between lines
-/// of text.
+/// Represents the file as it is being read. In a binary file blocks of big-endian values stand
+/// between lines of text.
 struct LegacyVtk {
   const Source& source;
   TextCursor at;
@@ -27,26 +28,28 @@ struct LegacyVtk {
     return binary ? source.atByte(place, std::move(reason), std::move(remedy))
                   : source.atLine(place, std::move(reason), std::move(remedy));
   }
-  /// The next word, over line ends; empty at the end of the file.
+  /// Returns the next word, over line ends; empty at the end of the file.
   std::string_view next() {
     at.skipSpace();
     return at.word();
   }
-  /// A count or nothing where none follows.
+  /// Returns a count, or nothing where none follows.
   std::optional<std::uint64_t> nextCount();
-  /// Past the line end that separates a keyword's line from its values.
+  /// Moves past the line end that separates a keyword's line from its values.
   void toValues();
 };
 
-/// The type a name like "float" or "vtktypeint64" stands for; "bit" and "string" are none.
+/// Returns the type that a name like "float" or "vtktypeint64" stands for; "bit" and "string" are
+/// none.
 std::optional<ScalarType> legacyType(std::string_view name);
 
-/// Steps over METADATA, which ends with an empty line. The keyword was read.
+/// Steps over METADATA, which ends with an empty line. The keyword must have been read.
 void skipMetadata(LegacyVtk& file);
-/// Steps over the arrays of FIELD and takes the frame from one called SPACE. The keyword was read.
+/// Steps over the arrays of FIELD and takes the frame from one called SPACE. The keyword must have
+/// been read.
 Status readField(LegacyVtk& file);
-/// Steps over point and cell data; an error where the file ends within it. The keyword POINT_DATA
-/// or CELL_DATA was read.
+/// Steps over point and cell data; returns an error where the file ends within it. The keyword
+/// POINT_DATA or CELL_DATA must have been read.
 Status skipAttributes(LegacyVtk& file);
 
 }  // namespace sline::model

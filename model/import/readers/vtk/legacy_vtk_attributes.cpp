@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a legacy VTK file holds beside its surface. Only a frame in field data is of use here; the
-// rest is walked to its end, because a file that ends early was not written completely.
+// Reads the data that a legacy VTK file holds beside its surface. Only a frame in field data is of
+// use here; the rest is walked to its end, because a file that ends early was not written
+// completely.
 #include "model/base/letters.h"
 #include "model/import/readers/vtk/legacy_vtk.h"
 
@@ -54,7 +55,7 @@ void skipMetadata(LegacyVtk& file) {
 }
 
 namespace {
-/// Steps over `count` values; false where the file ends first.
+/// Steps over `count` values; returns false where the file ends first.
 bool skipValues(LegacyVtk& file, ScalarType type, std::uint64_t count) {
   if (file.binary) {
     BinaryValues values(file.at.at(), file.at.end(), std::endian::big);
@@ -68,8 +69,8 @@ bool skipValues(LegacyVtk& file, ScalarType type, std::uint64_t count) {
   return good;
 }
 
-/// A string in a binary file: its length stands before it, in 1, 2, 4 or 8 bytes as the first two
-/// bits tell (vtkDataWriter, "encoded string").
+/// Reads a string in a binary file: its length stands before it, in 1, 2, 4 or 8 bytes as the first
+/// two bits tell (vtkDataWriter, "encoded string").
 bool nextBinaryString(LegacyVtk& file, std::string_view& text) {
   const char* at = file.at.at();
   const auto left = std::uint64_t(file.at.end() - at);
@@ -106,7 +107,7 @@ bool readStrings(LegacyVtk& file, std::string_view array, std::uint64_t count) {
   return true;
 }
 
-/// NAME COMPONENTS TUPLES TYPE and the values.
+/// Reads NAME COMPONENTS TUPLES TYPE and the values.
 Status readFieldArray(LegacyVtk& file) {
   std::string_view name = file.next();
   if (name == "METADATA") {
@@ -140,7 +141,8 @@ Status readFieldArray(LegacyVtk& file) {
   return Unit{};
 }
 
-/// The values of one attribute, from what stands after its keyword; nothing where unknown.
+/// Describes the values of one attribute, as read from the text after its keyword; absent where the
+/// attribute is unknown.
 struct AttributeBlock {
   ScalarType type = ScalarType::float32;
   std::uint64_t perTuple = 0;
@@ -232,7 +234,7 @@ Status skipAttributes(LegacyVtk& file) {
     }
     block =
         equalsIgnoringCase(keyword, "scalars") ? scalarsBlock(file) : attributeBlock(file, keyword);
-    // An attribute this reader does not know: the surface is complete, the rest does not matter.
+    // This reader does not know the attribute: the surface is complete, the rest does not matter.
     if (!block)
       return Unit{};
     file.toValues();

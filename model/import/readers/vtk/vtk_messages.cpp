@@ -12,10 +12,10 @@ namespace sline::model {
 namespace {
 thread_local VtkMessages* listener = nullptr;
 
-/// VTK has one sink for the messages of all its objects. An observer on the reader would miss what
-/// its arrays and parsers report, so the sink itself is replaced, once; messages of threads without
-/// a listener go to the standard error stream as they always did. VTK's logger, which would print
-/// each message besides, is turned off there.
+/// Receives the messages of VTK, which has one sink for all its objects. An observer on the reader
+/// would miss what its arrays and parsers report, so the sink itself is replaced, once; messages of
+/// threads without a listener go to the standard error stream as they always did. VTK's logger,
+/// which would print each message besides, is turned off there.
 class MessageSink : public vtkOutputWindow {
  public:
   static MessageSink* New();
@@ -72,7 +72,7 @@ void VtkMessages::add(const char* text) {
 }
 
 std::string VtkMessages::first() const {
-  // "ERROR: In FILE, line N\nvtkClass (0x…): the message\n\n"
+  // The text is "ERROR: In FILE, line N\nvtkClass (0x…): the message\n\n".
   std::string text = m_first;
   if (const std::size_t address = text.find("): "); address != std::string::npos)
     text.erase(0, address + 3);

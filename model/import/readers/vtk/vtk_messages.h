@@ -5,8 +5,8 @@
 
 namespace sline::model {
 
-/// While one lives, what VTK reports from this thread is kept here instead of being printed. Lives
-/// on the stack and does not nest.
+/// Keeps, while an object of it lives, the messages that VTK reports from this thread instead of
+/// letting them be printed. It lives on the stack and does not nest.
 class VtkMessages {
  public:
   VtkMessages();
@@ -15,7 +15,7 @@ class VtkMessages {
   VtkMessages& operator=(const VtkMessages&) = delete;
 
   bool any() const { return !m_first.empty(); }
-  /// The first message without VTK's own source file, class and address.
+  /// Returns the first message without VTK's own source file, class and address.
   std::string first() const;
   void add(const char* text);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// VTK's XML PolyData: text, binary and appended arrays, compressed by VTK's own compressors. Not by
-// vtkXMLPolyDataReader: it reads string arrays through a null pointer when their element is damaged
-// and makes room for whatever the last offset asks for.
+// Reads VTK's XML PolyData: text, binary and appended arrays, compressed by VTK's own compressors.
+// vtkXMLPolyDataReader is not used, because it reads string arrays through a null pointer when
+// their element is damaged and makes room for whatever the last offset asks for.
 #include "model/import/readers/vtk/vtk_readers.h"
 #include "model/import/readers/vtk/vtp_document.h"
 #include "model/import/source/surface_assembly.h"
@@ -39,7 +39,7 @@ class VtpReader {
     return status;
   }
 
-  /// The array, once it is known to hold that many values.
+  /// Returns the array, once it is known to hold that many values.
   Result<const VtpArray*> arrayOf(const VtpPiece& piece, const std::string& section,
                                   const std::string& name, std::uint64_t values) const {
     for (const VtpArray& array : piece.arrays) {
@@ -157,7 +157,7 @@ class VtpReader {
     }
   }
 
-  /// 3 characters and a zero, as numbers or bytes.
+  /// Takes the frame from 3 characters and a zero, as numbers or bytes.
   void takeFrame() {
     if (!m_document.space)
       return;

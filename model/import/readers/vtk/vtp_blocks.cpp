@@ -13,7 +13,8 @@
 namespace sline::model {
 
 namespace {
-/// More than any of VTK's compressors reaches on its blocks (zlib ends near 1032, LZ4 at 255).
+/// This is more than any of VTK's compressors reaches on its blocks (zlib ends near 1032, LZ4 at
+/// 255).
 constexpr std::uint64_t bestCompression = 2000;
 
 vtkSmartPointer<vtkDataCompressor> compressorNamed(std::string_view name) {
@@ -26,7 +27,7 @@ vtkSmartPointer<vtkDataCompressor> compressorNamed(std::string_view name) {
   return nullptr;
 }
 
-/// The first `count` words of a block header.
+/// Returns the first `count` words of a block header.
 std::optional<std::vector<std::uint64_t>> words(const VtpEncoding& encoding,
                                                 const VtpContent& content, std::uint64_t count) {
   if (count > content.text.size() / sizeOf(encoding.word))
@@ -58,8 +59,8 @@ std::optional<std::uint64_t> plainBytes(const VtpEncoding& encoding, const VtpCo
   return (*header)[0];
 }
 
-/// Header: number of blocks, bytes of a block, bytes of the last one (0: as the others), and the
-/// compressed bytes of each block.
+/// Holds the header: number of blocks, bytes of a block, bytes of the last one (0: as the others),
+/// and the compressed bytes of each block.
 struct BlockHeader {
   std::uint64_t blocks = 0;
   std::uint64_t size = 0;
@@ -100,7 +101,8 @@ std::optional<BlockHeader> blockHeader(const VtpEncoding& encoding, const VtpCon
   return header;
 }
 
-/// `count` stored bytes that begin `skip` bytes into the content, or `skip` characters into base64.
+/// Returns `count` stored bytes that begin `skip` bytes into the content, or `skip` characters into
+/// base64.
 std::optional<std::string> stored(const VtpContent& content, std::size_t skip,
                                   std::uint64_t count) {
   if (skip > content.text.size() || count > content.text.size())
@@ -112,7 +114,7 @@ std::optional<std::string> stored(const VtpContent& content, std::size_t skip,
                               : std::nullopt;
 }
 
-/// All blocks, decompressed.
+/// Returns all blocks, decompressed.
 std::optional<std::string> unpacked(const VtpEncoding& encoding, const VtpContent& content,
                                     const BlockHeader& header) {
   const std::size_t bytes = std::size_t(3 + header.blocks) * sizeOf(encoding.word);
@@ -132,7 +134,7 @@ std::optional<std::string> unpacked(const VtpEncoding& encoding, const VtpConten
   for (std::uint64_t i = 0; i < header.blocks; ++i) {
     const std::uint64_t size = header.packed[std::size_t(i)];
     block.resize(std::size_t(header.unpacked(i)));
-    // Block by block, so that a false promise costs no more than one block.
+    // The blocks are unpacked one by one, so that a false promise costs no more than one block.
     if (compressor->Uncompress(reinterpret_cast<const unsigned char*>(packed->data()) + at,
                                std::size_t(size), reinterpret_cast<unsigned char*>(block.data()),
                                block.size()) != block.size())

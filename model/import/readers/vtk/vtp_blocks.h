@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stored form of one array in VTK's XML formats: text, or blocks behind a header, compressed or
-// not, as bytes or base64 ("VTK File Formats", vtk.org).
+// Reads the stored form of one array in VTK's XML formats: text, or blocks behind a header,
+// compressed or not, as bytes or base64 ("VTK File Formats", vtk.org).
 #pragma once
 
 #include <bit>
@@ -13,14 +13,14 @@
 
 namespace sline::model {
 
-/// What the file says of all its arrays.
+/// Holds what the file says of all its arrays.
 struct VtpEncoding {
   std::endian order = std::endian::little;
-  ScalarType word = ScalarType::uint32;  ///< of block headers
+  ScalarType word = ScalarType::uint32;  ///< type of numbers in block headers
   std::string compressor;                ///< VTK's class name, empty for none
 };
 
-/// One array. `text` may reach beyond its end: headers tell how long it is.
+/// Describes one array. `text` may reach beyond its end: headers tell how long it is.
 struct VtpContent {
   std::string_view text;
   ScalarType type = ScalarType::int8;
@@ -30,12 +30,12 @@ struct VtpContent {
 
 bool isKnownCompressor(std::string_view name);
 
-/// How many values the array holds at most. None where its block header is broken or promises more
-/// than `text` can hold, by the best ratio the compressors reach.
+/// Returns how many values the array holds at most, or nothing where its block header is broken or
+/// promises more than `text` can hold, by the best ratio the compressors reach.
 std::optional<std::uint64_t> valuesIn(const VtpEncoding& encoding, const VtpContent& content);
 
-/// The first `count` values of an array that is not text, as stored. None where they cannot be
-/// decoded.
+/// Returns the first `count` values of an array that is not text, as stored, or nothing where they
+/// cannot be decoded.
 std::optional<std::string> bytesOf(const VtpEncoding& encoding, const VtpContent& content,
                                    std::uint64_t count);
 

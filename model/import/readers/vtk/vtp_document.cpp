@@ -48,7 +48,7 @@ class VtpScanner {
  private:
   std::size_t offsetOf(const char* place) const { return std::size_t(place - m_source.begin()); }
 
-  /// Raw data may hold anything, so no tag is looked for behind this one.
+  /// Opens the appended data; raw data may hold anything, so no tag is looked for behind this one.
   void openAppended(const XmlTag& tag) {
     m_appendedRaw = tag.attribute("encoding") == "raw";
     const std::size_t mark = m_source.text().find('_', offsetOf(tag.end()));
@@ -97,7 +97,7 @@ class VtpScanner {
     return status;
   }
 
-  /// VTKFile, PolyData, Piece and one of its sections are open.
+  /// Tells whether VTKFile, PolyData, Piece and one of its sections are open.
   bool isInPiece() const {
     return m_path.size() == 4 && m_path[1] == "PolyData" && m_path[2] == "Piece";
   }
@@ -185,7 +185,7 @@ class VtpScanner {
     return Unit{};
   }
 
-  /// Only now is it known where appended data begin.
+  /// Locates all arrays; only now is it known where appended data begin.
   Status locateAll() {
     std::size_t next = 0;
     for (VtpPiece& piece : m_document.pieces)
@@ -203,7 +203,7 @@ class VtpScanner {
     return Unit{};
   }
 
-  /// Where an array's values are stored.
+  /// Returns where an array's values are stored.
   Result<VtpContent> contentOf(const XmlTag& tag) const {
     VtpContent content;
     content.type = xmlType(tag.attribute("type")).value_or(ScalarType::int8);
@@ -231,7 +231,7 @@ class VtpScanner {
   const Source& m_source;
   VtpDocument m_document;
   std::vector<std::string_view> m_path;
-  std::vector<XmlTag> m_tags;  ///< of the arrays of all pieces, in order
+  std::vector<XmlTag> m_tags;  ///< tags of the arrays of all pieces, in order
   std::optional<XmlTag> m_space;
   std::string_view m_appended;
   bool m_appendedRaw = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// VRML97 and X3D: every shape made of polygons or triangles becomes a surface, where its transforms
-// put it. Prototypes, scripts, other files and what is drawn by lines, points or pictures are left
-// out.
+// Reads VRML97 and X3D: every shape made of polygons or triangles becomes a surface, where its
+// transforms put it. Prototypes, scripts, other files and shapes drawn by lines, points or pictures
+// are left out.
 #include "model/import/readers/x3d/x3d.h"
 
 #include <algorithm>
@@ -23,11 +23,11 @@ namespace sline::model {
 namespace {
 
 constexpr std::size_t mostX3dVisits = 100'000;
-/// What shapes that are used again may make of a file beyond its own size.
+/// The bytes that reused shapes may make of a file beyond its own size.
 constexpr std::uint64_t freeX3dBytes = std::uint64_t(64) << 20;
 constexpr std::uint64_t x3dBytesPerByte = 16;
 
-/// A node that is waiting to be visited and what it inherits.
+/// Describes a node that is waiting to be visited and what it inherits.
 struct X3dVisit {
   const X3dNode* node = nullptr;
   std::size_t depth = 0;
@@ -36,7 +36,8 @@ struct X3dVisit {
   bool only = false;  ///< the one shape among its group's nodes
 };
 
-/// All numbers of a field, parted by blanks, commas and comments; it ends at what is none.
+/// Returns all numbers of a field, separated by blanks, commas and comments; they end at text that
+/// is none.
 std::vector<double> numbersIn(std::string_view field) {
   std::string plain(field);
   bool comment = false;
@@ -52,7 +53,7 @@ std::vector<double> numbersIn(std::string_view field) {
   return numbers;
 }
 
-/// The field as so many numbers, else what stands there when it is absent.
+/// Returns the field as `n` numbers, else the default that applies when it is absent.
 template <std::size_t n>
 std::array<double, n> fixedNumbers(const X3dNode& node, std::string_view key,
                                    const std::array<double, n>& otherwise) {
@@ -69,7 +70,8 @@ glm::dmat4 rotationOf(const std::array<double, 4>& r) {
                                  : glm::dmat4(1.0);
 }
 
-/// ISO/IEC 19775-1 §10.4.4: translation · centre · rotation · scale in its own axes · −centre.
+/// Returns the transform by ISO/IEC 19775-1 §10.4.4: translation · centre · rotation · scale in its
+/// own axes · −centre.
 glm::dmat4 transformOf(const X3dNode& node) {
   const auto vector = [&](std::string_view key, double otherwise) {
     const auto v = fixedNumbers<3>(node, key, {otherwise, otherwise, otherwise});
@@ -94,7 +96,7 @@ bool isFalse(std::string_view text) {
   return equalsIgnoringCase(text, "false");
 }
 
-/// How the corners of a geometry make faces.
+/// Says how the corners of a geometry make faces.
 enum class CornerRuns { polygons, triangles, quads, strips, fans };
 struct X3dGeometry {
   std::string_view type;
@@ -113,12 +115,13 @@ constexpr std::array<X3dGeometry, 9> x3dGeometries{
      {"TriangleStripSet", CornerRuns::strips, "", "stripCount"},
      {"TriangleFanSet", CornerRuns::fans, "", "fanCount"}}};
 
-/// Corners in runs that −1 ends.
+/// Returns corners in runs that −1 ends.
 std::vector<std::uint32_t> cornersOf(const X3dNode& node, const X3dGeometry& kind,
                                      std::size_t points) {
   std::vector<std::uint32_t> corners;
   if (!kind.corners.empty()) {
-    // What is no index becomes one beyond all points, which is told when faces are judged.
+    // A value that is no index becomes one beyond all points, which is reported when faces are
+    // judged.
     for (const double value : numbersIn(node.field(kind.corners)))
       corners.push_back(value == -1.0                           ? noVertex
                         : value >= 0.0 && value < noVertex - 1u ? std::uint32_t(value)
@@ -200,7 +203,7 @@ class X3dReader {
   }
 
  private:
-  /// The first one is visited first.
+  /// Pushes all nodes; the first one is visited first.
   void pushAll(std::span<const X3dNode* const> nodes, const X3dVisit& parent,
                std::vector<X3dVisit>& waiting) {
     const auto shapes = std::count_if(nodes.begin(), nodes.end(),
@@ -302,14 +305,14 @@ class X3dReader {
       return judged.error();
     std::vector<std::uint32_t> scratch;
     keepUsed(positions, scratch, mesh);
-    // A mirroring transform turns surfaces inside out; its triangles turn with it.
+    // A mirroring transform turns surfaces inside out, so the triangles are turned as well.
     if (isFalse(node.field("ccw")) != (glm::determinant(glm::dmat3(visit.toScene)) < 0.0))
       for (Triangle& t : mesh.triangles)
         std::swap(t[1], t[2]);
     return finish(m_source, std::move(mesh), m_result);
   }
 
-  /// Named like its group where it is the only shape there.
+  /// Opens a surface, named like its group where it is the only shape there.
   RawMesh opened(const X3dVisit& visit) const {
     RawMesh mesh;
     mesh.groups = visit.groups;

@@ -7,7 +7,7 @@
 
 namespace sline::model {
 
-/// VRML97 and X3D, in XML or in the classic encoding.
+/// Reads VRML97 and X3D, in XML or in the classic encoding.
 Result<RawMeshes> readX3d(const std::filesystem::path& file, const ReadLimits& limits);
 
 }  // namespace sline::model

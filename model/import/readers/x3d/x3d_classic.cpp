@@ -8,14 +8,15 @@ namespace sline::model {
 
 namespace {
 
-/// A word, a quoted string with its quotes, or one of { } [ ]; empty at the end.
+/// A token is a word, a quoted string with its quotes, or one of { } [ ]; empty at the end.
 using ClassicToken = std::string_view;
 
 bool isBracket(char c) {
   return c == '{' || c == '}' || c == '[' || c == ']';
 }
 
-/// What stands for itself: a number, a string, a truth value. Other words name nodes and fields.
+/// Tells whether the token stands for itself: a number, a string, a truth value. Other words name
+/// nodes and fields.
 bool isValue(ClassicToken token) {
   if (token.empty() || isBracket(token[0]))
     return false;
@@ -52,7 +53,7 @@ class X3dClassicParser {
   }
 
  private:
-  /// Blanks, commas and comments part tokens.
+  /// Skips blanks, commas and comments, which separate tokens.
   void skipBetween() {
     while (m_at != m_end) {
       if (*m_at == '#')
@@ -92,7 +93,7 @@ class X3dClassicParser {
     return token;
   }
 
-  /// Behind the bracket that closes the one that comes next.
+  /// Moves behind the bracket that closes the next opening one.
   void skipBrackets() {
     std::size_t open = 0;
     for (ClassicToken token = next(); !token.empty(); token = next()) {
@@ -114,7 +115,7 @@ class X3dClassicParser {
       next();
   }
 
-  /// A node that begins with `token`.
+  /// Reads a node that begins with `token`.
   Status readNode(ClassicToken token, X3dNode* parent, std::size_t depth) {
     std::string_view name;
     if (token == "USE") {

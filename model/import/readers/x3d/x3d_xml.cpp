@@ -15,7 +15,8 @@ std::string_view X3dNode::field(std::string_view key) const {
 
 namespace {
 
-/// An element that is waiting for its nodes to be made, and whose node they belong to.
+/// Describes an element that is waiting for its nodes to be made, and the node to which they
+/// belong.
 struct ElementVisit {
   pugi::xml_node element;
   X3dNode* parent = nullptr;
@@ -70,7 +71,7 @@ class X3dXmlParser {
     return Unit{};
   }
 
-  /// The first child is visited first.
+  /// Pushes the children; the first one is visited first.
   static void push(const ElementVisit& parent, std::vector<ElementVisit>& waiting) {
     const auto first = std::ptrdiff_t(waiting.size());
     for (const pugi::xml_node& child : parent.element.children())

@@ -17,8 +17,8 @@ constexpr std::size_t spacingAt = 76;       // pixdim
 constexpr std::size_t orientationAt = 252;  // hist.orient
 constexpr std::size_t originAt = 253;       // hist.originator, as SPM uses it
 
-/// Where the voxels' axes lead, as (to the side, anterior, superior): slices across, from the front
-/// or from the side, and the same three upside down.
+/// Lists where the voxels' axes lead, as (to the side, anterior, superior): slices across, from the
+/// front or from the side, and the same three upside down.
 using Axes = std::array<glm::dvec3, 3>;
 constexpr glm::dvec3 toSide{1.0, 0.0, 0.0};
 constexpr glm::dvec3 toFront{0.0, 1.0, 0.0};

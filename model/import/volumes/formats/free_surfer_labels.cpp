@@ -10,7 +10,7 @@ namespace sline::model {
 
 namespace {
 
-/// Above are parcels of atlases, of which the table has one.
+/// Numbers from here on are parcels of atlases, of which the table has one.
 constexpr std::int64_t firstParcel = 1'000;
 
 bool nameSaysFreeSurfer(const std::filesystem::path& file) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What FreeSurfer's numbers mean in a volume that brings no table of its own.
+// Tells the meaning of FreeSurfer's numbers in a volume that brings no table of its own.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@
 
 namespace sline::model {
 
-/// Names and colours by the numbers of resources/anatomy/freesurfer.tsv where the volume is one of
-/// FreeSurfer's: its file's name says so (aseg, aparc, wmparc, synthseg), or it has white matter or
-/// cortex of both hemispheres under their numbers and none below 1,000 that FreeSurfer does not
-/// use. Else nothing: a 4 is no ventricle in the volumes of others.
+/// Returns names and colours by the numbers of resources/anatomy/freesurfer.tsv where the volume is
+/// one of FreeSurfer's: its file's name says so (aseg, aparc, wmparc, synthseg), or it has white
+/// matter or cortex of both hemispheres under their numbers and none below 1,000 that FreeSurfer
+/// does not use. Otherwise returns nothing: a 4 is no ventricle in the volumes of other programs.
 LabelNames freeSurferLabels(const LabelVolume& volume, const std::filesystem::path& file);
 
-/// The table as it is compiled in.
+/// Returns the table as it is compiled in.
 std::string_view freeSurferTable();
 
 }  // namespace sline::model

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A name in its parts: "brain", ".HDR", ".gz".
+/// Holds a name in its parts: "brain", ".HDR", ".gz".
 struct PairName {
   fs::path stem;  ///< with its folder
   std::string ending;
@@ -36,13 +36,14 @@ std::optional<PairName> pairName(const fs::path& file) {
   return found;
 }
 
-/// The other ending, in capitals where this one is.
+/// Returns the other ending, in capitals where this one is.
 std::string otherEnding(const PairName& name) {
   const bool capitals = name.ending[1] >= 'A' && name.ending[1] <= 'Z';
   return name.header ? (capitals ? ".IMG" : ".img") : (capitals ? ".HDR" : ".hdr");
 }
 
-/// Its length is the first number of either header, in either byte order.
+/// Tells whether the file begins like a header: either kind begins with its length, in either byte
+/// order.
 bool beginsLikeHeader(const fs::path& file) {
   std::array<char, 512> bytes{};
   std::FILE* handle = std::fopen(file.string().c_str(), "rb");

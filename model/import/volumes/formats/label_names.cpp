@@ -53,7 +53,7 @@ std::optional<double> real(std::string_view text) {
   return value;
 }
 
-/// Channels as 0 … 255, or as 0 … 1 where `unit`.
+/// Returns the colour of channels in 0 … 255, or in 0 … 1 where `unit`.
 std::optional<Colour> colourOfChannels(const std::array<std::optional<double>, 3>& channels,
                                        bool unit) {
   std::array<std::uint8_t, 3> bytes{};
@@ -93,7 +93,7 @@ Fields columnsOf(std::string_view line) {
   return words;
 }
 
-/// Where a table with a first line of headings has what.
+/// Says where the columns of a table lie that has a first line of headings.
 struct Columns {
   std::optional<std::size_t> value;
   std::optional<std::size_t> name;
@@ -143,7 +143,8 @@ void addRow(LabelNames& names, const Fields& fields, const Columns& columns) {
   add(names, *value, at(columns.name), colour);
 }
 
-/// A line without headings: number, then name and perhaps colour, or colour and name in quotes.
+/// Adds a line without headings: number, then name and perhaps colour, or colour and name in
+/// quotes.
 void addLine(LabelNames& names, std::string_view line, char separator) {
   const Fields words = separator == ' ' ? columnsOf(line) : fieldsOf(line, separator);
   std::string_view first = words.front();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// MetaImage (ITK's MetaIO, "MetaImage format"): lines of "Key = value", the last of which says
-// where the voxels are.
+// Reads MetaImage (ITK's MetaIO, "MetaImage format"): lines of "Key = value", the last of which
+// says where the voxels are.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,8 +29,8 @@ std::optional<ScalarType> metaType(std::string_view name) {
   return std::nullopt;
 }
 
-/// The directions of the axes in LPS, from letters that say where each begins: "RAI" runs from
-/// right to left, from anterior to posterior and from inferior to superior, as LPS does.
+/// Returns the directions of the axes in LPS, from letters that say where each begins: "RAI" runs
+/// from right to left, from anterior to posterior and from inferior to superior, as LPS does.
 std::optional<std::array<glm::dvec3, 3>> axesFrom(std::string_view letters) {
   std::array<glm::dvec3, 3> axes;
   unsigned seen = 0;
@@ -103,7 +103,7 @@ class MetaImageReader {
   }
   bool isTrue(std::string_view key) const { return equalsIgnoringCase(value(key), "true"); }
 
-  /// The numbers behind a key; false where there are not so many.
+  /// Reads the numbers behind a key; returns false where there are not so many.
   bool numbers(std::string_view key, std::span<double> to) const {
     TextCursor at(value(key));
     for (double& number : to) {
@@ -215,7 +215,7 @@ class MetaImageReader {
   const Source& m_source;
   const ReadOptions& m_options;
   std::map<std::string, std::string_view, std::less<>> m_lines;
-  std::string_view m_behind;  ///< what follows the header
+  std::string_view m_behind;  ///< the text behind the header
   VolumeFile m_file;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FreeSurfer's MGH (surfer.nmr.mgh.harvard.edu, "MghFormat"): big-endian numbers, voxels at byte
-// 284, and behind them tags, one of which holds a colour table.
+// Reads FreeSurfer's MGH (surfer.nmr.mgh.harvard.edu, "MghFormat"): big-endian numbers, voxels at
+// byte 284, and behind them tags, one of which holds a colour table.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -39,14 +39,14 @@ std::optional<ScalarType> mghTypeOf(std::int32_t code) {
   }
 }
 
-/// What follows the voxels: a few numbers of the scan, then tags with their lengths.
+/// Reads the data behind the voxels: a few numbers of the scan, then tags with their lengths.
 class MghFooter {
  public:
   explicit MghFooter(std::string_view text)
       : m_values(text.data(), text.data() + text.size(), std::endian::big) {}
 
   LabelNames labels() {
-    // Repetition time, flip angle, echo time, inversion time, field of view.
+    // These are repetition time, flip angle, echo time, inversion time, field of view.
     if (!m_values.skip(ScalarType::float32, 5))
       return {};
     constexpr std::int64_t table = 1;
@@ -65,7 +65,7 @@ class MghFooter {
     return m_values.integer(type, value) ? std::optional(value) : std::nullopt;
   }
 
-  /// Old tags have no length or one of four bytes, the others one of eight.
+  /// Skips a tag; old tags have no length or one of four bytes, the others one of eight.
   bool skipTag(std::int64_t tag) {
     constexpr std::int64_t realRas = 2;
     constexpr std::int64_t surfaceGeometry = 20;
@@ -90,7 +90,8 @@ class MghFooter {
     return std::string(all.substr(0, all.find('\0')));
   }
 
-  /// Entries by number, or (a negative version first) as many as are told, each with its number.
+  /// Reads entries by number, or (a negative version first) as many as the table says, each with
+  /// its number.
   LabelNames readTable() {
     LabelNames names;
     const std::optional<std::int64_t> first = whole();
@@ -173,7 +174,7 @@ class MghReader {
     return Unit{};
   }
 
-  /// The centre is told, from which the first voxel's place follows.
+  /// Reads the centre, from which the first voxel's place follows.
   void readPlace() {
     glm::dmat4 toRas(1.0);
     const glm::dvec3 spacing = three(mghSpacings);

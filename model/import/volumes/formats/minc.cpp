@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// MINC 1 (McConnell Brain Imaging Centre, "MINC Programmer's Guide"): a netCDF file with a variable
-// "image" along xspace, yspace and zspace in any order. Its world is RAS: +x right, +y anterior,
-// +z superior. (VTK's reader would bring libraries that open connections, and turn axes about.)
+// Reads MINC 1 (McConnell Brain Imaging Centre, "MINC Programmer's Guide"): a netCDF file with a
+// variable "image" along xspace, yspace and zspace in any order. Its world is RAS: +x right, +y
+// anterior, +z superior. (VTK's reader would bring libraries that open connections, and turn axes
+// about.)
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,8 +49,8 @@ class MincReader {
   }
 
  private:
-  /// The type says how many bytes; an attribute whether they have a sign, bytes having none and
-  /// others one where it is silent.
+  /// Returns the type with its sign. The type says how many bytes; an attribute says whether they
+  /// have a sign; where it is silent, bytes have none and others have one.
   static ScalarType withSign(ScalarType type, bool isSigned) {
     switch (type) {
       case ScalarType::int8:
@@ -69,7 +70,7 @@ class MincReader {
     glm::dvec3 origin(0.0);
     unsigned seen = 0;
     for (int i = 0; i < 3; ++i) {
-      // The last one is the fastest.
+      // The last dimension is the fastest.
       const NetcdfDimension& dimension = m_header.dimensions[image.dimensions[std::size_t(2 - i)]];
       const auto axis = std::find(worldAxes.begin(), worldAxes.end(), dimension.name);
       if (axis == worldAxes.end() || dimension.size == 0)
@@ -91,7 +92,7 @@ class MincReader {
     return Unit{};
   }
 
-  /// A step along the axis, and where it starts.
+  /// Returns a step along the axis, and where the axis starts.
   std::pair<glm::dvec3, glm::dvec3> alongAxis(const std::string& name, std::size_t which) const {
     static const NetcdfVariable none;
     const auto found = m_header.variables.find(name);
@@ -106,7 +107,8 @@ class MincReader {
             direction * axis.numbers("start", {0.0})[0]};
   }
 
-  /// Stored numbers stand for those between image-min and image-max, slice by slice.
+  /// Reads the scale: stored numbers stand for those between image-min and image-max, slice by
+  /// slice.
   Status readScale(const NetcdfVariable& image) {
     const auto range = [&](std::string_view name, double otherwise) -> std::optional<double> {
       const auto found = m_header.variables.find(name);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr bool swapNetcdf = std::endian::native != std::endian::big;
 
-/// Types 1 … 11; a char is text.
+/// Returns the type for 1 … 11; a char is text.
 std::optional<ScalarType> netcdfType(std::uint32_t code) {
   static constexpr ScalarType types[] = {
       ScalarType::int8,    ScalarType::uint8,   ScalarType::int16, ScalarType::int32,
@@ -27,7 +27,7 @@ class NetcdfParser {
 
   Result<NetcdfHeader> parse() {
     m_at = 4;
-    number();  // of records
+    number();  // number of records
     for (std::uint64_t left = list(10); left > 0 && m_good; --left) {
       NetcdfDimension& dimension = m_header.dimensions.emplace_back();
       dimension.name = name();
@@ -53,10 +53,11 @@ class NetcdfParser {
     return bytes == 8 ? loadAs<std::uint64_t>(at, swapNetcdf)
                       : loadAs<std::uint32_t>(at, swapNetcdf);
   }
-  /// A count, which only version 5 has in eight bytes.
+  /// Reads a count, which only version 5 has in eight bytes.
   std::uint64_t number() { return word(m_version == 5 ? 8 : 4); }
 
-  /// The length of a list, whose mark is 0 where it is absent. Each entry takes some bytes.
+  /// Reads the length of a list; its mark is 0 where the list is absent. Each entry takes some
+  /// bytes.
   std::uint64_t list(std::uint64_t mark) {
     const std::uint64_t found = word(4);
     const std::uint64_t count = number();
@@ -65,7 +66,7 @@ class NetcdfParser {
     return m_good ? count : 0;
   }
 
-  /// So many bytes, filled up to four.
+  /// Reads `size` bytes, filled up to a multiple of four.
   std::string_view padded(std::uint64_t size) {
     if (!m_good || size > m_bytes.size() - m_at) {
       m_good = false;
@@ -125,7 +126,7 @@ class NetcdfParser {
     variable.attributes = attributes();
     variable.values = typed();
     variable.values.count = count;
-    number();  // of bytes, which some write wrongly
+    number();  // number of bytes, which some programs write wrongly
     const std::uint64_t begin = word(m_version == 1 ? 4 : 8);
     if (begin > m_bytes.size())
       m_good = false;

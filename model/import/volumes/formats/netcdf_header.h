@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header of a file in netCDF's classic format (Unidata, "NetCDF Classic Format Specification"),
-// versions 1, 2 and 5: names, sizes, attributes, and where the values of each variable begin.
+// Reads the header of a file in netCDF's classic format (Unidata, "NetCDF Classic Format
+// Specification"), versions 1, 2 and 5: names, sizes, attributes, and where the values of each
+// variable begin.
 #pragma once
 
 #include <map>
@@ -14,14 +15,14 @@
 
 namespace sline::model {
 
-/// Values of one type, of big-endian bytes; text where the type is char.
+/// Holds values of one type as big-endian bytes; text where the type is char.
 struct NetcdfValues {
   bool isText = false;
   ScalarType type = ScalarType::uint8;
   std::size_t count = 0;
   std::string_view bytes;
 
-  /// The i-th one; 0 behind the end.
+  /// Returns the i-th number; 0 behind the end.
   double number(std::size_t i) const;
 };
 using NetcdfAttributes = std::map<std::string, NetcdfValues, std::less<>>;
@@ -34,11 +35,11 @@ struct NetcdfDimension {
 struct NetcdfVariable {
   std::vector<std::size_t> dimensions;  ///< into NetcdfHeader::dimensions, the fastest one last
   NetcdfAttributes attributes;
-  NetcdfValues values;  ///< to the end of the file
+  NetcdfValues values;  ///< reach to the end of the file
 
-  /// An attribute's text, or an empty one.
+  /// Returns an attribute's text, or an empty one.
   std::string_view text(std::string_view attribute) const;
-  /// An attribute's numbers, or those that stand for none.
+  /// Returns an attribute's numbers, or `otherwise` where there are none.
   std::vector<double> numbers(std::string_view attribute, std::vector<double> otherwise) const;
 };
 
@@ -47,8 +48,8 @@ struct NetcdfHeader {
   std::map<std::string, NetcdfVariable, std::less<>> variables;
 };
 
-/// Refuses what is no netCDF, and lists and places that the file is too short for. Its views point
-/// into `source`.
+/// Reads the header; refuses a file that is no netCDF, and lists and places for which the file is
+/// too short. Its views point into `source`.
 Result<NetcdfHeader> readNetcdfHeader(const Source& source);
 
 }  // namespace sline::model

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NIfTI-1.1 and NIfTI-2 (R. W. Cox and others, nifti.nimh.nih.gov: nifti1.h, nifti2.h), and
-// Analyze 7.5, from whose header NIfTI's came.
+// Reads NIfTI-1.1 and NIfTI-2 (R. W. Cox and others, nifti.nimh.nih.gov: nifti1.h, nifti2.h), and
+// Analyze 7.5, from which NIfTI's header came.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace sline::model {
 
 namespace {
 
-/// Where the fields of the two versions lie, in bytes.
+/// Says where the fields of the two versions lie, in bytes.
 struct Places {
   std::size_t header;
   std::size_t magic;
@@ -59,7 +59,7 @@ std::optional<ScalarType> typeOf(std::int64_t code) {
   }
 }
 
-/// The rotation of the quaternion whose vector part is given (nifti1.h, "METHOD 2").
+/// Returns the rotation of the quaternion with the given vector part (nifti1.h, "METHOD 2").
 glm::dmat3 rotation(const glm::dvec3& v) {
   const double rest = 1.0 - glm::dot(v, v);
   double a = 0.0;
@@ -80,7 +80,7 @@ glm::dmat3 rotation(const glm::dvec3& v) {
 
 class NiftiReader {
  public:
-  /// The header's file and the one of the voxels, which is the same unless they are a pair.
+  /// Takes the header's file and that of the voxels, which is the same unless they are a pair.
   NiftiReader(const Source& source, const Source& image, const ReadOptions& options)
       : m_source(source), m_image(image), m_options(options) {}
 
@@ -154,7 +154,8 @@ class NiftiReader {
     return Unit{};
   }
 
-  /// What stands between header and voxels; extensions are looked through for the text they hold.
+  /// Reads the bytes between header and voxels; extensions are looked through for the text they
+  /// hold.
   void readExtension(PackedBytes& bytes, std::size_t got) {
     constexpr std::uint64_t longest = std::uint64_t(4) << 20;
     const std::size_t begin = m_places->header + 4;
@@ -167,7 +168,7 @@ class NiftiReader {
     m_extension.resize(end - begin);
     const std::size_t rest = bytes.read(m_extension.data() + ahead, m_extension.size() - ahead);
     m_extension.resize(ahead + rest);
-    // Before the XML stand eight bytes of size and code.
+    // Eight bytes of size and code stand before the XML.
     const std::size_t xml = m_extension.find('<');
     m_extension.erase(0, std::min(xml, m_extension.size()));
   }
@@ -176,7 +177,7 @@ class NiftiReader {
   T number(std::size_t at) const {
     return loadAs<T>(m_header.data() + at, m_swap);
   }
-  /// Number `i` of a row of them: as wide as the version has it.
+  /// Returns number `i` of a row of them, with the width that the version has.
   std::int64_t whole(std::size_t at, std::size_t i) const {
     return m_places == &nifti1 ? std::int64_t(number<std::int16_t>(at + 2 * i))
                                : number<std::int64_t>(at + 8 * i);
@@ -274,7 +275,7 @@ class NiftiReader {
         "they tell, else the first voxels are at the patient's right, as most programs write"));
   }
 
-  /// Directions of no length are no sform, whatever its code says.
+  /// Reads the sform; directions of no length are none, whatever its code says.
   bool sform(glm::dmat4& toRas) const {
     glm::dmat4 found(1.0);
     for (std::size_t row = 0; row < 3; ++row)

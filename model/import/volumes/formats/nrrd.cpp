@@ -51,7 +51,7 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
   return words;
 }
 
-/// What the space's name says: how its axes map to LPS, and what it is called.
+/// Holds what the space's name says: how its axes map to LPS, and how it is called.
 struct Space {
   glm::dvec3 toLps{1.0};
   std::optional<Frame> frame;
@@ -79,7 +79,7 @@ Result<Space> spaceOf(const Source& source, const NrrdHeader& header) {
                    "Export it in the space left-posterior-superior");
 }
 
-/// Millimetres per unit of the space; 0 where the unit is not known.
+/// Returns millimetres per unit of the space; 0 where the unit is not known.
 double unitOf(const NrrdHeader& header) {
   const std::string_view units = header.field("space units");
   struct Row {
@@ -93,7 +93,7 @@ double unitOf(const NrrdHeader& header) {
   return 0.0;
 }
 
-/// 3D Slicer: Segment7_Name, _LabelValue, _Layer and _Color ("0.5 0.7 0.1").
+/// Reads the segments of 3D Slicer: Segment7_Name, _LabelValue, _Layer and _Color ("0.5 0.7 0.1").
 LabelNames segmentsOf(const NrrdHeader& header, bool layered, std::size_t layer) {
   LabelNames names;
   for (std::size_t i = 0; i < 65'536; ++i) {
@@ -152,7 +152,7 @@ class NrrdReader {
   }
 
  private:
-  /// Sizes; which axis counts layers, if one does.
+  /// Reads the sizes, and which axis counts layers, if one does.
   Status readAxes() {
     std::int64_t dimension = 0;
     TextCursor(m_header.field("dimension")).integer(dimension);
@@ -323,8 +323,8 @@ class NrrdReader {
     return Unit{};
   }
 
-  /// A header may be laid over a NIfTI file; unless it says how much comes before the voxels, its
-  /// first voxels would be the NIfTI header.
+  /// Skips a NIfTI header: an NRRD header may be laid over a NIfTI file; unless it says how much
+  /// comes before the voxels, its first voxels would be the NIfTI header.
   void skipNiftiHeader() {
     constexpr std::size_t magic = 344;
     if (m_file.sources.empty() || m_file.stored.fromTheEnd || m_file.stored.skip > 0 ||
@@ -342,8 +342,8 @@ class NrrdReader {
   NrrdHeader m_header;
   const ReadOptions& m_options;
   std::vector<std::int64_t> m_sizes;
-  std::vector<std::optional<glm::dvec3>> m_directions;  ///< of all axes, or none
-  std::size_t m_first = 0;                              ///< axis in space
+  std::vector<std::optional<glm::dvec3>> m_directions;  ///< directions of all axes, or none
+  std::size_t m_first = 0;                              ///< index of the first axis in space
   VolumeFile m_file;
 };
 

@@ -20,7 +20,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// The format allows some fields two names.
+/// Returns one name for each meaning; the format allows some fields two names.
 std::string canonical(std::string name) {
   static constexpr std::pair<std::string_view, std::string_view> same[] = {
       {"datafile", "data file"}, {"byteskip", "byte skip"}, {"lineskip", "line skip"},

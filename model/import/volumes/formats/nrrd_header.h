@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header of an NRRD file ("Definition of NRRD File Format", teem.sourceforge.net/nrrd): lines
-// of "field: value" and "key:=value" up to an empty line or the end.
+// Reads the header of an NRRD file ("Definition of NRRD File Format", teem.sourceforge.net/nrrd):
+// lines of "field: value" and "key:=value" up to an empty line or the end.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -17,17 +17,18 @@ namespace sline::model {
 struct NrrdHeader {
   std::map<std::string, std::string, std::less<>> fields;  ///< lower case, one name per meaning
   std::map<std::string, std::string, std::less<>> keys;
-  std::string_view data;  ///< behind the header
+  std::string_view data;  ///< the bytes behind the header
 
-  /// The field's text, or an empty one.
+  /// Returns the field's text, or an empty one.
   std::string_view field(std::string_view name) const;
   std::string_view key(std::string_view name) const;
 };
 
-/// The error names a line that is none of a header.
+/// Reads the header; the error names a line that does not belong in one.
 Result<NrrdHeader> nrrdHeader(const Source& source);
 
-/// A vector "(a,b,c)" per axis; none for "none". Empty where the text is nothing of the kind.
+/// Returns a vector "(a,b,c)" per axis, and no vector for "none". The result is empty where the
+/// text is something else.
 std::vector<std::optional<glm::dvec3>> nrrdVectors(std::string_view text);
 
 }  // namespace sline::model

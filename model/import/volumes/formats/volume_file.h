@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A volume file as its header has it, before its voxels are unpacked: labels or intensities come of
-// the same numbers at the same place.
+// Opens a volume file as its header describes it, before its voxels are unpacked: labels or
+// intensities are made from the same numbers at the same place.
 #pragma once
 
 #include <filesystem>
@@ -23,24 +23,25 @@ struct VolumeFile {
   std::string frameReason;
   std::string unitReason;
   bool onlySideOpen = false;  ///< as RawMesh::onlySideOpen
-  /// What the labels of a layer are called, if any are; asked once its voxels are there.
+  /// Returns the names of a layer's labels, if there are any; asked once its voxels are there.
   std::function<LabelNames(const LabelVolume& volume, std::size_t layer)> names;
   std::vector<ImportWarning> warnings;
 };
 
-/// NIfTI-1 and -2, one file (.nii) or two (.hdr and .img, of which either is named), packed or not:
-/// lengths by the header's unit, place by sform, else qform, else the voxel sizes alone, names from
-/// a LabelTable in the header extension. Two files without a word of NIfTI are read as Analyze 7.5.
+/// Opens NIfTI-1 and -2, one file (.nii) or two (.hdr and .img, either of which is named), packed
+/// or not: lengths by the header's unit, place by sform, else qform, else the voxel sizes alone,
+/// names from a LabelTable in the header extension. Two files without a word of NIfTI are read as
+/// Analyze 7.5.
 Result<VolumeFile> openNifti(const std::filesystem::path& file, const ReadOptions& options);
-/// NRRD of any version, attached or detached, raw, text, hex, gzip or bzip2; segments as 3D Slicer
-/// describes them in .seg.nrrd.
+/// Opens NRRD of any version, attached or detached, raw, text, hex, gzip or bzip2, with segments as
+/// 3D Slicer describes them in .seg.nrrd.
 Result<VolumeFile> openNrrd(const std::filesystem::path& file, const ReadOptions& options);
-/// MetaImage, attached or detached, packed or not.
+/// Opens MetaImage, attached or detached, packed or not.
 Result<VolumeFile> openMetaImage(const std::filesystem::path& file, const ReadOptions& options);
-/// FreeSurfer's MGH, packed (.mgz) or not: place by the directions in the header, names from the
-/// colour table behind the voxels.
+/// Opens FreeSurfer's MGH, packed (.mgz) or not: place by the directions in the header, names from
+/// the colour table behind the voxels.
 Result<VolumeFile> openMgh(const std::filesystem::path& file, const ReadOptions& options);
-/// MINC 1.
+/// Opens MINC 1.
 Result<VolumeFile> openMinc(const std::filesystem::path& file, const ReadOptions& options);
 
 }  // namespace sline::model

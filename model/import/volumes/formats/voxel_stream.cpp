@@ -17,8 +17,8 @@ Error streamFault(std::string reason, std::string remedy = "Copy or export the f
   return Error{{}, {}, std::move(reason), std::move(remedy)};
 }
 
-/// How many numbers there are, or 0 where that is more than a file of so many bytes may ask for. An
-/// empty mask packs a thousandfold, so that the packed bytes alone say little.
+/// Returns how many numbers there are, or 0 where that is more than a file of so many bytes may ask
+/// for. An empty mask packs a thousandfold, so that the packed bytes alone say little.
 std::uint64_t justifiedCount(const VoxelLayout& layout, const VoxelBytes& stored) {
   constexpr std::uint64_t mostVoxels = std::uint64_t(1) << 31;
   const std::uint64_t packed = stored.bytes.size();
@@ -43,7 +43,7 @@ Error endsEarly(std::uint64_t count, std::uint64_t found, bool broken) {
                      " voxels, the data end after " + std::to_string(found));
 }
 
-/// How many unpacked bytes come before the voxels.
+/// Returns how many unpacked bytes come before the voxels.
 Result<std::uint64_t> bytesToSkip(const VoxelLayout& layout, const VoxelBytes& stored,
                                   std::uint64_t count) {
   constexpr std::uint64_t mostSkipped = std::uint64_t(1) << 28;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A volume's stored numbers, run by run: unpacked, in their own type, never more of them than the
-// file's bytes justify.
+// Reads a volume's stored numbers, run by run: unpacked, in their own type, never more of them than
+// the file's bytes justify.
 #pragma once
 
 #include <bit>
@@ -16,48 +16,48 @@
 
 namespace sline::model {
 
-/// How a header says the numbers lie in the file.
+/// Describes how a header says the numbers lie in the file.
 struct VoxelLayout {
-  glm::i64vec3 size{0};      ///< as the header has it, not believed yet
+  glm::i64vec3 size{0};      ///< as the header has it, not yet verified
   std::int64_t layers = 1;   ///< volumes on the same grid
   bool interleaved = false;  ///< a voxel's layers lie side by side
   ScalarType type = ScalarType::uint8;
   std::endian order = std::endian::little;
-  double slope = 1.0;  ///< what is meant is slope × number + intercept
+  double slope = 1.0;  ///< a value is slope × number + intercept
   double intercept = 0.0;
 
   bool scaled() const { return slope != 1.0 || intercept != 0.0; }
 };
 
-/// Where the numbers are. `bytes` reach to the end of the file.
+/// Says where the numbers are. `bytes` reach to the end of the file.
 struct VoxelBytes {
   std::string file;  ///< as the user gave it
   std::string_view bytes;
   Packing packing = Packing::none;
-  bool text = false;        ///< numbers in decimal, parted by white space; not packed
-  std::uint64_t skip = 0;   ///< bytes to pass over when unpacked
-  bool fromTheEnd = false;  ///< rather the last bytes of what is unpacked
+  bool text = false;        ///< decimal numbers, separated by white space; not packed
+  std::uint64_t skip = 0;   ///< bytes to pass over after unpacking
+  bool fromTheEnd = false;  ///< the values are the last bytes after unpacking instead
 };
 
-/// Some numbers one after another.
+/// Holds some numbers one after another.
 struct VoxelRun {
   const char* at;
   std::size_t count;
-  std::size_t first;  ///< of all
+  std::size_t first;  ///< index of the first among all
   ScalarType type;    ///< that of the layout; float64 where they stood as text
-  bool swap;          ///< their bytes stand the other way round
+  bool swap;          ///< their bytes stand in reverse order
 };
 
-/// How many numbers there are. Refused: more than the bytes can hold or a machine should.
+/// Returns how many numbers there are; refuses more than the bytes or the machine can hold.
 Result<std::uint64_t> voxelCount(const VoxelLayout& layout, const VoxelBytes& stored);
 
 /// Hands the first `count` numbers on until `take` says no. Errors, which name no file: data that
-/// end early or cannot be unpacked, and `goesOn` having said no.
+/// ends early or cannot be unpacked, and `goesOn` having said no.
 Status forEachRun(const VoxelLayout& layout, const VoxelBytes& stored, std::uint64_t count,
                   const std::function<bool()>& goesOn,
                   const std::function<bool(const VoxelRun&)>& take);
 
-/// Calls visit(T()) with the type that is meant.
+/// Calls visit(T()) with the C++ type that `type` names.
 template <class Visit>
 void withNumberType(ScalarType type, const Visit& visit) {
   switch (type) {
@@ -85,7 +85,7 @@ void withNumberType(ScalarType type, const Visit& visit) {
   }
 }
 
-/// True where the unpacked bytes have `magic` at byte `at`.
+/// Returns true where the unpacked bytes have `magic` at byte `at`.
 bool unpackedBytesHave(const VoxelBytes& stored, std::size_t at, std::string_view magic);
 
 }  // namespace sline::model

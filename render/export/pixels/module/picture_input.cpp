@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// How a kind of file begins.
+/// Tells how a kind of file begins.
 struct Signature {
   std::string_view start;
   const char* format;  ///< the library's name of it
@@ -36,7 +36,8 @@ constexpr std::array signatures{
     Signature{"\xFF\x4F\xFF\x51"sv, "jpeg2000"},
 };
 
-/// Only its reader is asked: the library would try all that it has, some of which crash.
+/// Returns the library's name of the format. Only its reader is used: the library would try all
+/// that it has, and some of those crash.
 const char* formatOf(std::string_view bytes) {
   const auto* found =
       std::find_if(signatures.begin(), signatures.end(),
@@ -62,8 +63,8 @@ std::uint32_t bigEndianAt(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Width and height of a JPEG 2000 codestream, whose reader takes memory for all of it before it
-/// says them (ISO/IEC 15444-1, A.5.1).
+/// Returns width and height of a JPEG 2000 codestream, as its reader takes memory for the whole
+/// picture before it reports them (ISO/IEC 15444-1, A.5.1).
 std::optional<std::array<std::uint64_t, 2>> codestreamSize(std::string_view bytes) {
   const std::size_t at = bytes.find("\xFF\x4F\xFF\x51"sv);
   if (at == std::string_view::npos || at + 24 > bytes.size())
@@ -81,7 +82,7 @@ bool within(std::uint64_t width, std::uint64_t height, const PictureLimits& limi
   return width > 0 && height > 0 && width <= limits.pixels / height;
 }
 
-/// Channels as they came to red, green, blue and alpha, that multiplied in.
+/// Converts channels as they are read to red, green, blue and alpha, with alpha multiplied in.
 class Spreader {
  public:
   Spreader(const OIIO::ImageSpec& spec, bool straight)
@@ -100,7 +101,7 @@ class Spreader {
   std::size_t channels() const { return m_channels; }
 
  private:
-  /// Floats are linear light; others are as they are to be shown.
+  /// Encodes a value: floats are linear light; others are already as they are to be shown.
   std::uint16_t encoded(std::uint16_t value, std::uint16_t alpha) const {
     if (m_straight)
       return std::uint16_t((std::uint32_t(value) * alpha + 32767) / 65535);
@@ -118,7 +119,7 @@ class Spreader {
 };
 
 Result<PixelRows> pixelsOf(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
-  // The reader of JPEG 2000 does not say so of what is always so.
+  // The reader of JPEG 2000 does not report straight alpha, as it always has that.
   const Spreader spreader(spec, spec.get_int_attribute("oiio:UnassociatedAlpha") != 0 ||
                                     input.format_name() == "jpeg2000"sv);
   PixelRows rows{.width = spec.width, .height = spec.height, .rgba = {}};
@@ -147,7 +148,7 @@ Result<PixelRows> pixelsOf(OIIO::ImageInput& input, const OIIO::ImageSpec& spec)
   return rows;
 }
 
-/// May throw what there is no memory for.
+/// Reads the pixels; may throw where memory is lacking.
 Result<PixelRows> readPixels(std::string_view bytes, const char* format,
                              const PictureLimits& limits) {
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
@@ -182,7 +183,7 @@ Result<PixelRows> inputPicture(std::string_view bytes, const PictureLimits& limi
     if (!within((*size)[0], (*size)[1], limits))
       return tooLarge((*size)[0], (*size)[1], limits);
   }
-  // What the file promises beyond that is refused before memory is taken for it.
+  // Files that promise more than this are refused before memory is taken for them.
   OIIO::attribute("limits:channels", 16);
   OIIO::attribute("limits:imagesize_MB", int(limits.pixels * 16 / 1'000'000) + 1);
   try {

@@ -5,7 +5,7 @@
 
 namespace sline::render {
 
-/// See `PixelModule`.
+/// These implement the functions of `PixelModule`; see there.
 Result<std::unique_ptr<RowFile>> outputRows(PixelKind kind, const PixelLayout& layout,
                                             const PixelMarks& marks,
                                             std::unique_ptr<ByteTarget> target);

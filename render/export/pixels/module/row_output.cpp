@@ -32,8 +32,9 @@ const char* formatOf(PixelKind kind) {
   return "";
 }
 
-/// What a library writes through a C file, handed on. Nothing that writes sees a failure: libjpeg
-/// ends the program at one. What fails first stays known, and all that follows is dropped.
+/// Passes on what a library writes through a C file. The library's writers never see a failure, at
+/// which libjpeg ends the program: the first failure is kept, and everything that follows is
+/// dropped.
 class Sink {
  public:
   explicit Sink(std::unique_ptr<ByteTarget> target) : m_target(std::move(target)) {
@@ -51,7 +52,7 @@ class Sink {
   std::FILE* file() const { return m_file; }
   const std::optional<Error>& failure() const { return m_failure; }
 
-  /// Of all that was written so far; `more` comes behind it.
+  /// Returns the status of everything written so far; `more` is written after it.
   Status close(std::string_view more) {
     std::fflush(m_file);
     m_at = m_end;
@@ -90,7 +91,8 @@ class Sink {
   std::optional<Error> m_failure;
 };
 
-/// A box of JP2 files that says what is in it by a number (ISO/IEC 15444-1, I.7.2): that of XMP.
+/// Returns a box of JP2 files that names its content by a number (ISO/IEC 15444-1, I.7.2): that of
+/// XMP.
 std::string xmpBox(const std::string& xmp) {
   static constexpr std::string_view number(
       "\xBE\x7A\xCF\xCB\x97\xA9\x42\xE8\x9C\x71\x99\x94\x91\xE3\xAF\xAC", 16);
@@ -110,7 +112,7 @@ class OutputRows : public RowFile {
     if (!m_sink.file())
       return failed("no memory is left");
     m_stream.emplace(m_sink.file(), OIIO::Filesystem::IOProxy::Write);
-    // The name is no file's; JPEG 2000 becomes a bare stream without its ending.
+    // The name belongs to no file; without its ending JPEG 2000 becomes a bare stream.
     return m_output->set_ioproxy(&*m_stream) && m_output->open("picture.jp2", spec())
                ? Status(Unit{})
                : failed(m_output->geterror());
@@ -132,7 +134,7 @@ class OutputRows : public RowFile {
   }
 
   Status finish() override {
-    // JPEG 2000 says that all went well, and has an error nevertheless.
+    // JPEG 2000 reports success even when it has an error.
     if (!m_output->close() || m_output->has_error() || m_sink.failure())
       return failed(m_output->geterror());
     const bool boxed = m_kind == PixelKind::jp2 && !m_marks.xmp.empty();
@@ -147,7 +149,7 @@ class OutputRows : public RowFile {
                  .remedy = "Choose a smaller picture or another kind of file"};
   }
 
-  /// Single bits as the library takes them: a byte each.
+  /// Returns single bits as the library takes them: a byte each.
   const void* spreadBits(std::span<const std::byte> rows) {
     const auto width = std::size_t(m_layout.width);
     const std::size_t length = m_layout.rowBytes();
@@ -160,7 +162,7 @@ class OutputRows : public RowFile {
     return m_spread.data();
   }
 
-  /// Grey and alpha as colour and alpha, where the library knows no other.
+  /// Returns grey and alpha as colour and alpha, where the library knows no other layout.
   const void* spreadGrey(std::span<const std::byte> rows) {
     const auto size = std::size_t(m_layout.bits / 8);
     m_spread.clear();
@@ -196,7 +198,7 @@ class OutputRows : public RowFile {
       constexpr std::array<float, 8> srgb{0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.3127f, 0.329f};
       spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, int(srgb.size())),
                      srgb.data());
-    } else if (m_kind != PixelKind::jp2) {  // which says so by a number
+    } else if (m_kind != PixelKind::jp2) {  // JP2 states it by a number
       spec.attribute("ICCProfile",
                      OIIO::TypeDesc(OIIO::TypeDesc::UINT8, int(m_marks.profile.size())),
                      m_marks.profile.data());
@@ -210,7 +212,7 @@ class OutputRows : public RowFile {
       case PixelKind::tiff: {
         constexpr std::size_t stripBytes = 1 << 18;
         spec.attribute("compression", "zip");
-        spec.attribute("tiff:write_exif", 0);  // of photographs; its writer wants to read, too
+        spec.attribute("tiff:write_exif", 0);  // for photographs; its writer also wants to read
         spec.attribute("oiio:BitsPerSample", m_layout.bits);
         spec.attribute("tiff:RowsPerStrip",
                        int(std::max<std::size_t>(stripBytes / m_layout.rowBytes(), 1)));
@@ -219,14 +221,14 @@ class OutputRows : public RowFile {
         break;
       }
       case PixelKind::exr:
-        spec.attribute("compression", "zip");  // of which no decoder is without
+        spec.attribute("compression", "zip");  // every decoder has it
         break;
       case PixelKind::jpeg:
         // Thin coloured lines do not survive colours at half the resolution.
         spec.attribute("compression", "jpeg:95");
         spec.attribute("jpeg:subsampling", "4:4:4");
         break;
-      case PixelKind::jp2:  // exact, if nothing else is said
+      case PixelKind::jp2:  // exact, unless told otherwise
       case PixelKind::webp:
       case PixelKind::png:
         break;
@@ -244,8 +246,8 @@ class OutputRows : public RowFile {
       spec.attribute("Artist", m_layout.credit.author);
     if (!m_layout.credit.copyright.empty())
       spec.attribute("Copyright", m_layout.credit.copyright);
-    // Left to themselves writers put in the time of day: an empty text is none to EXR's, and what
-    // is no text is none to the others.
+    // By default writers put in the time of day. EXR's takes an empty text for none; the others
+    // take anything that is not text for none.
     if (m_kind == PixelKind::exr)
       spec.attribute("DateTime", "");
     else
@@ -257,7 +259,7 @@ class OutputRows : public RowFile {
   PixelMarks m_marks;
   Sink m_sink;
   std::optional<OIIO::Filesystem::IOFile> m_stream;
-  std::unique_ptr<OIIO::ImageOutput> m_output;  ///< goes before what it writes to
+  std::unique_ptr<OIIO::ImageOutput> m_output;  ///< must be destroyed before what it writes to
   std::vector<std::byte> m_spread;
   int m_row = 0;
 };

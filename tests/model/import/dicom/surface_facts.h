@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be said of a surface without knowing how it was made; files of bytes read as DICOM.
+// Measures a surface without knowing how it was made; reads bytes as DICOM files.
 #pragma once
 
 #include <QByteArray>
@@ -11,7 +11,7 @@
 namespace sline::test {
 
 struct SurfaceFacts {
-  double volume = 0.0;  ///< mm³, positive where normals point outward
+  double volume = 0.0;  ///< mm³, positive if normals point outward
   glm::dvec3 low{0.0};
   glm::dvec3 high{0.0};
   bool closed = false;  ///< each edge has two triangles, which run along it in opposite directions
@@ -22,7 +22,7 @@ SurfaceFacts factsOf(const model::RawMesh& mesh);
 
 Result<model::RawMeshes> readDicomBytes(const QTemporaryDir& folder, const QByteArray& bytes,
                                         const model::ReadOptions& options = {});
-/// The surface of that name; aborts the test program where there is none.
+/// Returns the surface of that name; aborts the test program if there is none.
 const model::RawMesh& named(const model::RawMeshes& read, const std::string& name);
 QString warningsOf(const model::RawMeshes& read);
 

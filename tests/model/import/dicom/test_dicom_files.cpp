@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are cut short, broken, of other kinds, or real.
+// Tests files that are cut short, broken, of other kinds, or real.
 #include <QtTest>
 
 #include "model/import/kinds/file_kinds.h"
@@ -44,8 +44,8 @@ void TestDicomFiles::cutShort_data() {
   QTest::newRow("deflated") << int(Syntax::deflated) << false;
 }
 
-/// Wherever a file ends, the answer is an error that says where, or the surface where only
-/// elements behind it are gone.
+/// Wherever a file ends, the answer is an error that says where, or the surface if only elements
+/// behind it are missing.
 void TestDicomFiles::cutShort() {
   QFETCH(int, syntax);
   QFETCH(bool, open);
@@ -82,7 +82,7 @@ void TestDicomFiles::refusals_data() {
   QTest::newRow("deeply nested") << dicomFile(identifying("1.2.840.10008.5.1.4.1.1.481.3")) +
                                         level.repeated(50'000)
                                  << "nested too deep";
-  // The length of the contours' sequence, which is the file's longest.
+  // This replaces the length of the contours' sequence, the longest of the file.
   QByteArray lying = ballFile({Syntax::implicitLittle});
   const qsizetype at = lying.indexOf(QByteArray("\x06\x30\x39\x00", 4));
   lying.replace(at + 4, 4, QByteArray("\xf0\xff\xff\x7f", 4));

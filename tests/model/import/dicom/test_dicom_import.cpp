@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Folders of DICOM files as they come from a hospital, and what must not come out of them.
+// Tests folders of DICOM files as they come from a hospital, and that no patient can be identified
+// from them.
 #include <QtTest>
 #include <array>
 
@@ -87,7 +88,7 @@ void TestDicomImport::folderWithSlices() {
   QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
   const QString text = told(imported->report.warnings);
   QVERIFY2(text.contains("40 CT images and 1 RT plan hold no segmentation"), qPrintable(text));
-  QCOMPARE(imported->report.warnings.size(), std::size_t(2));  // and the points
+  QCOMPARE(imported->report.warnings.size(), std::size_t(2));  // the other one is about the points
   QCOMPARE(groupsOf(imported->scene), QString("Organs at risk, Targets"));
   QCOMPARE(imported->scene.structuresBelow(model::rootId).size(), std::size_t(5));
 }
@@ -121,7 +122,7 @@ void TestDicomImport::slicesNamedOneByOne() {
 
 void TestDicomImport::nothingOfThePatientStays() {
   const QTemporaryDir folder;
-  // Exports call folders and files after patients and UIDs.
+  // Exports name folders and files after patients and UIDs.
   write(folder.filePath("QZXNAME_QZXJANE/QZX.9.87.STUDY/RS.QZX.9.87.SOP.dcm"), organs());
   write(folder.filePath("QZXNAME_QZXJANE/QZX-PATIENTID/SEG.QZX.9.87.SOP.dcm"), mask());
   write(folder.filePath("QZXNAME_QZXJANE/QZX-PATIENTID/CT1.dcm"), slice());
@@ -146,7 +147,7 @@ void TestDicomImport::nothingOfThePatientStays() {
   QVERIFY(all.contains("Lung Left"));
   for (const QByteArray& identity : identities())
     QVERIFY2(!all.contains(identity), identity.constData());
-  // Three letters alone stand in a mesh's bytes by chance.
+  // Three letters alone occur in a mesh's bytes by chance.
   for (const char* begun : {"QZXNAME", "QZX.9", "QZX-"})
     QVERIFY2(!all.contains(begun), begun);
   for (const model::ImportWarning& warning : imported->report.warnings)
@@ -170,7 +171,7 @@ void TestDicomImport::planTellsTheSame() {
   }
 }
 
-/// A ball of bone in the patient's left, in ten slices, with a localizer of another series.
+/// Writes a ball of bone in the patient's left, in ten slices, with a localizer of another series.
 static void writeScan(const QTemporaryDir& folder) {
   for (int z = 0; z < 10; ++z) {
     WrittenImage slice;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slices of CT, MR and PET as volumes of grey values.
+// Tests slices of CT, MR and PET as volumes of grey values.
 #include <QtTest>
 #include <cmath>
 
@@ -14,12 +14,12 @@ namespace {
 
 using Path = std::filesystem::path;
 
-/// Values that no coder keeps by accident, within 12 bits.
+/// Returns values within 12 bits that no coder keeps by accident.
 int pattern(int x, int y, int z) {
   return (37 * x + 101 * y + 211 * z + (x * y) % 7) % 1500 - 200;
 }
 
-/// Five slices 2.5 mm apart.
+/// Returns five slices 2.5 mm apart.
 std::vector<WrittenImage> stack(const WrittenImage& like = {}) {
   std::vector<WrittenImage> slices;
   for (int z = 0; z < 5; ++z) {
@@ -36,7 +36,7 @@ QByteArray plain(const WrittenImage& written) {
   return dicomFile(image(written));
 }
 
-/// Read in an order that is not theirs.
+/// Writes the slices and returns their files in a different order.
 std::vector<Path> files(const QTemporaryDir& folder, const std::vector<WrittenImage>& slices,
                         const Writer& writer = plain) {
   std::vector<Path> paths;
@@ -219,7 +219,7 @@ void TestDicomSeries::whereVoxelsLie_data() {
                             << glm::dvec3(-31.5, 21, 97.6);
   QTest::newRow("tilted gantry") << QByteArray("1\\0\\0\\0\\1\\0") << glm::dvec3(0, 0.6, 2.5)
                                  << glm::dvec3(-29, 23.0, 102.5);
-  // Rounded to a hundredth, as many scanners write.
+  // The directions are rounded to a hundredth, as many scanners write them.
   QTest::newRow("rounded") << QByteArray("1\\0\\0\\0\\1\\0") << glm::dvec3(0, 0, 0.625)
                            << glm::dvec3(-29, 22.4, 100.625);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of at most a megabyte that are written to ask for as much work and memory as they can.
+// Tests files of at most a megabyte that are written to demand as much work and memory as they can.
 #include <QFile>
 #include <QTest>
 #include <ctime>
@@ -16,7 +16,7 @@ using namespace sline::test;
 
 namespace {
 
-constexpr double mostSeconds = 5.0;  ///< of the processor's time, all threads together
+constexpr double mostSeconds = 5.0;  ///< processor time, all threads together
 constexpr double mostMiB = 2048;
 
 using Contours = std::vector<std::vector<glm::dvec3>>;
@@ -128,7 +128,7 @@ QByteArray layers() {
   return dicomFile(segmentation(written), {Syntax::deflated});
 }
 
-/// Frames of nothing, which pack a thousandfold.
+/// Returns frames of a single value, which pack a thousandfold.
 QByteArray packedMap(int side, std::size_t count, std::uint8_t value) {
   WrittenSegmentation written = frames(side, side, int(count));
   written.labelMap = true;
@@ -149,7 +149,7 @@ QByteArray packedWithoutEnd() {
   return packedMap(256, 3500, 0);
 }
 
-/// Half a million elements without a value.
+/// Returns half a million elements without a value.
 QByteArray crumbs() {
   WrittenSet set = identifying("1.2.840.10008.5.1.4.1.1.481.3");
   set.resize(set.size() + 500'000, text({0x0030, 0x1001}, "LO", ""));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// DICOM files spoiled at random, with a fixed seed: the reader answers quickly, with sound surfaces
+// Spoils DICOM files at random, with a fixed seed: the reader answers quickly, with sound surfaces
 // or an error, and takes little memory, whatever the bytes.
 #include <QDir>
 #include <QFile>
@@ -24,10 +24,10 @@ namespace {
 
 constexpr int mutationsPerFile = 250;
 constexpr const char* seriesRow = "CT";
-constexpr double mostSeconds = 5.0;  ///< of the processor's time, all threads together
+constexpr double mostSeconds = 5.0;  ///< processor time, all threads together
 constexpr double mostGrowthMiB = 600;
 
-/// Lengths and counts that lie, delimiters where none should be.
+/// Overwrites with lengths and counts that lie, and delimiters where none should be.
 void overwrite(Mutator& random, QByteArray& bytes, qsizetype at) {
   static const char words[][5] = {"\x00\x00\x00\x00", "\xff\xff\xff\xff", "\xff\xff\xff\x7f",
                                   "\xfe\xff\x00\xe0", "\xfe\xff\x0d\xe0", "\xfe\xff\xdd\xe0",
@@ -36,7 +36,7 @@ void overwrite(Mutator& random, QByteArray& bytes, qsizetype at) {
                 QByteArray(words[random.below(std::size(words))], 4));
 }
 
-/// The same for numbers written as text, which keep their length.
+/// Replaces numbers written as text, which keep their length.
 void replaceNumber(Mutator& random, QByteArray& bytes, qsizetype at) {
   static const char* const numbers[] = {"1e38", "-1e5", "nan", "99999", "0.0001", "\\\\\\", "-0"};
   while (at < bytes.size() && (bytes[at] < '0' || bytes[at] > '9'))
@@ -82,7 +82,8 @@ QByteArray enhancedJpeg2000() {
   return dicomFile(set, {Syntax::jpeg2000});
 }
 
-/// What is wrong with what was read; a slice of a scanner makes a volume, everything else surfaces.
+/// Holds the error, and whether what was read is sound; a slice of a scanner makes a volume,
+/// everything else surfaces.
 struct Answer {
   std::optional<Error> error;
   bool sound = true;

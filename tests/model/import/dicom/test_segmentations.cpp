@@ -16,7 +16,7 @@ using namespace sline::test;
 
 namespace {
 
-/// Frames of a box of pixels [low, high) in slices [first, last), of that value.
+/// Describes a box of pixels [low, high) in slices [first, last).
 struct Box {
   int lowX, highX, lowY, highY, first, last;
 };
@@ -32,7 +32,7 @@ void addBox(WrittenSegmentation& written, std::uint16_t segment, const Box& box,
   }
 }
 
-/// 20 × 12 pixels of 0.5 × 1 mm, slices of 2 mm.
+/// Returns a segmentation of 20 × 12 pixels of 0.5 × 1 mm and slices of 2 mm, without frames.
 WrittenSegmentation empty() {
   WrittenSegmentation written;
   written.columns = 20;
@@ -60,7 +60,7 @@ Result<model::RawMeshes> surfacesOf(const WrittenSegmentation& written, const Ma
   return readDicomBytes(folder, dicomFile(segmentation(written), manner));
 }
 
-/// The mean place of a label's voxels, LPS, and how many there are.
+/// Holds the mean place of a label's voxels in LPS and their number.
 struct Lump {
   glm::dvec3 centre{0.0};
   int count = 0;
@@ -128,7 +128,7 @@ void TestSegmentations::whereVoxelsLie_data() {
   QTest::newRow("fractions") << explicitLittle << true << false << plain << upright;
   QTest::newRow("fractions, runs") << int(Syntax::runLength) << true << false << plain << upright;
   QTest::newRow("any order") << explicitLittle << false << true << plain << upright;
-  // Columns that run to the right, as where a patient lies on the face.
+  // Columns run to the right, as for a patient who lies face down.
   QTest::newRow("prone") << explicitLittle << false << false << QByteArray("-1\\0\\0\\0\\-1\\0")
                          << glm::dvec3(-10 - 6.5 * 0.5, -20 - 5.0, 104);
 }
@@ -287,7 +287,7 @@ void TestSegmentations::packedMasks() {
   QCOMPARE(lumpOf(read->volumes.at(0), 0).count, 6 * 5 * 3);
 }
 
-/// Names come as UTF-8, and whose they are never comes at all, in whatever letters.
+/// Names come as UTF-8, and the patient's never comes at all, in whatever letters.
 void TestSegmentations::labelsInAnyScript() {
   const QByteArray kanji("\x1b$B;3ED\x1b(B");  // Yamada
   WrittenSegmentation written = empty();
@@ -310,7 +310,7 @@ void TestSegmentations::labelsInAnyScript() {
 }
 
 void TestSegmentations::surfaces() {
-  // A ball of 20 mm in voxels of 0.8 × 1 × 2 mm, patient left of the origin.
+  // The surface is of a ball of 20 mm in voxels of 0.8 × 1 × 2 mm, patient left of the origin.
   WrittenSegmentation written = empty();
   written.columns = 80;
   written.rows = 60;

@@ -37,7 +37,8 @@ Contours placed(Contours contours, const Place& place) {
   return contours;
 }
 
-/// A ring in one plane as one polygon: around, in through a channel, around the hole, out again.
+/// Returns a ring in one plane as one polygon: around, in through a channel, around the hole, out
+/// again.
 std::vector<glm::dvec3> keyhole(double z, double outer, double inner) {
   std::vector<glm::dvec3> ring = circle({0, 0, z}, outer);
   std::vector<glm::dvec3> hole = circle({0, 0, z}, inner);
@@ -103,7 +104,7 @@ void TestStructureSets::volumes_data() {
     const double s = std::sin(0.6);
     return glm::dvec3(c * p.x - s * p.z, p.y + 40, s * p.x + c * p.z);
   }) << pi * 400 * 63 << 0.03;
-  // One slice tells no spacing: 1 mm is assumed.
+  // One slice gives no spacing: 1 mm is assumed.
   QTest::newRow("one slice") << rodOf({0}) << pi * 400 << 0.1;
 }
 
@@ -152,7 +153,7 @@ void TestStructureSets::topology_data() {
   QTest::newRow("far apart along the normal")
       << joined(rod({0, 0, 0}, 10, heights(0, 3, 6)), rod({0, 0, 0}, 10, heights(60, 3, 6))) << 2
       << 4 << 2 * pi * 100 * 18;
-  // A hole that ends within the body is a hollow, whose surface faces inward.
+  // A hole that ends within the body is a hollow, with a surface that faces inward.
   QTest::newRow("hollow") << joined(rod({0, 0, 0}, 20, at), rod({0, 0, 0}, 9, heights(9, 3, 4)))
                           << 2 << 4 << pi * 400 * 30 - pi * 81 * 12;
 }
@@ -320,7 +321,7 @@ void TestStructureSets::smoothingOffMovesNothing() {
   QVERIFY(smoothed.ok() && plain.ok());
   QCOMPARE(plain->meshes[0].displacement, 0.0f);
   QVERIFY(smoothed->meshes[0].displacement > 0.0f);
-  // Three quarters of the slices' spacing at most.
+  // The limit is three quarters of the slices' spacing.
   QVERIFY(smoothed->meshes[0].displacement <= 2.26f);
 }
 

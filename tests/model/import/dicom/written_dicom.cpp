@@ -28,21 +28,21 @@ void putTag(QByteArray& to, Tag tag) {
   put16(to, tag.element);
 }
 
-/// How elements are written.
+/// Says how elements are written.
 struct Coding {
   bool explicitVr = true;
   bool openLengths = false;
   bool bigEndian = false;
 };
 
-/// Every `size` bytes the other way round.
+/// Returns the bytes with every group of `size` reversed.
 QByteArray turned(QByteArray bytes, qsizetype size) {
   for (qsizetype i = 0; i + size <= bytes.size(); i += size)
     std::reverse(bytes.begin() + i, bytes.begin() + i + size);
   return bytes;
 }
 
-/// A head of an element or item, whose numbers have two and four bytes.
+/// Writes the head of an element or item, which has numbers of two and four bytes.
 class Head {
  public:
   Head(Tag tag, const Coding& coding) : m_big(coding.bigEndian) {
@@ -168,7 +168,7 @@ WrittenSet region(const WrittenRegion& written, int number) {
       data += (data.isEmpty() ? "" : "\\") + decimals(p);
     contours.push_back({text({0x3006, 0x0042}, "CS", written.geometry),
                         text({0x3006, 0x0046}, "IS", QByteArray::number(qsizetype(contour.size()))),
-                        // A DS with more than 64 kB cannot be told with two bytes of length.
+                        // A DS with more than 64 kB does not fit two bytes of length.
                         text({0x3006, 0x0050}, data.size() > 0xfffe ? "UT" : "DS", data)});
   }
   if (!contours.empty())
@@ -185,7 +185,7 @@ QByteArray bitsOf(const std::vector<std::uint8_t>& pixels) {
   return bytes;
 }
 
-/// Of one frame, as it stands in the file; bits only where all frames' are whole bytes.
+/// Returns one frame's bytes as they stand in the file; bits only if all frames' are whole bytes.
 QByteArray bytesOf(const WrittenSegmentation& written, const std::vector<std::uint8_t>& pixels) {
   if (written.bits == 1)
     return bitsOf(pixels);

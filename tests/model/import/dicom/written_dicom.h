@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// DICOM files written by the tests themselves, in each way that elements may be written.
+// Writes DICOM files for the tests, in each way that elements may be written.
 #pragma once
 
 #include <QByteArray>
@@ -17,7 +17,7 @@ namespace sline::test {
 struct WrittenElement;
 using WrittenSet = std::vector<WrittenElement>;
 
-/// One element, its value as bytes (padded when it is written) or its items.
+/// Holds one element, with its value as bytes (padded when it is written) or with its items.
 struct WrittenElement {
   model::Tag tag;
   QByteArray vr;
@@ -27,11 +27,13 @@ struct WrittenElement {
 WrittenElement text(model::Tag tag, const char* vr, const QByteArray& value);
 WrittenElement shorts(model::Tag tag, const std::vector<std::uint16_t>& values);
 WrittenElement sequence(model::Tag tag, std::vector<WrittenSet> items);
-/// A frame in runs (PS3.5 annex G): of two bytes a pixel, the high ones' plane comes first.
+/// Returns a frame in runs (PS3.5 annex G): with two bytes a pixel, the plane of the high ones
+/// comes first.
 QByteArray runs(const std::vector<QByteArray>& planes);
-/// Packed pixel data, one piece a frame behind an empty offset table.
+/// Returns packed pixel data, one piece per frame behind an empty offset table.
 WrittenElement pieces(const std::vector<QByteArray>& frames);
-/// The same, each frame in pieces of so many bytes, behind a table of where each begins.
+/// Returns the same pixel data, but each frame in pieces of `size` bytes, behind a table of where
+/// each begins.
 WrittenElement cutPieces(const std::vector<QByteArray>& frames, qsizetype size);
 
 enum class Syntax {
@@ -41,21 +43,22 @@ enum class Syntax {
   runLength,
   explicitBig,
   jpeg2000,
-  htj2k,  ///< younger than DCMTK here
-  mpeg    ///< read by nobody here
+  htj2k,  ///< newer than the DCMTK used here
+  mpeg    ///< no reader used here reads it
 };
 
 struct Manner {
   Syntax syntax = Syntax::explicitLittle;
   bool openLengths = false;  ///< sequences and items end with delimiters
-  bool preamble = true;      ///< and a meta header
+  bool preamble = true;      ///< followed by a meta header
 };
-/// The file; `set` has the SOP class.
+/// Returns the file; `set` has the SOP class.
 QByteArray dicomFile(const WrittenSet& set, const Manner& manner = {});
-/// A sequence element alone, in items as deep as that.
+/// Returns a sequence element alone, in items nested `depth` deep.
 WrittenSet nested(int depth);
 
-/// What identifies a patient in every file written here; nothing of it may be found anywhere else.
+/// Returns what identifies a patient in every file written here; none of it may be found anywhere
+/// else.
 const std::vector<QByteArray>& identities();
 WrittenSet identifying(const char* sopClass);
 
@@ -68,9 +71,9 @@ struct WrittenRegion {
 };
 WrittenSet structureSet(const std::vector<WrittenRegion>& regions);
 
-/// Corners of a circle in the plane z, counter-clockwise.
+/// Returns corners of a circle in the plane z, counter-clockwise.
 std::vector<glm::dvec3> circle(const glm::dvec3& centre, double radius, int corners = 60);
-/// A ball cut at z = first, first + step, …
+/// Returns a ball cut at z = first, first + step, …
 std::vector<std::vector<glm::dvec3>> ball(const glm::dvec3& centre, double radius, double first,
                                           double step);
 std::vector<std::vector<glm::dvec3>> rod(const glm::dvec3& centre, double radius,
@@ -82,7 +85,7 @@ struct WrittenSegment {
   QByteArray category;
   std::vector<std::uint16_t> lab;
 };
-/// Pixels of one frame, 0 … 255, in rows; a position of its first pixel.
+/// Holds the pixels of one frame, 0 … 255, in rows, and the position of its first pixel.
 struct WrittenFrame {
   std::uint16_t segment = 1;
   glm::dvec3 position{0.0};
@@ -95,13 +98,13 @@ struct WrittenSegmentation {
   double rowSpacing = 1.0;
   double sliceSpacing = 2.0;
   QByteArray orientation = "1\\0\\0\\0\\1\\0";
-  int bits = 1;  ///< of a pixel: 1, 8 or 16
+  int bits = 1;  ///< bits of a pixel: 1, 8 or 16
   bool fractional = false;
   bool labelMap = false;                 ///< a pixel is the number of its segment
-  std::optional<std::uint16_t> padding;  ///< of a label map: its background
+  std::optional<std::uint16_t> padding;  ///< a label map's background
   bool sharedOrientation = true;
   bool runLength = false;
-  std::function<QByteArray(const WrittenFrame&)> pack;  ///< a frame's packed pixels
+  std::function<QByteArray(const WrittenFrame&)> pack;  ///< packs a frame's pixels
   std::vector<WrittenSegment> segments;
   std::vector<WrittenFrame> frames;
 };

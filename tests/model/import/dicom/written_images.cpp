@@ -19,7 +19,8 @@ namespace sline::test {
 
 namespace {
 
-/// The encoders write elements that the readers' own dictionary does not know.
+/// Lends the encoders the toolkit's dictionary, since they write elements that the readers' own
+/// does not know.
 class FullDictionary {
  public:
   FullDictionary() {

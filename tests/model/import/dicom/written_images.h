@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slices of scanners written by the tests, and pixel data packed by DCMTK's and OpenJPEG's
+// Writes slices of scanners for the tests, with pixel data packed by DCMTK's and OpenJPEG's
 // encoders.
 #pragma once
 
@@ -16,7 +16,7 @@ inline constexpr const char* mrClass = "1.2.840.10008.5.1.4.1.1.4";
 inline constexpr const char* petClass = "1.2.840.10008.5.1.4.1.1.128";
 inline constexpr const char* enhancedMrClass = "1.2.840.10008.5.1.4.1.1.4.1";
 
-/// A slice of 16-bit pixels.
+/// Holds a slice of 16-bit pixels.
 struct WrittenImage {
   const char* sopClass = ctClass;
   QByteArray series = "QZX.9.87.SERIES";
@@ -24,7 +24,7 @@ struct WrittenImage {
   int rows = 12;
   glm::dvec3 position{0.0};
   QByteArray orientation = "1\\0\\0\\0\\1\\0";
-  QByteArray spacing = "0.8\\0.5";  ///< of rows, then of columns
+  QByteArray spacing = "0.8\\0.5";  ///< between rows, then between columns
   std::uint16_t stored = 16;        ///< bits
   bool isSigned = true;
   double slope = 1.0;
@@ -33,25 +33,26 @@ struct WrittenImage {
 };
 std::vector<std::uint16_t> pixelsOf(const WrittenImage& written);
 WrittenSet image(const WrittenImage& written);
-/// One enhanced image of these slices, in their order.
+/// Returns one enhanced image of these slices, in their order.
 WrittenSet enhancedImage(const std::vector<WrittenImage>& slices);
 
-/// How the pixels of a file are packed.
+/// Says how the pixels of a file are packed.
 enum class Packing { none, jpegBaseline, jpegExtended, jpegLossless, jpegLs, jpegLsNear };
-/// The file again with its pixel data so; aborts the test program where the encoder refuses.
+/// Returns the file with its pixel data packed that way; aborts the test program if the encoder
+/// refuses.
 QByteArray packed(const QByteArray& file, Packing packing);
 
-/// A frame's pixels as a bare codestream, without loss.
+/// Returns a frame's pixels as a bare codestream, without loss.
 QByteArray jpeg2000(const std::vector<std::uint16_t>& pixels, int columns, int rows, int bits,
                     bool isSigned);
-/// The slice with its pixels packed so.
+/// Returns the slice with its pixels packed as JPEG 2000.
 QByteArray jpeg2000File(const WrittenImage& written, Syntax syntax = Syntax::jpeg2000);
-/// A slice's pixels in two planes of runs.
+/// Returns a slice's pixels in two planes of runs.
 QByteArray runsOf(const WrittenImage& written);
-/// The slice with its pixels so.
+/// Returns the slice with its pixels in runs.
 QByteArray runLengthFile(const WrittenImage& written);
 
-/// The file's bytes in the folder; returns where.
+/// Writes the file's bytes into the folder and returns the path.
 std::filesystem::path put(const QTemporaryDir& folder, const QString& name,
                           const QByteArray& bytes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glTF whose meshes are compressed by Draco or meshoptimizer, or whose positions are small whole
+// Tests glTF with meshes compressed by Draco or meshoptimizer, or with positions as small whole
 // numbers; the test packs them with the libraries themselves.
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
@@ -31,7 +31,7 @@ constexpr const char* scene =
     "{'name':'right kidney','mesh':0,'translation':[-10,0,0],'scale':[-1,1,1]}],"
     "'materials':[{'pbrMetallicRoughness':{'baseColorFactor':[1,0,0,1]}}]";
 
-/// A GLB of `binary`, with these members besides the scene; ' stands for ".
+/// Returns a GLB of `binary`, with these members besides the scene; ' stands for ".
 QByteArray glbOf(const QByteArray& members, const QByteArray& binary) {
   QByteArray json = QByteArray("{'asset':{'version':'2.0'},") + scene +
                     ",'buffers':[{'byteLength':" + QByteArray::number(binary.size()) + "}]," +
@@ -86,7 +86,7 @@ QByteArray packedView(qsizetype at, qsizetype bytes, int count, int stride, cons
          ",'count':" + number(count) + ",'mode':'" + mode + "'}}}";
 }
 
-/// As gltfpack writes it: positions as four shorts, the last one for padding.
+/// Returns a GLB as gltfpack writes it: positions as four shorts, the last one for padding.
 QByteArray meshoptGlb() {
   std::vector<std::uint16_t> shorts;
   for (const glm::vec3& p : kidneyPositions())
@@ -116,7 +116,7 @@ QByteArray meshoptGlb() {
       binary);
 }
 
-/// KHR_mesh_quantization alone: a third of what 16 bits hold is one unit.
+/// Returns a GLB with KHR_mesh_quantization alone: a third of the range of 16 bits is one unit.
 QByteArray quantizedGlb() {
   QByteArray binary;
   for (const glm::vec3& p : kidneyPositions())
@@ -133,12 +133,12 @@ QByteArray quantizedGlb() {
                        "{'buffer':0,'byteOffset':32,'byteLength':48}]," +
                        accessors("5123", ",'normalized':true");
   QByteArray file = glbOf(members, binary);
-  // The same scene, its meshes three times as large.
+  // The scene is the same, with its meshes three times as large.
   return file.replace("\"translation\":[10,0,0]", "\"translation\":[10,0,0],\"scale\":[3,3,3]")
       .replace("\"scale\":[-1,1,1]", "\"scale\":[-3,3,3]");
 }
 
-/// The corners, in millionths so that rounding is none.
+/// Returns the corners in ten-thousandths, so that there is no rounding.
 std::vector<std::array<long, 3>> places(std::span<const glm::vec3> positions) {
   std::vector<std::array<long, 3>> all;
   for (const glm::vec3& p : positions)
@@ -194,7 +194,7 @@ class CompressedGltfTest : public QObject {
     }
   }
 
-  /// The reader itself, which is lent nothing, says what it cannot unpack.
+  /// The reader itself, without decoders, names the extension that it cannot unpack.
   void withoutDecoders() {
     const QTemporaryDir folder;
     for (const auto& [bytes, told] : {std::pair(dracoGlb(), "KHR_draco_mesh_compression"),
@@ -207,7 +207,7 @@ class CompressedGltfTest : public QObject {
     }
   }
 
-  /// Only what is compressed is left out.
+  /// Only compressed meshes are left out.
   void leftOutWithoutDecoders() {
     const QTemporaryDir folder;
     QByteArray bytes = cubeFile("gltf");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes of other programs: where things are, which side is left, how long a unit is,
-// and what things are called and painted.
+// Tests scenes of other programs: where things are, which side is left, how long a unit is, and
+// what things are called and painted.
 #include <QtTest>
 #include <algorithm>
 #include <assimp/IOStream.hpp>
@@ -24,12 +24,12 @@ glm::vec3 same(const glm::vec3& p) {
   return p;
 }
 
-/// COLLADA's X_UP: +x up, −y to the right, +z to the front, as axes with y up have them.
+/// Turns COLLADA's X_UP (+x up, −y to the right, +z to the front) into axes with y up.
 glm::vec3 fromXUp(const glm::vec3& p) {
   return {-p.y, p.x, p.z};
 }
 
-/// Right is −x, up −z, front −y: half a turn about y from Blender's axes.
+/// Turns axes with right −x, up −z and front −y: half a turn about y from Blender's axes.
 glm::vec3 fromUpsideDown(const glm::vec3& p) {
   return {-p.x, p.y, -p.z};
 }
@@ -51,7 +51,7 @@ Positions expected(std::span<const glm::vec3> corners, Turn turn) {
   return sorted(all);
 }
 
-/// The mesh of that name; VRML has no blanks in names.
+/// Returns the mesh of that name; VRML has no blanks in names.
 const model::RawMesh* named(const model::RawMeshes& read, const char* name) {
   for (const model::RawMesh& mesh : read.meshes)
     if (QString::fromStdString(mesh.name).replace('_', ' ') == name)
@@ -59,9 +59,9 @@ const model::RawMesh* named(const model::RawMeshes& read, const char* name) {
   return nullptr;
 }
 
-/// What a file says of itself.
+/// Holds what a file states about its unit and axes.
 struct Said {
-  float millimetres = 0.0f;  ///< 0: nothing of a unit
+  float millimetres = 0.0f;  ///< 0: no unit stated
   bool yUp = false;
   Turn turn = same;
 };
@@ -121,7 +121,7 @@ class WrittenScenesTest : public QObject {
       QVERIFY2(mesh, name);
       QCOMPARE(sorted(mesh->positions), expected(corners, reinterpret_cast<Turn>(turn)));
       QCOMPARE(int(mesh->triangles.size()), 4);
-      // Six times the volume, positive with normals outward: the mirrored one has turned with it.
+      // Six times the volume is positive with normals outward: the mirrored one has turned with it.
       QVERIFY(std::abs(volume(*mesh) - 6.0) < 1e-3);
       if (extension != ".3ds")
         QCOMPARE(mesh->groups, std::vector<std::string>{"Abdomen"});
@@ -137,7 +137,8 @@ class WrittenScenesTest : public QObject {
     }
   }
 
-  /// Up is told by the file, left by the names: whoever faces the other way is turned about.
+  /// The file tells which way is up, the names which way is left: a scene that faces the other way
+  /// is turned about.
   void sidesAreVotedOn() {
     const QTemporaryDir folder;
     for (const bool swapped : {false, true}) {
@@ -179,7 +180,7 @@ class WrittenScenesTest : public QObject {
              qPrintable(warningText(*read)));
   }
 
-  /// What a scene refers to is opened in its own folder and nowhere else.
+  /// A file that a scene refers to is opened in the scene's own folder and nowhere else.
   void othersFilesStayShut() {
     const QTemporaryDir folder;
     QVERIFY(QDir(folder.path()).mkdir("in"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blender's files: blocks of structures, each with the address that it had in memory, and a table
-// ("SDNA") of what the structures consist of.
+// Writes Blender's files: blocks of structures, each with the address that it had in memory, and a
+// table ("SDNA") of the structures' fields.
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -22,7 +22,7 @@ void putNumber(QByteArray& bytes, T value) {
   bytes.append(raw, sizeof(T));
 }
 
-/// A name with its two letters for the kind, filled up to 66 bytes.
+/// Returns a name, with its two letters for the kind, filled up to 66 bytes.
 QByteArray blendId(const char* name) {
   return QByteArray(name).leftJustified(66, '\0');
 }
@@ -66,7 +66,8 @@ const std::vector<BlendStructure>& blendStructures() {
   return table;
 }
 
-/// The table: names of fields, of types, sizes of types, and which fields each structure has.
+/// Returns the table: names of fields, of types, sizes of types, and which fields each structure
+/// has.
 QByteArray blendTable() {
   std::vector<std::string> names;
   std::vector<std::string> types;
@@ -117,7 +118,7 @@ QByteArray blendTable() {
 
 class BlendWriter {
  public:
-  /// Structures of one kind, which others know by `address`.
+  /// Appends structures of one kind, which others refer to by `address`.
   void block(const char* structure, Address address, int count, const QByteArray& bytes) {
     int index = 0;
     while (QByteArray(blendStructures()[std::size_t(index)].name) != structure)
@@ -153,7 +154,7 @@ QByteArray addresses(std::initializer_list<Address> list) {
   return bytes;
 }
 
-/// An object at x, mirrored where `scale` is −1; its mesh 0 where it is empty.
+/// Returns an object at x, mirrored if `scale` is −1; `mesh` is 0 for an empty one.
 QByteArray blendObject(const char* name, float x, float scale, Address parent, Address mesh) {
   QByteArray bytes = blendId(name);
   putNumber(bytes, std::int16_t(mesh == 0 ? 0 : 1));

@@ -31,7 +31,7 @@ std::vector<double> kidneyCoordinates() {
   return numbers;
 }
 
-/// Corners face by face; of each face the last one is put through `last`.
+/// Returns the corners face by face; the last one of each face is passed through `last`.
 template <class Last>
 std::vector<int> kidneyCorners(const Last& last) {
   std::vector<int> corners;
@@ -43,19 +43,19 @@ std::vector<int> kidneyCorners(const Last& last) {
 using FbxValue = std::variant<std::int32_t, std::int64_t, double, QByteArray, std::vector<int>,
                               std::vector<double>>;
 
-/// A node of FBX, from which both flavours are written.
+/// Describes a node of FBX, from which both flavours are written.
 struct FbxNode {
   QByteArray name;
   std::vector<FbxValue> values;
   std::vector<FbxNode> nodes = {};
 };
 
-/// Values as text.
+/// Writes values as text.
 struct FbxTextWriter {
   QByteArray operator()(std::int32_t v) const { return QByteArray::number(v); }
   QByteArray operator()(std::int64_t v) const { return QByteArray::number(qint64(v)); }
   QByteArray operator()(double v) const { return text(v); }
-  /// NAME\0\1CLASS is CLASS::NAME in text.
+  /// Writes NAME\0\1CLASS as CLASS::NAME.
   QByteArray operator()(const QByteArray& v) const {
     const qsizetype at = v.indexOf(QByteArray("\0\1", 2));
     return '"' + (at < 0 ? v : v.mid(at + 2) + "::" + v.left(at)) + '"';
@@ -90,7 +90,7 @@ void put(QByteArray& bytes, T value) {
   bytes.append(raw, sizeof(T));
 }
 
-/// Values in binary, a letter for the type before each.
+/// Writes values in binary, with a letter for the type before each.
 struct FbxByteWriter {
   template <class T>
   static QByteArray scalar(char type, T v) {
@@ -98,7 +98,7 @@ struct FbxByteWriter {
     put(bytes, v);
     return bytes;
   }
-  /// Length, 0 for not packed, bytes of data.
+  /// Writes the length, 0 for not packed, the number of bytes and the data.
   template <class T>
   static QByteArray array(char type, const std::vector<T>& v) {
     QByteArray bytes(1, type);
@@ -123,7 +123,8 @@ QByteArray asBytes(const FbxValue& value) {
   return std::visit(FbxByteWriter{}, value);
 }
 
-/// Where the node ends, how many values, their bytes, the name; then values and nested nodes.
+/// Writes where the node ends, the number of values, their bytes and the name; then values and
+/// nested nodes.
 void writeNode(QByteArray& file, const FbxNode& node) {
   const qsizetype begin = file.size();
   QByteArray values;
@@ -239,7 +240,7 @@ QByteArray chunk(std::uint16_t id, const QByteArray& inside) {
   return bytes + inside;
 }
 
-/// An object of 3D Studio. A mirrored one has its axes mirrored and its faces turned.
+/// Returns an object of 3D Studio. A mirrored one has its axes mirrored and its faces turned.
 QByteArray threeDsObject(const char* name, std::span<const glm::vec3> corners, bool mirrored) {
   QByteArray vertices;
   put(vertices, std::uint16_t(corners.size()));

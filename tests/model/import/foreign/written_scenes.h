@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes as other programs write them, written by the tests themselves. All hold the same two
-// kidneys: a tetrahedron without symmetry, once in place and once mirrored by its node, in a group.
+// Writes scenes as other programs write them. All hold the same two kidneys: a tetrahedron without
+// symmetry, once in place and once mirrored by its node, in a group.
 #pragma once
 
 #include <QByteArray>
@@ -12,15 +12,17 @@
 
 namespace sline::test {
 
-/// Corners of the kidney and its faces, seen from outside counterclockwise.
+/// Each returns the corners of the kidney or its faces, which seen from outside run
+/// counterclockwise.
 std::span<const glm::vec3> kidneyPositions();
 std::span<const model::Triangle> kidneyTriangles();
-/// Where the corners of the left kidney are in its scene, 10 to the left, and of the right one,
-/// which mirrors it.
+/// Returns where the corners of the left kidney are in its scene, 10 to the left, and those of the
+/// right one, which mirrors it.
 std::array<glm::vec3, 4> leftKidney();
 std::array<glm::vec3, 4> rightKidney();
 
-/// FBX 7.4. Axes by their numbers, as the format counts them: right, up, front.
+/// Holds the settings of FBX 7.4, with axes by their numbers, as the format counts them: right, up,
+/// front.
 struct FbxSettings {
   double unitScaleFactor = 1.0;  ///< centimetres
   std::array<int, 3> axes{0, 1, 2};
@@ -29,23 +31,23 @@ struct FbxSettings {
 QByteArray fbxText(const FbxSettings& settings = {});
 QByteArray fbxBinary(const FbxSettings& settings = {});
 
-/// COLLADA 1.4; without an asset's unit and axis where these are empty.
+/// Returns COLLADA 1.4; without an asset's unit and axis if these are empty.
 QByteArray collada(const QByteArray& metres = "0.01", const QByteArray& upAxis = "Y_UP");
 
-/// X3D 3.3 in XML, a unit one millimetre, and the same as VRML97, which has no unit. Lists are
-/// parted by commas, and the right kidney uses what the left one defines.
+/// Return X3D 3.3 in XML with a unit of one millimetre, and the same scene as VRML97, which has no
+/// unit. Lists are separated by commas, and the right kidney uses what the left one defines.
 QByteArray x3dXml();
 QByteArray vrml();
 
-/// 3D Studio's, its vertices in place: no group, no hierarchy; the right kidney's own axes mirror
-/// it.
+/// Returns a file of 3D Studio with its vertices in place: no group, no hierarchy; the right
+/// kidney's own axes mirror it.
 QByteArray threeDs();
 
-/// A scene of Blender 2.79, with a table of only those structures and fields that it needs. Its
-/// material is opaque, its colour an amount of light: (1, 0.5, 0.25) is sRGB's (255, 188, 137).
+/// Returns a scene of Blender 2.79, with a table of only those structures and fields that it needs.
+/// Its material is opaque, its colour an amount of light: (1, 0.5, 0.25) is sRGB's (255, 188, 137).
 QByteArray blend();
 
-/// One tetrahedron (VTK's cell 10) that is the left kidney, a line besides.
+/// Returns one tetrahedron (VTK's cell 10) that is the left kidney, and a line.
 QByteArray vtuText();
 
 }  // namespace sline::test

@@ -21,7 +21,7 @@ const char* residueOf(char letter) {
   return names.at(letter);
 }
 
-/// A point on a helix around z: radius in Å, angle in degrees, height in Å.
+/// Returns a point on a helix around z: radius in Å, angle in degrees, height in Å.
 glm::dvec3 onHelix(double radius, double angle, double height) {
   const double a = angle * 3.14159265358979 / 180.0;
   return {radius * std::cos(a), radius * std::sin(a), height};
@@ -109,7 +109,7 @@ std::vector<Written> helix(const std::string& letters, const char* chain) {
                        .place = place,
                        .element = element});
     };
-    // Cylinder coordinates of an α-helix's backbone (Arnott & Dover 1967).
+    // These are cylinder coordinates of an α-helix's backbone (Arnott & Dover 1967).
     add(" N  ", "N", onHelix(1.546, turn - 27.7, rise - 0.87));
     add(" CA ", "C", onHelix(2.280, turn, rise));
     add(" C  ", "C", onHelix(1.662, turn + 26.6, rise + 1.04));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of PDB and mmCIF files as tests write them, and what tests ask of a closed surface.
+// Writes lines of PDB and mmCIF files for the tests, and measures closed surfaces.
 #pragma once
 
 #include <QByteArray>
@@ -14,7 +14,7 @@
 
 namespace sline::test {
 
-/// One atom of a written file.
+/// Holds one atom of a written file.
 struct Written {
   const char* name = " CA ";  ///< the four columns
   const char* residue = "ALA";
@@ -28,29 +28,29 @@ struct Written {
   char insertion = ' ';
 };
 
-/// An ATOM or HETATM record of 80 columns with its line end.
+/// Returns an ATOM or HETATM record of 80 columns with its line end.
 QByteArray pdbLine(const Written& atom, int serial = 1);
-/// All of them, numbered, as a PDB file.
+/// Returns all atoms, numbered, as a PDB file.
 QByteArray pdbFile(std::span<const Written> atoms);
-/// The same as the atoms of an mmCIF file.
+/// Returns the atoms as an mmCIF file.
 QByteArray cifFile(std::span<const Written> atoms);
-/// And as mmJSON.
+/// Returns the atoms as mmJSON.
 QByteArray jsonFile(std::span<const Written> atoms);
 
-/// A peptide of that sequence: backbone atoms and Cβ along an ideal helix.
+/// Returns a peptide of that sequence: backbone atoms and Cβ along an ideal helix.
 std::vector<Written> helix(const std::string& letters, const char* chain = "A");
 
 /// Writes the bytes and reads them as records.
 Result<model::EntryRecords> recordsOf(const QTemporaryDir& folder, const char* extension,
                                       const QByteArray& bytes);
 
-/// Each edge has exactly one triangle on either side, and they agree.
+/// Tells whether each edge has exactly one triangle on either side, and the two agree in direction.
 bool isClosed(const model::TriangleMesh& mesh);
 double areaOf(const model::TriangleMesh& mesh);
-/// Positive where triangles face outward.
+/// Returns the volume; positive if triangles face outward.
 double volumeOf(const model::TriangleMesh& mesh);
 
-/// A whole file; empty where there is none.
+/// Returns a whole file; empty if there is none.
 QByteArray bytesOf(const char* path);
 
 }  // namespace sline::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Biological assemblies: which copies are made of what, what they are called, and what is refused.
+// Tests biological assemblies: which copies are made of which chains, their names, and what is
+// refused.
 #include <QTest>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -16,8 +17,9 @@ using namespace sline::test;
 
 namespace {
 
-/// Operators: 1 leaves all in place, 2 turns by half around z and moves along x, 3 moves along y,
-/// 4 mirrors, 5 doubles; the assembly's parts are A (and W, which has no atoms).
+/// Returns an assembly with five operators: 1 leaves all in place, 2 turns by half around z and
+/// moves along x, 3 moves along y, 4 mirrors, 5 doubles; the assembly's parts are A (and W, which
+/// has no atoms).
 QByteArray assembly(const char* expression, const char* parts = "A,W") {
   QByteArray text =
       "_pdbx_struct_assembly.id 7\n_pdbx_struct_assembly.oligomeric_details dimeric\n"
@@ -33,12 +35,12 @@ QByteArray assembly(const char* expression, const char* parts = "A,W") {
          "4 -1 0 0 0 0 1 0 0 0 0 1 0\n5 2 0 0 0 0 2 0 0 0 0 2 0\nP 1 0 0 5 0 1 0 0 0 0 1 0\n";
 }
 
-/// An atom of chain A at (1, 2, 3) and one of B at the origin.
+/// Returns an atom of chain A at (1, 2, 3) and one of B at the origin.
 QByteArray twoAtoms() {
   return cifFile(std::vector<Written>{{.place = {1, 2, 3}}, {.chain = "B"}});
 }
 
-/// The entry with its assembly "7" made.
+/// Returns the entry with its assembly "7" made.
 Result<EntryRecords> assembled(const QByteArray& bytes, const char* extension = ".cif",
                                const std::string& id = "7") {
   const QTemporaryDir folder;

@@ -28,7 +28,7 @@ class TestBallAndStick : public QObject {
 
  private slots:
   void oneSurfaceAnElement() {
-    // Formamide: the skeleton, then O and N in the atoms' order.
+    // Formamide gives the skeleton, then O and N in the atoms' order.
     const std::vector<Atom> atoms = {atom("O", {1.22, 0, 0}), atom("C", {0, 0, 0}),
                                      atom("N", {-0.68, 1.19, 0})};
     const std::vector<ElementSurface> surfaces = ballAndStick(atoms, {}, goesOn);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two readers, row by row: what is read, what is refused and how.
+// Tests the two readers row by row: what is read, what is refused and how.
 #include <QTest>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -22,7 +22,7 @@ QByteArray goodLine(int serial = 1) {
   return pdbLine({.place = {1.5, -2.25, 3.125}}, serial);
 }
 
-/// The line with its columns from `first` (counted from 1) overwritten.
+/// Returns the line with its columns from `first` (counted from 1) overwritten.
 QByteArray with(QByteArray line, int first, const char* text) {
   return line.replace(first - 1, qsizetype(qstrlen(text)), text);
 }

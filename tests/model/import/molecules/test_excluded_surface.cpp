@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solvent-excluded surfaces against what geometry says of them in closed form.
+// Compares solvent-excluded surfaces with geometry in closed form.
 #include <QTest>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
@@ -23,9 +23,9 @@ struct Measures {
   double volume = 0.0;
 };
 
-/// Two atoms of radius r at distance d (Connolly 1983): convex caps and the saddle that the probe's
-/// arc sweeps, on a ring of radius ρ; where ρ < p the probe meets itself on the axis and the saddle
-/// ends in two points.
+/// Returns the measures of two atoms of radius r at distance d (Connolly 1983): convex caps and the
+/// saddle that the probe's arc sweeps, on a ring of radius ρ; if ρ < p the probe meets itself on
+/// the axis and the saddle ends in two points.
 Measures ofTwoAtoms(double r, double d) {
   const double p = probeRadius;
   const double grown = r + p;
@@ -64,7 +64,7 @@ TriangleMesh surfaceOf(const std::vector<glm::dvec3>& atoms, double radius, doub
   return excludedSurface(accessibleOf(atoms, radius), guests, spacing, [] { return true; });
 }
 
-/// Atoms about as dense as in a protein, in a ball.
+/// Returns atoms about as dense as in a protein, in a ball.
 std::vector<glm::dvec3> cluster(int count, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
@@ -167,7 +167,7 @@ class TestExcludedSurface : public QObject {
       for (int y = 0; y < 3; ++y)
         for (int z = 0; z < 2; ++z)
           atoms.emplace_back(3.0 * x, 3.0 * y, 3.0 * z);
-    atoms.push_back(atoms.front());  // one twice
+    atoms.push_back(atoms.front());  // one atom occurs twice
     QVERIFY(isClosed(surfaceOf(atoms, 1.7, 0.5)));
     QVERIFY(isClosed(surfaceOf(atoms, 1.6, 0.75)));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Entries as they come into a scene: names, tree, colours, units, handedness, overlay.
+// Tests entries as they come into a scene: names, tree, colours, units, handedness, overlay.
 #include <QFile>
 #include <QTest>
 #include <cmath>
@@ -46,8 +46,8 @@ glm::dvec3 middleOf(const Node& node) {
   return sum / double(node.mesh->positions().size());
 }
 
-/// An L-amino acid with an atom of another element at each corner of its Cα: seen from the hydrogen
-/// these run clockwise in the order of COOH, R, NH2 ("CORN").
+/// Returns an L-amino acid with an atom of another element at each corner of its Cα: seen from the
+/// hydrogen these run clockwise in the order of COOH, R, NH2 ("CORN").
 QByteArray handed() {
   const auto atom = [](const char* name, const char* element, glm::dvec3 place) {
     return Written{.name = name,
@@ -63,7 +63,7 @@ QByteArray handed() {
   return pdbFile(atoms);
 }
 
-/// The sign of the corners' turn around the hydrogen's direction.
+/// Returns the sign of the corners' turn around the hydrogen's direction.
 double handedness(const Scene& scene) {
   const glm::dvec3 o = middleOf(*nodeNamed(scene, "LIG oxygen"));
   const glm::dvec3 s = middleOf(*nodeNamed(scene, "LIG sulphur"));
@@ -114,7 +114,7 @@ class TestMolecules : public QObject {
   }
 
   void unitsStay() {
-    // Anatomical names and a size below three units would make metres of other files.
+    // In other files anatomical names and a size below three units would mean metres.
     const QTemporaryDir folder;
     const Imported read =
         imported({written(folder, "liver.pdb", pdbFile(std::vector<Written>{{}}))});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Entries spoiled at random, with a fixed seed, and entries meant to do harm: an answer comes, and
-// it is a sound surface or an error.
+// Tests entries spoiled at random, with a fixed seed, and entries meant to do harm: an answer
+// comes, and it is a sound surface or an error.
 #include <zlib.h>
 #include <QFile>
 #include <QTest>
@@ -26,7 +26,7 @@ void overwrite(Mutator& random, QByteArray& bytes, qsizetype at) {
   bytes.replace(at, piece.size(), piece);
 }
 
-/// As gzip packs it.
+/// Returns the bytes as gzip packs them.
 QByteArray packed(const QByteArray& bytes) {
   z_stream stream{};
   if (deflateInit2(&stream, 9, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) != Z_OK)
@@ -85,7 +85,7 @@ class TestMutatedEntries : public QObject {
       else
         QVERIFY(!read.error().reason.empty() && !read.error().remedy.empty() && ++refused > 0);
     }
-    // Of what is packed a checksum tells that it is spoiled.
+    // A checksum shows that a packed file is spoiled.
     QVERIFY2(refused > 5 && (refused < 200 || extension.endsWith(".gz")),
              qPrintable(QString::number(refused)));
   }
@@ -115,7 +115,8 @@ class TestMutatedEntries : public QObject {
     Mutator mutate(350, {overwrite, overwrite});
     int refused = 0;
     for (int i = 0; i < 200; ++i) {
-      // Most of the bytes are atoms: every other time what tells of the assembly is spoiled alone.
+      // Most of the bytes are atoms, so every other time only the lines about the assembly are
+      // spoiled.
       const QByteArray spoiled = i % 2 == 0 ? mutate(bytes)
                                  : extension == ".pdb"
                                      ? mutate(bytes.left(400)) + bytes.mid(400)
@@ -135,7 +136,7 @@ class TestMutatedEntries : public QObject {
   }
 
   void bombs() {
-    // Zeros pack a thousandfold: what a small file is worth is unpacked and no more.
+    // Zeros pack a thousandfold: only as much is unpacked as a file of that size may hold.
     const QTemporaryDir folder;
     const QByteArray bomb = packed(QByteArray(qsizetype(200) << 20, ' '));
     const Result<RawMeshes> read = readBytes(folder, "bomb.pdb.gz", bomb);
@@ -164,7 +165,7 @@ class TestMutatedEntries : public QObject {
     QVERIFY(stored.ok() && stored->meshes.size() == 1 && read->meshes.size() == 1);
     QVERIFY(stored->meshes.front().positions == read->meshes.front().positions);
     QCOMPARE(read->meshes.front().groups, stored->meshes.front().groups);
-    // Cut in the middle it is refused rather than read in part.
+    // A packed file cut in the middle is refused rather than read in part.
     QVERIFY(!readBytes(folder, name, packed(bytes).chopped(40)).ok());
   }
 
@@ -230,7 +231,7 @@ class TestMutatedEntries : public QObject {
   }
 
   void manyLigands() {
-    // Each a residue of its own name: groups and structures stay few.
+    // Each atom is a residue of its own name, but groups and structures stay few.
     QByteArray file =
         "data_x\nloop_\n_atom_site.group_PDB\n_atom_site.type_symbol\n"
         "_atom_site.label_comp_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records → chains, ligands, ions and waters.
+// Tests the way from records to chains, ligands, ions and waters.
 #include <QTest>
 
 #include "model/import/molecules/residues.h"
@@ -230,7 +230,7 @@ class TestResidues : public QObject {
                                      {"B", elementOf("C"), {2.3, 0, 0}, 9},
                                      {"C", elementOf("C"), {9, 0, 0}, 9}};
     QCOMPARE(bondsBetween(std::span(atoms).first(2), {{7, 9}}).size(), std::size_t(1));
-    QVERIFY(bondsBetween(atoms, {{7, 9}}).empty());  // serial 9 is two atoms
+    QVERIFY(bondsBetween(atoms, {{7, 9}}).empty());  // serial 9 belongs to two atoms
   }
 };
 

@@ -14,7 +14,7 @@ using namespace sline::model;
 
 namespace {
 
-/// A chain that wanders in steps of 3.8 Å, of a sequence drawn by the seed.
+/// Returns a chain that wanders in steps of 3.8 Å, with a sequence drawn by the seed.
 BackboneChain wandering(const char* id, int length, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> step;
@@ -39,7 +39,7 @@ BackboneChain moved(BackboneChain chain) {
   return chain;
 }
 
-/// The farthest that the motion leaves any place from where it belongs.
+/// Returns the farthest that the motion leaves any place from where it belongs.
 double farthest(const RigidMotion& motion, const BackboneChain& from, const BackboneChain& to) {
   double most = 0.0;
   for (std::size_t i = 0; i < from.places.size(); ++i)

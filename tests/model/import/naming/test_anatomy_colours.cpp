@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colours of the main systems stay apart for readers with and without colour blindness.
-// Simulation: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, "A Physiologically-based Model for
-// Simulation of Color Vision Deficiency" (TVCG 2009), severity 1. Difference: CIEDE2000 (G. Sharma,
-// W. Wu, E. N. Dalal 2005), checked below against their published pairs.
+// Tests that the colours of the main systems stay apart for readers with and without colour
+// blindness. Simulation: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, "A
+// Physiologically-based Model for Simulation of Color Vision Deficiency" (TVCG 2009), severity 1.
+// Difference: CIEDE2000 (G. Sharma, W. Wu, E. N. Dalal 2005), checked below against their published
+// pairs.
 #include <QtTest>
 #include <array>
 #include <cmath>
@@ -25,7 +26,7 @@ double linear(std::uint8_t channel) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-/// Rows of the matrices for linear RGB.
+/// Holds the rows of the matrices for linear RGB.
 using Matrix = std::array<glm::dvec3, 3>;
 constexpr double unit = 1.0;
 const Matrix normalVision{glm::dvec3(unit, 0, 0), glm::dvec3(0, unit, 0), glm::dvec3(0, 0, unit)};
@@ -36,7 +37,7 @@ const Matrix deuteranopia{glm::dvec3(0.367322, 0.860646, -0.227968),
                           glm::dvec3(0.280085, 0.672501, 0.047413),
                           glm::dvec3(-0.011820, 0.042940, 0.968881)};
 
-/// CIE L*a*b*, D65.
+/// Returns CIE L*a*b*, D65.
 glm::dvec3 lab(const Colour& colour, const Matrix& vision) {
   const glm::dvec3 rgb(linear(colour.red), linear(colour.green), linear(colour.blue));
   glm::dvec3 seen;

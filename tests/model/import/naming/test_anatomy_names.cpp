@@ -108,7 +108,7 @@ void AnatomyNamesTest::brokenRowsAreLeftOut() {
 }
 
 void AnatomyNamesTest::edits() {
-  // Rank before length, length before order.
+  // Rank comes before length, and length before order.
   const AnatomyTable table("a\tAs\t#000001\nb\tBs\t#000002\n",
                            "long pattern of words\ta\t\t0\nartery\tb\t\t1\n=whole\tb\t\t0\n");
   QCOMPARE(table.match("artery of long pattern of words")->system, std::size_t(1));

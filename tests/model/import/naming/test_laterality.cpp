@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The liver on the patient's right, whatever the file says in whatever format.
+// Tests that the liver is on the patient's right, whatever the file states in whatever format.
 #include <QtTest>
 #include <array>
 #include <glm/geometric.hpp>
@@ -55,7 +55,8 @@ void LateralityTest::vote() {
   QCOMPARE(vote.lps, lps);
   QCOMPARE(vote.ras, ras);
   QCOMPARE(vote.winner().has_value(), lps != ras);
-  // Seen as LPS, exactly the votes against it are on the other side; a mirror swaps the two.
+  // Seen as LPS, the structures with votes against it are those on the other side; a mirror swaps
+  // the two.
   QCOMPARE(onTheOtherSide(places).empty(), ras == 0);
   for (NamedPlace& place : places)
     place.x = -place.x;
@@ -72,8 +73,8 @@ void LateralityTest::otherSideNamesTheStructures() {
 void LateralityTest::liverOnTheRight_data() {
   QTest::addColumn<QString>("format");
   QTest::addColumn<int>("written");   // the frame of the coordinates: 0 LPS, 1 RAS
-  QTest::addColumn<bool>("header");   // whether the file says so
-  QTest::addColumn<bool>("chosen");   // whether the user says so
+  QTest::addColumn<bool>("header");   // whether the file states it
+  QTest::addColumn<bool>("chosen");   // whether the user states it
   QTest::addColumn<bool>("kidneys");  // whether there are names to vote
   for (const char* format : test::meshFormats()) {
     const auto row = [&](const char* what, int written, bool header, bool chosen, bool kidneys) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decimation as part of an import: what it is applied to, what provenance says of it, and real
-// anatomy.
+// Tests decimation as part of an import: what it is applied to, what provenance records of it, and
+// real anatomy.
 #include <QtTest>
 #include <array>
 

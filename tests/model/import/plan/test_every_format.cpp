@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every file of the collection of formats, through the door that users take: what comes of it, or
-// what the message says of why not. A file of the collection without a row here is a failure.
+// Tests every file of the collection of formats through the import that users take: what it
+// becomes, or why the message says it does not. A file of the collection without a row here is a
+// failure.
 #include <QDirIterator>
 #include <QtTest>
 #include <array>
@@ -16,25 +17,25 @@ QDir collection() {
   return QDir(QStringLiteral(SLINE_TEST_DATA "/formats"));
 }
 
-/// How many triangles is the smoothing's business, not the reader's.
+/// The number of triangles is then the smoothing's business, not the reader's.
 constexpr int some = -1;
 
-/// Comes in as that many structures and triangles; `told` is in a warning, or there is none.
+/// Expects that many structures and triangles; `told` is in a warning, or there is none.
 void loads(const char* file, int structures, int triangles, const char* told = "") {
   QTest::newRow(file) << structures << triangles << 0 << QString(told);
 }
 
-/// Holds no surface, but that many annotations.
+/// Expects no surface, but that many annotations.
 void marks(const char* file, int annotations, const char* told = "") {
   QTest::newRow(file) << 0 << 0 << annotations << QString(told);
 }
 
-/// Does not, and the message holds `told`.
+/// Expects a refusal with a message that holds `told`.
 void refused(const char* file, const char* told) {
   QTest::newRow(file) << 0 << 0 << 0 << QString(told);
 }
 
-/// One surface in every encoding; test_same_mesh compares them vertex by vertex.
+/// Adds one surface in every encoding; test_same_mesh compares them vertex by vertex.
 void sameMeshRows() {
   for (const char* encoding : {".obj",
                                ".off",

@@ -19,14 +19,14 @@ Path path(const QTemporaryDir& folder, const QString& below = {}) {
   return Path(folder.filePath(below).toStdString());
 }
 
-/// One small mesh per name, at different places.
+/// Writes one small mesh per name, at different places.
 void writeMeshes(const QTemporaryDir& folder, const QStringList& names) {
   float x = 0.0f;
   for (const QString& name : names)
     test::writeMesh(folder.filePath(name + ".ply"), *test::octahedron({x += 10.0f, 0, 0}, 20));
 }
 
-/// "Group / Sub > name" of every structure, in tree order.
+/// Returns "Group / Sub > name" of every structure, in tree order.
 QStringList tree(const Scene& scene) {
   QStringList rows;
   for (const Node& node : scene.nodes())
@@ -115,7 +115,7 @@ void FolderTreeTest::partOfTables() {
 void FolderTreeTest::damagedTables() {
   const QTemporaryDir folder;
   writeMeshes(folder, {"FJ1_liver", "FJ2_colon"});
-  // A circle, short rows, and a table that does not know the files.
+  // The tables have a circle, short rows, and one does not know the files.
   test::writeText(folder.filePath("partof_inclusion_relation_list.txt"),
                   "h\nA\ta\tB\tb\nB\tb\tA\ta\nC\n");
   test::writeText(folder.filePath("partof_element_parts.txt"), "h\nA\ta\tFJ1\nB\tb\tFJ2\nZ\n");

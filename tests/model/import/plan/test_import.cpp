@@ -189,7 +189,7 @@ void ImportTest::repairCanBeOff() {
   QVERIFY(mended.ok());
   QCOMPARE(mended->scene.nodes().front().mesh->triangleCount(), std::size_t(4));
   QCOMPARE(mended->scene.nodes().front().provenance.repairedFaces, 6);
-  // What loses nothing is no warning: one line for all surfaces, and one for each.
+  // A repair that loses nothing gives no warning: one line for all surfaces, and one for each.
   QVERIFY(mended->report.warnings.empty());
   QCOMPARE(mended->report.repairs.summary,
            std::string("repaired 1 of 1 surface: 2 faces given twice left out"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real anatomy: the abdomen's Slicer scene, its bare folder, and the two pelves.
+// Tests real anatomy: the abdomen's Slicer scene, its bare folder, and the two pelves.
 #include <QDir>
 #include <QtTest>
 #include <array>
@@ -36,7 +36,7 @@ glm::vec3 centre(const Scene& scene, const std::string& name) {
   return node.mesh->bounds().centre();
 }
 
-/// How many left/right pairs lie on their sides in LPS, and how many there are.
+/// Returns how many left/right pairs lie on their sides in LPS, and how many there are.
 std::pair<int, int> pairsOnTheirSides(const Scene& scene) {
   std::map<std::string, std::map<Side, float>> places;
   for (const Node& node : scene.nodes())
@@ -151,7 +151,7 @@ void ImportAtlasTest::pelvisInGltf() {
   const auto [right, all] = pairsOnTheirSides(scene);
   // One pair of the collection itself is named the wrong way round.
   QVERIFY2(all >= 20 && right >= all - 1, qPrintable(QString("%1 of %2").arg(right).arg(all)));
-  // Millimetres, head up, sacrum behind the bladder.
+  // The scene is in millimetres, head up, the sacrum behind the bladder.
   QVERIFY(scene.visibleBounds().size().z > 200.0f && scene.visibleBounds().size().z < 600.0f);
   QVERIFY(centre(scene, "sacrum").y > centre(scene, "trigone of urinary bladder").y);
   QVERIFY(centre(scene, "transverse colon").z > centre(scene, "rectum").z);

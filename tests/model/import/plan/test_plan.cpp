@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plan is carried out as it stands: each structure as chosen, nothing read twice, left and right
-// where the frame says.
+// Tests that a plan is carried out as it stands: each structure as chosen, nothing read twice, left
+// and right where the frame puts them.
 #include <QtTest>
 #include <array>
 #include <functional>
@@ -22,7 +22,7 @@ NodeId idOf(const ImportPlan& plan, const std::string& name) {
   return test::named(plan.scene, name).id;
 }
 
-/// Two kidneys in a folder, a sphere of 1,280 triangles each, and a bladder beside it.
+/// Holds two kidneys in a folder, a sphere of 1,280 triangles each, and a bladder beside it.
 class Body {
  public:
   Body() {
@@ -80,9 +80,9 @@ void PlanTest::eachStructureAsChosen() {
   QCOMPARE(second.provenance.smoothingSteps, 0);
   QVERIFY(second.mesh->triangleCount() < plan.scene.find(right)->mesh->triangleCount());
   QVERIFY(second.provenance.decimationMm > 0.0f && second.provenance.decimationMm <= 1.0f);
-  // What nobody spoke of is bit for bit as it was.
+  // A structure without a choice is bit for bit as it was.
   QVERIFY(*imported->scene.find(bladder)->mesh == *plan.scene.find(bladder)->mesh);
-  // And the other way round: what all are to be, one is not.
+  // The reverse holds, too: an option for all does not apply to a structure with its own choice.
   plan.options.decimateMm = 1.0f;
   plan.choices = {{left, {.decimateMm = 0.0f}}};
   const auto others = carryOut(plan);
@@ -130,7 +130,7 @@ void PlanTest::changesNeedNoSecondReading() {
     QVERIFY(there.mesh->positions()[i] == glm::vec3(-10.0f * p.x, -10.0f * p.y, 10.0f * p.z));
   }
   QVERIFY(turned.choiceOf(left) == plan.choiceOf(left));
-  // Back again every bit is as it was: each plan starts from what was read.
+  // Turned back, every bit is as it was: each plan starts from what was read.
   plan.choices = turned.choices;
   const ImportPlan back = turn(std::nullopt, std::nullopt);
   QCOMPARE(back.scene.find(left)->mesh->bounds(), before.bounds());

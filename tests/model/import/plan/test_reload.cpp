@@ -20,7 +20,7 @@ std::filesystem::path path(const QTemporaryDir& folder, const QString& below = {
   return folder.filePath(below).toStdString();
 }
 
-/// "a.ply replaced; b.ply unchanged"
+/// Returns "a.ply replaced; b.ply unchanged".
 QString told(const Reloaded& reloaded) {
   static constexpr std::array<const char*, 4> fates{"replaced", "unchanged", "absent", "failed"};
   QStringList lines;
@@ -45,7 +45,8 @@ Scene imported(const QTemporaryDir& folder, const ImportOptions& options = {}) {
 const QByteArray twoGroups =
     "o left\nv 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\no right\nv 0 0 5\nv 9 0 5\nv 0 9 5\nf 4 5 6\n";
 
-/// Structures as import made them, without having been told to.
+/// Returns the scene with other fingerprints, as if its files had been different when they were
+/// read.
 Scene forgotten(Scene scene) {
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes)
@@ -111,7 +112,7 @@ void ReloadTest::onlyWhatHasChanged() {
   QCOMPARE(kidney.mesh->bounds().size().x, 60.0f);
   QCOMPARE(line(changed, "kidney.obj").structures, std::vector<NodeId>{kidney.id});
   QVERIFY(test::named(changed.scene, "liver") == test::named(scene, "liver"));
-  // What came of it is known now.
+  // The new state is known now.
   QVERIFY(!reload(changed.scene, std::array{path(folder)}).changed);
 }
 
@@ -157,7 +158,7 @@ void ReloadTest::readAsItWasBefore() {
   QFETCH(float, unit);
   QFETCH(int, smoothing);
   const QTemporaryDir folder;
-  // A ball of voxels: its steps are smoothed where nobody says otherwise.
+  // The mesh is a ball of voxels, with steps that are smoothed unless an option says otherwise.
   const auto ball = [](const glm::vec3& p) { return glm::length(p - glm::vec3(12.0f)) < 9.0f; };
   test::writeMesh(folder.filePath(file), *test::voxelSurface(24, ball));
   ImportOptions options;

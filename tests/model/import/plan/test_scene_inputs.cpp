@@ -62,12 +62,12 @@ void SceneInputsTest::otherInputsAreAddedBelow() {
     QVERIFY(nodes[i].id == before.nodes()[i].id && nodes[i].name == before.nodes()[i].name);
   QVERIFY(!before.find(test::named(imported->scene, "liver").id));
   QVERIFY(imported->scene.views() == before.views());
-  // What cannot be read beside a scene is left out, as ever.
+  // An input beside a scene that cannot be read is left out, as ever.
   const auto partly =
       importInputs(std::array{writtenSample(folder), path(folder, "nowhere.ply")}, {});
   QVERIFY(partly.ok());
   QVERIFY(test::warningsOf(*partly).contains("nowhere.ply"));
-  // And what was repaired is said.
+  // Repairs are reported.
   test::writeText(folder.filePath("twice.off"),
                   "OFF\n4 5 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n"
                   "3 0 1 2\n");
@@ -90,7 +90,7 @@ void SceneInputsTest::twoSceneFilesAreOne() {
   QCOMPARE(both.nodes().size(), 2 * count);
   QCOMPARE(both.views().size(), 2 * one.views().size());
   QCOMPARE(both.sections().size(), std::size_t(2));
-  // The second file's sections cut its own structures, its groups hold them.
+  // The second file's sections cut its own structures, and its groups hold them.
   QVERIFY(both.sections()[0].scope == both.nodes()[0].id);
   QVERIFY(both.sections()[1].scope == both.nodes()[count].id);
   QVERIFY(both.views().back().annotations->front() != one.views().back().annotations->front());
@@ -166,7 +166,7 @@ void SceneInputsTest::planTellsWhatWouldBe() {
       planImport(std::array{path(folder, "organs")}, {.smoothing = {Smoothing::Mode::steps, 5}});
   QVERIFY(plan.ok());
   const Node& kidney = test::named(plan->scene, "left kidney");
-  QCOMPARE(kidney.provenance.smoothingSteps, 0);  // that comes when it is carried out
+  QCOMPARE(kidney.provenance.smoothingSteps, 0);  // it is known when the plan is carried out
   QVERIFY(kidney.provenance.frameReason.starts_with("vote: "));
   QVERIFY(plan->report.warnings.size() == 1 &&
           plan->report.warnings[0].file.find("spleen.obj") != std::string::npos);

@@ -19,7 +19,7 @@ QByteArray number(double value) {
   return QByteArray::number(value, 'g', 9);
 }
 
-/// "x y z" for each vertex with `between` after each.
+/// Returns "x y z" for each vertex, with `before` and `between` around it.
 QByteArray positionText(const char* before, const char* between) {
   QByteArray text;
   for (const glm::vec3& p : cubePositions())
@@ -256,7 +256,7 @@ QByteArray cubeFile(const char* kind) {
 Result<model::RawMeshes> readBytes(const QTemporaryDir& folder, const QString& name,
                                    const QByteArray& bytes, const model::ReadLimits& limits) {
   const QString path = folder.filePath(name);
-  // Overwriting in place makes some file systems wait for the disk.
+  // Overwriting in place makes some file systems wait for the disk, so the old file goes first.
   QFile::remove(path);
   QFile file(path);
   if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())

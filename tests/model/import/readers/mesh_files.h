@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small mesh files written by the tests themselves: one cube of 8 vertices and 12 triangles in
-// every format, and what tests say about a reader's answer.
+// Writes small mesh files for the tests, one cube of 8 vertices and 12 triangles in every format,
+// and checks a reader's answer.
 #pragma once
 
 #include <QByteArray>
@@ -14,23 +14,23 @@
 
 namespace sline::test {
 
-/// A mesh file in memory.
+/// Holds a mesh file in memory.
 struct MeshFile {
   const char* kind;       ///< "ply big endian"
   const char* extension;  ///< ".ply"
   QByteArray bytes;
 };
 
-/// The unit cube around the origin, normals outward.
+/// Return the unit cube around the origin, normals outward.
 std::span<const glm::vec3> cubePositions();
 std::span<const model::Triangle> cubeTriangles();
 
-/// The cube in every encoding.
+/// Returns the cube in every encoding.
 std::vector<MeshFile> cubeFiles();
-/// The one of that kind.
+/// Returns the cube in the encoding of that kind.
 QByteArray cubeFile(const char* kind);
 
-/// Appends the value's bytes in that order.
+/// Appends the value's bytes in that byte order.
 template <class T>
 void append(QByteArray& bytes, T value, std::endian order) {
   char raw[sizeof(T)];
@@ -40,7 +40,7 @@ void append(QByteArray& bytes, T value, std::endian order) {
   bytes.append(raw, sizeof(T));
 }
 
-/// A GLB of that JSON and binary chunk.
+/// Returns a GLB of that JSON and binary chunk.
 QByteArray glb(QByteArray json, QByteArray binary);
 
 /// Writes into the folder and reads back by extension.
@@ -49,11 +49,12 @@ Result<model::RawMeshes> readBytes(const QTemporaryDir& folder, const QString& n
 
 std::size_t triangleCount(const model::RawMeshes& read);
 std::size_t vertexCount(const model::RawMeshes& read);
-/// All warnings in one line.
+/// Returns all warnings in one line.
 QString warningText(const model::RawMeshes& read);
-/// Every index in range, every coordinate finite, at least one triangle in each surface.
+/// Tells whether every index is in range, every coordinate is finite and each surface has at least
+/// one triangle.
 bool isSound(const model::RawMeshes& read);
-/// Six times the volume enclosed, positive where normals point outward.
+/// Returns six times the volume enclosed, positive if normals point outward.
 double volume(const model::RawMesh& mesh);
 
 }  // namespace sline::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files broken on purpose: each must be refused, or mended with a warning, by a message that says
-// what is wrong.
+// Tests files broken on purpose: each must be refused, or mended with a warning, by a message that
+// says what is wrong.
 #include <QDir>
 #include <QFile>
 #include <QTest>
@@ -13,7 +13,7 @@ using namespace sline;
 using namespace sline::test;
 
 namespace {
-/// A flat grid of 16 × 16 quads with one vertex and so many triangles to spoil.
+/// Returns a flat grid of 16 × 16 quads with one vertex and one kind of face to spoil.
 QByteArray gridOff(const QByteArray& oneVertex, const QByteArray& oneFace) {
   QByteArray text = "OFF\n289 512 0\n";
   for (int i = 0; i < 289; ++i)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// VTK and glTF files broken on purpose: each must be refused by a message that says what is wrong.
+// Tests VTK and glTF files broken on purpose: each must be refused by a message that says what is
+// wrong.
 #include <QTest>
 #include <cstring>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of other programs' test suites, and whole sets of real anatomy.
+// Tests files of other programs' test suites, and whole sets of real anatomy.
 #include <QDir>
 #include <QTest>
 
@@ -42,7 +42,7 @@ class TestForeignFiles : public QObject {
     row("online3dviewer/single_triangle_with_comments.ply", 1, 3, 1);
     row("online3dviewer/single_triangle_with_comments.stl", 1, 3, 1, "MeshName");
     row("online3dviewer/rhombicuboctahedron.3mf", 1, 24, 44, "Rhombicuboctahedron (color)");
-    // 4 + 12 + 8 + 36 + 20: the Platonic solids as triangles
+    // The Platonic solids as triangles give 4 + 12 + 8 + 36 + 20.
     row("online3dviewer/solids.obj", 5, 50, 80, "Tetrahedron");
     row("online3dviewer/stl_ascii.stl", 1, 304, 572, "Untitled-5427e5af");
     row("online3dviewer/stl_binary.stl", 1, 378, 728);
@@ -107,7 +107,7 @@ class TestForeignFiles : public QObject {
   void folder_data() {
     QTest::addColumn<int>("files");
     QTest::addColumn<int>("triangles");
-    // The sums that the makers of these sets give.
+    // The makers of these sets give these sums.
     QTest::newRow("abdomen/Data") << 94 << 1200358;
     QTest::newRow("pelvis/bodyparts3d") << 40 << 42369;
     QTest::newRow("pelvis/hra_vh_male") << 6 << 401817;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files spoiled at random, with a fixed seed: a reader answers quickly, with a sound surface or an
+// Spoils files at random, with a fixed seed: a reader answers quickly, with a sound surface or an
 // error, and takes little memory, whatever the bytes.
 #include <QDir>
 #include <QElapsedTimer>
@@ -20,7 +20,7 @@ constexpr int mutationsPerFile = 400;
 constexpr qint64 longestMs = 1000;
 constexpr double mostGrowthMiB = 200;
 
-/// Extremes of the integers and reals that stand in binary files.
+/// Overwrites with extremes of the integers and reals that stand in binary files.
 void overwrite(Mutator& random, QByteArray& bytes, qsizetype at) {
   static const std::uint32_t words[] = {0,          1,          0x7fffffff, 0x80000000, 0xffffffff,
                                         0x7fc00000, 0x7f800000, 0x00ffffff, 0x10000000, 0x01000000};
@@ -30,7 +30,7 @@ void overwrite(Mutator& random, QByteArray& bytes, qsizetype at) {
   bytes.replace(at, std::min<qsizetype>(4, bytes.size() - at), word);
 }
 
-/// The same for numbers written as text.
+/// Replaces numbers written as text by such extremes.
 void replaceNumber(Mutator& random, QByteArray& bytes, qsizetype at) {
   static const char* const numbers[] = {
       "0",   "-1",   "4294967295",           "2147483648",          "1e39",
@@ -57,7 +57,7 @@ class TestMutatedFiles : public QObject {
     QTest::newRow("x3d") << ".x3d" << x3dXml();
     QTest::newRow("vrml") << ".wrl" << vrml();
     QTest::newRow("3ds") << ".3ds" << threeDs();
-    // Real files add what the cube has not: compressed blocks, strips, field data.
+    // Real files add features that the cube lacks: compressed blocks, strips, field data.
     QDir folder(QString(SLINE_TEST_DATA) + "/formats/same_mesh");
     for (const QString& name :
          folder.entryList({"adrenal_appended*", "adrenal_binary*", "*strips*"}, QDir::Files)) {

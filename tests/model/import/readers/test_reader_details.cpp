@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of the readers one by one: strips, indices, polygons, numbers, frames, glTF's accessors
-// and transforms.
+// Tests the parts of the readers one by one: strips, indices, polygons, numbers, frames, glTF's
+// accessors and transforms.
 #include <QDir>
 #include <QFile>
 #include <QTest>
@@ -40,7 +40,7 @@ double area(std::span<const glm::vec3> p, const std::vector<Triangle>& triangles
   return sum;
 }
 
-/// Four vertices and a list of strips as PLY text.
+/// Returns four vertices and a list of strips as PLY text.
 QByteArray plyStrips(const QByteArray& list) {
   return "ply\nformat ascii 1.0\nelement vertex 6\nproperty uchar red\nproperty double z\n"
          "property double x\nproperty double y\nelement extra 1\nproperty list uchar float f\n"
@@ -49,7 +49,7 @@ QByteArray plyStrips(const QByteArray& list) {
          list + '\n';
 }
 
-/// One triangle of glTF with things added to its node, its material and its positions.
+/// Returns one triangle of glTF with things added to its node, its material and its positions.
 QByteArray gltfTriangle(const QByteArray& nodes, const QByteArray& primitive,
                         const QByteArray& extra = {}) {
   QByteArray buffer;
@@ -119,7 +119,7 @@ class TestReaderDetails : public QObject {
     QCOMPARE(read->meshes[2].name, std::string("left part"));
     QCOMPARE(read->meshes[3].name, std::string("other"));
     QVERIFY(read->meshes[3].groups.empty());
-    // Only the vertices a group uses, in the file's order.
+    // A group has only the vertices that it uses, in the file's order.
     QCOMPARE(read->meshes[1].positions.size(), std::size_t(3));
     QCOMPARE(read->meshes[1].positions[0], glm::vec3(1, 0, 0));
     QCOMPARE(read->meshes[1].positions[2], glm::vec3(0, 0, 1));
@@ -143,7 +143,7 @@ class TestReaderDetails : public QObject {
     QTest::newRow("comb") << comb << -1.0;
   }
 
-  /// No triangle of a cut turns over and together they cover the polygon.
+  /// No triangle of a cut turns over, and together they cover the polygon.
   void polygons() {
     QFETCH(QList<QPointF>, corners);
     QFETCH(double, wanted);

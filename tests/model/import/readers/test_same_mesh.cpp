@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One surface in many encodings must load equal: the real one in 22, and the tests' own cube in
-// all.
+// Tests that one surface in many encodings loads equal: the real one in 22, and the tests' own cube
+// in all.
 #include <QDir>
 #include <QTest>
 #include <algorithm>
@@ -19,8 +19,8 @@ bool before(const glm::vec3& a, const glm::vec3& b) {
   return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
-/// Triangles as corner positions, each turned so that its least corner comes first (which keeps its
-/// orientation), sorted. Positions are rounded so that text and binary agree.
+/// Returns triangles as corner positions, each turned so that its least corner comes first (which
+/// keeps its orientation), sorted. Positions are rounded so that text and binary agree.
 std::vector<std::array<std::array<long, 3>, 3>> cornerSet(const model::RawMesh& mesh, double grid) {
   std::vector<std::array<std::array<long, 3>, 3>> set;
   for (const model::Triangle& t : mesh.triangles) {
@@ -35,7 +35,7 @@ std::vector<std::array<std::array<long, 3>, 3>> cornerSet(const model::RawMesh& 
   return set;
 }
 
-/// The largest distance between corners of two sorted lists of triangles.
+/// Returns the largest distance between corners of two sorted lists of triangles.
 double farthest(const model::RawMesh& a, const model::RawMesh& b) {
   const auto sorted = [](const model::RawMesh& mesh) {
     std::vector<Corners> list;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// 3MF: what its packages say, and packages that lie.
+// Tests 3MF: what its packages hold, and packages that lie.
 #include <QTest>
 #include <array>
 #include <glm/geometric.hpp>
@@ -40,7 +40,7 @@ QByteArray modelPart(const QByteArray& resources, const QByteArray& build,
          "</build></model>";
 }
 
-/// The cube as an object of that id.
+/// Returns the cube as an object of that id.
 QByteArray cube(const QByteArray& id, const QByteArray& more = {}, const QByteArray& paint = {}) {
   QByteArray text = "<object id=\"" + id + "\" " + more + "><mesh><vertices>";
   for (const glm::vec3& p : cubePositions())
@@ -60,7 +60,7 @@ QByteArray file(const QByteArray& resources, const QByteArray& build, const QByt
 
 const QByteArray item = "<item objectid=\"1\"/>";
 
-/// Objects of two components each, so many levels of them.
+/// Returns objects of two components each, nested that many levels deep.
 QByteArray doubling(int levels) {
   QByteArray text = cube("0");
   for (int i = 1; i <= levels; ++i) {
@@ -117,7 +117,7 @@ class ThreeMfTest : public QObject {
       // The mirrored one, too, has its normals outward.
       QVERIFY(std::abs(volume(mesh) - 6.0 * 8.0) < 1e-3);
     }
-    // (10, 0, 0) of the component, turned by the item's quarter turn, doubled and moved.
+    // The component's (10, 0, 0) is turned by the item's quarter turn, doubled and moved.
     glm::vec3 middle(0.0f);
     for (const glm::vec3& p : read->meshes[1].positions)
       middle += p / float(read->meshes[1].positions.size());
@@ -202,7 +202,8 @@ class ThreeMfTest : public QObject {
     QCOMPARE(triangleCount(*elsewhere), std::size_t(12));
     const auto bare =
         readBytes(folder, "a.3mf", package({{"3D/3dmodel.model", modelPart(cube("1"), "")}}));
-    QVERIFY(bare && triangleCount(*bare) == 12);  // no build: all that is no component
+    QVERIFY(bare && triangleCount(*bare) ==
+                        12);  // without a build, every object that is no component counts
   }
 
   void refused_data() {

@@ -18,7 +18,7 @@ QByteArray scene(const QByteArray& nodes, const QByteArray& version = "Slicer4.4
   return "<MRML version=\"" + version + "\" userTags=\"\">\n" + nodes + "</MRML>\n";
 }
 
-/// A model with its storage and display.
+/// Returns a model with its storage and display.
 QByteArray liver(const QByteArray& more = {}, const QByteArray& storage = {},
                  const QByteArray& file = "liver.ply") {
   return "<Model id=\"M1\" name=\"Model_3_liver\" storageNodeRef=\"S1\" displayNodeRef=\"D1\" " +
@@ -27,7 +27,7 @@ QByteArray liver(const QByteArray& more = {}, const QByteArray& storage = {},
          "visibility=\"true\"></ModelDisplay>\n";
 }
 
-/// A scene file beside liver.ply, an octahedron at (−70, 0, 0) of its own coordinates.
+/// Holds a scene file beside liver.ply, an octahedron at (−70, 0, 0) of its own coordinates.
 class SceneFolder {
  public:
   explicit SceneFolder(const QByteArray& text, std::optional<Frame> header = std::nullopt) {
@@ -125,7 +125,7 @@ void SlicerSceneTest::frame() {
 
 void SlicerSceneTest::transforms_data() {
   QTest::addColumn<QByteArray>("nodes");
-  QTest::addColumn<QList<double>>("place");  // LPS, the file being RAS
+  QTest::addColumn<QList<double>>("place");  // in LPS, the file being RAS
   QTest::addColumn<QString>("warning");
   const QByteArray a = "<LinearTransform id=\"T1\" name=\"move\" matrixTransformToParent=\"";
   const auto row = [](const char* tag, const QByteArray& nodes, const QList<double>& place,

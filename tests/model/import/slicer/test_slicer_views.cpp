@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saved views, fiducials and bundles of 3D Slicer.
+// Tests saved views, fiducials and bundles of 3D Slicer.
 #include <QDir>
 #include <QtTest>
 #include <array>
@@ -152,7 +152,7 @@ void SlicerViewsTest::views() {
   QCOMPARE(collapsed.camera.fovyDegrees, 12.5f);
   QVERIFY(near(collapsed.camera.eye, {0, -500, 0}));
   seen = shown(scene, collapsed).scene;
-  QVERIFY(!seen.resolve(liver).visible);   // by its collapsed group
+  QVERIFY(!seen.resolve(liver).visible);   // hidden by its collapsed group
   QVERIFY(!seen.resolve(spleen).visible);  // it was not there yet
   QCOMPARE(seen.resolve(liver).colour, (Colour{0, 0, 255}));
 

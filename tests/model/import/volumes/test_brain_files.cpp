@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What programs for brains write: volumes in two files, of which Analyze does not say which side is
-// left, FreeSurfer's volumes with their numbers and surfaces, and GIFTI.
+// Tests files of programs for brains: volumes in two files, for which Analyze does not record which
+// side is left, FreeSurfer's volumes with their numbers and surfaces, and GIFTI.
 #include <QElapsedTimer>
 #include <QtTest>
 #include <array>
@@ -22,14 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 7 at the patient's left, 9 at the right and in front. Millimetres LPS.
+/// Returns 7 at the patient's left, 9 at the right and in front, in LPS millimetres.
 int twoSides(const glm::dvec3& p) {
   if (p.x > 2.0 && p.x < 6.0 && std::abs(p.y) < 3.0 && std::abs(p.z) < 3.0)
     return 7;
   return p.x < -3.0 && p.x > -8.0 && p.y < -2.0 && p.y > -7.0 && std::abs(p.z) < 2.0 ? 9 : 0;
 }
 
-/// On a grid of whole millimetres whose axes run along the columns.
+/// Returns the labels on a grid of whole millimetres with axes along the columns.
 WrittenVolume headAlong(const glm::dmat3& axes) {
   glm::dmat4 grid(axes);
   grid[3] = glm::dvec4(axes * glm::dvec3(-10.0), 1.0);
@@ -51,7 +51,7 @@ fs::path inFolder(const QTemporaryDir& folder, const char* name) {
   return folder.filePath(name).toStdString();
 }
 
-/// What is wrong with where 7 and 9 are, or that a surface faces inward.
+/// Returns what is wrong with the places of 7 and 9, or that a surface faces inward.
 QString faultOf(const Imported& imported, const std::string& seven, const std::string& nine) {
   const std::array<std::pair<std::string, Box>, 2> wanted = {
       {{seven, {{2.5f, -2.5f, -2.5f}, {5.5f, 2.5f, 2.5f}}},
@@ -103,7 +103,7 @@ class BrainFilesTest : public QObject {
   void spoiled();
 };
 
-/// Either file may be named, either may be packed, in either byte order.
+/// Either file may be named, and either may be packed, in either byte order.
 void BrainFilesTest::pairs() {
   for (const std::endian order : {std::endian::little, std::endian::big})
     for (const char* endings : {".hdr .img", ".HDR .IMG", ".hdr.gz .img.gz", ".hdr .img.gz"}) {
@@ -166,8 +166,8 @@ void BrainFilesTest::pairsRefused() {
   QVERIFY2(told("f.nii").contains("a file of its own"), qPrintable(told("f.nii")));
 }
 
-/// Nothing but names can say on which side the first voxels are; front and head are known, so that
-/// the choice of a frame mirrors from side to side and turns nothing.
+/// Only names can tell on which side the first voxels are; front and head are known, so that the
+/// choice of a frame mirrors from side to side and turns nothing.
 void BrainFilesTest::analyzeSides() {
   QTemporaryDir named_;
   writeText(named_.filePath("head.ctbl"), sidedTable);
@@ -192,7 +192,7 @@ void BrainFilesTest::analyzeSides() {
   QVERIFY(!faultOf(*read(alongLas, Frame::ras), "label 7", "label 9").isEmpty());
 }
 
-/// Slices from the front and from the side, upside down too.
+/// The slices run from the front and from the side, upside down too.
 void BrainFilesTest::analyzePlanes() {
   const glm::dvec3 left(1, 0, 0);
   const glm::dvec3 front(0, -1, 0);
@@ -239,7 +239,7 @@ void BrainFilesTest::mghNames() {
   QCOMPARE(named(imported->scene, "strange thing").style.colour, std::optional(Colour{12, 240, 7}));
 }
 
-/// FreeSurfer's numbers are believed where the volume is FreeSurfer's, and nowhere else.
+/// FreeSurfer's numbers are believed if the volume is FreeSurfer's, and nowhere else.
 void BrainFilesTest::freeSurferNumbers() {
   const auto namesOf = [](std::initializer_list<int> values, const char* file) {
     LabelVolume volume;
@@ -254,7 +254,7 @@ void BrainFilesTest::freeSurferNumbers() {
   QVERIFY(namesOf({2, 3, 41, 42, 99}, "labels.mgz").empty());
   QVERIFY(!namesOf({2, 3, 41, 42}, "ribbon.mgz").empty());
   QVERIFY(!namesOf({2, 41, 11'101}, "all.mgz").empty());
-  // Every name that has a side has the number of its side.
+  // Every name with a side has the number of its side.
   const LabelNames all = namesOf({}, "aseg");
   QCOMPARE(all.size(), std::size_t(117));
   for (const auto& [number, label] : all) {
@@ -266,7 +266,7 @@ void BrainFilesTest::freeSurferNumbers() {
   }
 }
 
-/// A surface is told from the middle of its volume, along the axes of coronal slices.
+/// A surface's places count from the middle of its volume, along the axes of coronal slices.
 void BrainFilesTest::freeSurferSurfaces() {
   QTemporaryDir folder;
   const glm::dmat3 coronal({-1, 0, 0}, {0, 0, -1}, {0, 1, 0});
@@ -283,7 +283,7 @@ void BrainFilesTest::freeSurferSurfaces() {
   QVERIFY2(pial.ok(), pial.ok() ? "" : pial.error().text().c_str());
   QCOMPARE(middle(pial, "left pial surface"), glm::vec3(-5.0f, 7.0f, 11.0f));
   QVERIFY2(pial->report.warnings.empty(), qPrintable(warningsOf(*pial)));
-  // A volume that was turned by a quarter about the long axis turns its surface.
+  // A volume turned by a quarter about the long axis turns its surface.
   QByteArray longCube = freeSurferCube();
   const glm::dmat3 turned({0, -1, 0}, {0, 0, -1}, {-1, 0, 0});
   const Result<Imported> turn = read("rh.white", longCube + freeSurferGeometry(turned, {0, 0, 0}));
@@ -330,8 +330,8 @@ void BrainFilesTest::giftiEncodings() {
   }
 }
 
-/// Unknown coordinates follow a matrix to the scanner's; to an atlas, or from known ones, none
-/// does.
+/// Unknown coordinates follow a matrix to the scanner's; they follow none to an atlas, nor do known
+/// ones follow any.
 void BrainFilesTest::giftiPlaces() {
   QTemporaryDir folder;
   const QByteArray shift = "1 0 0 5 0 1 0 -7 0 0 1 11 0 0 0 1";
@@ -375,7 +375,8 @@ void BrainFilesTest::giftiRefused() {
   QVERIFY(told("<x/>").contains("GIFTI"));
 }
 
-/// What is no anatomy, or belongs to others, is passed over in a folder and read where it is named.
+/// In a folder, surfaces that are no anatomy and other programs' files are passed over; a file that
+/// is named is read.
 void BrainFilesTest::surfacesOfAFolder() {
   QTemporaryDir folder;
   for (const char* name : {"lh.pial", "rh.pial", "lh.inflated", "rh.sphere"})
@@ -411,7 +412,7 @@ void BrainFilesTest::spoiled_data() {
   QTest::newRow("packed mesh") << "s.obj.gz" << gzipped(cubeFile("obj")) << QByteArray();
 }
 
-/// 200 copies of each: a sound surface or an error with a remedy, quickly.
+/// 200 copies of each give a sound surface or an error with a remedy, quickly.
 void BrainFilesTest::spoiled() {
   QFETCH(QString, name);
   QFETCH(QByteArray, bytes);
@@ -420,7 +421,7 @@ void BrainFilesTest::spoiled() {
   if (!beside.isEmpty())
     writeText(folder.filePath("s.img"), beside);
   Mutator mutate(20260417, {[](Mutator& random, QByteArray& all, qsizetype at) {
-                   // Headers are where a change matters most.
+                   // A change matters most in headers.
                    at %= std::min<qsizetype>(all.size(), 100);
                    all[at] = char(random.below(256));
                  }});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces of label volumes: closed, manifold and outward whatever the voxels, shared where
+// Tests surfaces of label volumes: closed, manifold and outward whatever the voxels, shared where
 // structures touch, true to what was sampled.
 #include <QtTest>
 #include <cmath>
@@ -35,7 +35,7 @@ double volumeOf(const RawMesh& mesh) {
   return sum / 6.0;
 }
 
-/// Every edge has two triangles that run along it in opposite directions.
+/// Tells whether every edge has two triangles that run along it in opposite directions.
 bool isClosed(const RawMesh& mesh) {
   const HalfEdges edges(mesh.positions.size(), mesh.triangles);
   if (edges.openCount() + edges.sharedCount() > 0)
@@ -48,7 +48,7 @@ bool isClosed(const RawMesh& mesh) {
   return true;
 }
 
-/// The triangles around each vertex form one fan.
+/// Tells whether the triangles around each vertex form one fan.
 bool hasOneFanEverywhere(const RawMesh& mesh) {
   const HalfEdges edges(mesh.positions.size(), mesh.triangles);
   std::vector<std::size_t> faces(mesh.positions.size(), 0);
@@ -108,7 +108,7 @@ void LabelSurfacesTest::noise_data() {
       QTest::addRow("%d labels%s", labels, smooth ? ", relaxed" : "") << labels << smooth;
 }
 
-/// Voxels at random have every configuration, the ambiguous ones in all combinations.
+/// Random voxels have every configuration, the ambiguous ones in all combinations.
 void LabelSurfacesTest::noise() {
   QFETCH(int, labels);
   QFETCH(bool, smooth);
@@ -171,7 +171,7 @@ void LabelSurfacesTest::sphere() {
            qPrintable(QString::number(volumeOf(mesh) / truth)));
 }
 
-/// A vessel as wide as a voxel, oblique, keeps its volume and stays one piece.
+/// An oblique vessel as wide as a voxel keeps its volume and stays one piece.
 void LabelSurfacesTest::thinVessel() {
   for (const double radius : {0.75, 1.2, 2.0}) {
     const glm::dvec3 along = glm::normalize(glm::dvec3(0.3, 0.2, 1.0));
@@ -189,7 +189,7 @@ void LabelSurfacesTest::thinVessel() {
   }
 }
 
-/// The steps of a shallow slope are twenty voxels long; relaxed, they are gone.
+/// The steps of a shallow slope are twenty voxels long; relaxation removes them.
 void LabelSurfacesTest::slope() {
   const auto height = [](const glm::dvec3& p) { return 20.0 + 0.05 * p.x + 0.012 * p.y; };
   const LabelVolume volume =
@@ -213,8 +213,8 @@ void LabelSurfacesTest::slope() {
            qPrintable(QString::number(deviation(Smoothing::Mode::automatic))));
 }
 
-/// Two half balls and a shell around them: where two structures meet, each has the other's
-/// triangles the other way round, vertex for vertex.
+/// Two half balls have a shell around them: where two structures meet, each has the other's
+/// triangles in the opposite direction, vertex for vertex.
 void LabelSurfacesTest::touching() {
   const LabelVolume volume =
       inMemory(sampled(glm::ivec3(40), grid({1.0, 1.1, 1.2}, glm::dvec3(-20.0)),
@@ -249,7 +249,7 @@ void LabelSurfacesTest::touching() {
   }
 }
 
-/// What reaches the border of the volume is closed half a voxel outside.
+/// A structure that reaches the border of the volume is closed half a voxel outside.
 void LabelSurfacesTest::border() {
   const LabelVolume volume =
       inMemory(sampled(glm::ivec3(4, 3, 2), grid(glm::dvec3(1.0), glm::dvec3(0.0)),
@@ -264,7 +264,8 @@ void LabelSurfacesTest::border() {
   QCOMPARE(box.high, glm::vec3(3.5f, 2.5f, 1.5f));
 }
 
-/// A grid that counts its voxels the other way makes the same surface, not an inside-out one.
+/// A grid that counts its voxels in the opposite direction makes the same surface, not an
+/// inside-out one.
 void LabelSurfacesTest::mirrored() {
   const auto label = [](const glm::dvec3& p) {
     return int(glm::length(p - glm::dvec3(9.0, 10.0, 11.0)) < 6.0 || p.x + p.y < 8.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes packed by gzip: each kind that may be, its name, and what is refused.
+// Tests meshes packed by gzip: each kind that may be, its name, and what is refused.
 #include <QtTest>
 #include <array>
 
@@ -24,7 +24,8 @@ class PackedFilesTest : public QObject {
       QTest::newRow(file.kind) << QString(file.extension) << file.bytes;
   }
 
-  /// Packed or not, the same vertices and triangles; packed in two members, too.
+  /// A packed file gives the same vertices and triangles as a plain one, even if it is packed in
+  /// two members.
   void sameSurface() {
     QFETCH(QString, extension);
     QFETCH(QByteArray, bytes);
@@ -47,7 +48,7 @@ class PackedFilesTest : public QObject {
     QVERIFY(readBytes(folder, "cube.off.gz", cubeFile("off")).ok());
   }
 
-  /// Found in a folder, and called without either ending.
+  /// A packed file is found in a folder, and its structure is named without either ending.
   void inAFolder() {
     QTemporaryDir folder;
     writeText(folder.filePath("my_cube.stl.gz"), gzipped(cubeFile("stl binary")));
@@ -87,7 +88,7 @@ class PackedFilesTest : public QObject {
     QVERIFY(!read.error().remedy.empty());
   }
 
-  /// What a person allows holds for what is unpacked.
+  /// The user's limit applies to the unpacked size.
   void limit() {
     QTemporaryDir folder;
     const QByteArray packed = gzipped(cubeFile("off") + QByteArray(100'000, '\n'));

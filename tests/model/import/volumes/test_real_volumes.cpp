@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Label volumes of other programs: an abdominal atlas beside its own surfaces, an automatic
+// Tests label volumes of other programs: an abdominal atlas beside its own surfaces, an automatic
 // segmentation, and a collection of NRRD files.
 #include <QFileInfo>
 #include <QTemporaryDir>
@@ -54,7 +54,7 @@ float distanceToTriangle(const glm::vec3& p, const std::array<glm::vec3, 3>& t) 
                    distanceToSegment(p, t[2], t[0])});
 }
 
-/// Distances to a mesh, from its triangles sorted into cubes of 3 mm.
+/// Measures distances to a mesh, from its triangles sorted into cubes of 3 mm.
 class DistanceTo {
  public:
   explicit DistanceTo(const Mesh& mesh) : m_mesh(mesh) {
@@ -128,8 +128,8 @@ class RealVolumesTest : public QObject {
   void nrrdCollection();
 };
 
-/// 95 structures with the colour table's names, closed; the liver is where the atlas's own surface
-/// of it is.
+/// There are 95 structures with the colour table's names, closed; the liver is where the atlas's
+/// own surface of it is.
 void RealVolumesTest::atlas() {
   const char* labels = "labelmap/spl_abdomen/spl_abdomen_labels.nrrd";
   const char* own = "abdomen/Data/Model_3_liver.vtk";
@@ -163,12 +163,13 @@ void RealVolumesTest::atlas() {
       QVERIFY2(node.provenance.displacementMm < 2.02f, node.name.c_str());
 }
 
-/// 61 structures by the header's names; the same from a folder with one file for each.
+/// There are 61 structures with the header's names, and the same from a folder with one file for
+/// each.
 void RealVolumesTest::automaticSegmentation() {
   const char* labels = "labelmap/totalsegmentator/ct_total_labels_3mm.nii.gz";
   if (absent(labels))
     SLINE_ABSENT("the folder of real data is absent");
-  // Away from the table beside it, so that the names are the header's.
+  // The file lies away from its table, so that the names are the header's.
   QTemporaryDir alone;
   const QString copy = alone.filePath("labels.nii.gz");
   QVERIFY(QFile::copy(QString::fromStdString(data(labels).string()), copy));
@@ -200,7 +201,7 @@ void RealVolumesTest::automaticSegmentation() {
       continue;
     const Node& same = named(parts->scene, node.name);
     QVERIFY2(same.mesh != nullptr, node.name.c_str());
-    // Which label is the higher one decides where diagonal neighbours are parted, no more.
+    // The order of the labels only decides where diagonal neighbours are separated.
     QVERIFY(std::abs(double(same.mesh->triangleCount()) / double(node.mesh->triangleCount()) -
                      1.0) < 0.01);
     QVERIFY(glm::length(same.mesh->bounds().low - node.mesh->bounds().low) < 1.0f);
@@ -225,7 +226,7 @@ void RealVolumesTest::nrrdCollection_data() {
   refused("test_simple4d_raw.nrrd", "not whole numbers");
 }
 
-/// The same ball in each that holds it.
+/// Each file that holds the ball gives the same one.
 void RealVolumesTest::nrrdCollection() {
   QFETCH(QString, file);
   QFETCH(QString, refusal);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scans: intensities as they stand in files, structures that thresholds make of them, and scans
+// Tests scans: intensities as they stand in files, structures made of them by thresholds, and scans
 // that are kept with the scene.
 #include <QElapsedTimer>
 #include <QFile>
@@ -31,7 +31,8 @@ namespace {
 constexpr glm::dvec3 centre{12.0, 3.0, -2.0};
 constexpr double radius = 11.3;
 
-/// A ball to the left, as dense as bone in soft tissue: its edge is as soft as a scanner makes it.
+/// Returns a ball to the left, as dense as bone in soft tissue: its edge is as soft as a scanner
+/// makes it.
 int ballAt(const glm::dvec3& p) {
   const double out = glm::distance(p, centre) - radius;
   return int(std::lround(std::clamp(200.0 - 100.0 * out, -900.0, 900.0)));
@@ -50,7 +51,8 @@ WrittenVolume ball() {
   return sampled(size, gridOf(2.0, size), ballAt);
 }
 
-/// A body of fat and muscle around a lung, a bone in it, specks of bone, on a table apart from it.
+/// Returns a body of fat and muscle around a lung, a bone in it, specks of bone, on a table apart
+/// from it.
 int bodyAt(const glm::dvec3& p) {
   const double out = std::hypot(p.x / 40.0, p.y / 30.0);
   if (std::abs(p.x) < 45.0 && p.y > 36.0 && p.y < 42.0)
@@ -189,7 +191,7 @@ void ScansTest::surfaceLiesWhereIntensitiesCross_data() {
   QTest::newRow("MetaImage") << metaImageFile(volume, false, Number::int16) << "a.mha";
 }
 
-/// Voxels are 2 mm wide; the surface is where it was to a seventh of one, and at the patient's
+/// Voxels are 2 mm wide; the surface lies where it was to a seventh of one, and at the patient's
 /// left.
 void ScansTest::surfaceLiesWhereIntensitiesCross() {
   QFETCH(QByteArray, bytes);
@@ -248,7 +250,7 @@ void ScansTest::bodyAndItsParts() {
   QVERIFY2(notes.find("only the largest is the body's") != std::string::npos, notes.c_str());
 }
 
-/// An MR image says nothing in Hounsfield units: what parts body from air is found in it.
+/// An MR image has no Hounsfield units: the value that separates body from air is found in it.
 void ScansTest::withoutUnits() {
   WrittenVolume mr = body();
   for (std::size_t i = 0; i < mr.values.size(); ++i)
@@ -331,7 +333,7 @@ void ScansTest::keptWithTheScene() {
   QVERIFY(scan.size == volume.size && scan.hounsfield);
   QCOMPARE(scan.name, std::string("CT"));
   QCOMPARE(scan.file, std::string("ct.nii.gz"));
-  // A voxel's middle is where the intensity was asked for.
+  // A voxel's middle is the place where the intensity was sampled.
   const glm::dvec4 p = scan.toLps * glm::dvec4(20, 15, 12, 1);
   QCOMPARE(
       scan.intensity((*scan.voxels)[std::size_t((12 * volume.size.y + 15) * volume.size.x + 20)]),
@@ -341,7 +343,7 @@ void ScansTest::keptWithTheScene() {
   const std::size_t scanBytes = bytes->size() - sceneFileBytes({.scene = without})->size();
   QVERIFY2(scanBytes < scan.voxels->size(), "half of what its numbers take");
   QCOMPARE(*sceneFileBytes(*again), *bytes);
-  // Who overrules the frame turns both, the structure and the scan.
+  // A frame chosen by the user turns both the structure and the scan.
   options.frame = Frame::lps;
   const auto turned = importInputs(inputs, options);
   const glm::dvec4 q = turned->scene.scans().front().toLps * glm::dvec4(20, 15, 12, 1);
@@ -356,7 +358,7 @@ void ScansTest::keptWithTheScene() {
   QCOMPARE(together->scene.scans().size(), std::size_t(2));
 }
 
-/// Each fault is told with its place.
+/// Each fault is reported with its place.
 void ScansTest::spoiledScenes() {
   QTemporaryDir folder;
   const std::array inputs{written(folder, "ct.nii", niftiFile(ball(), Number::int16))};
@@ -397,7 +399,7 @@ void ScansTest::spoiledScenes() {
   QVERIFY(read < 200);
 }
 
-/// What is made of a scan that is in memory needs no second reading.
+/// Structures made from a scan in memory need no second reading.
 void ScansTest::plannedAnew() {
   QTemporaryDir folder;
   const std::array inputs{written(folder, "ct.nii", niftiFile(body(), Number::int16))};
@@ -490,7 +492,7 @@ void ScansTest::realCt() {
     QVERIFY(bone.low[axis] > skin.low[axis] - 3.0f);
     QVERIFY(bone.high[axis] < skin.high[axis] + 3.0f);
   }
-  // The spine is behind.
+  // The spine lies behind.
   QVERIFY(bone.centre().y > skin.centre().y);
 }
 

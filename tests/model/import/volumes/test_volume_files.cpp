@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Label volumes in files: every format, number type, byte order and orientation gives the same
-// structures on the same side of the patient; names and colours; what is refused, and why.
+// Tests label volumes in files: every format, number type, byte order and orientation gives the
+// same structures on the same side of the patient; names and colours; what is refused, and why.
 #include <QFile>
 #include <QtTest>
 #include <array>
@@ -18,8 +18,8 @@ using namespace sline::test;
 
 namespace {
 
-/// A body with different things at left, in front and at the head, so that no turn or reflection
-/// leaves it as it is. Millimetres LPS.
+/// Returns a body with different things at left, in front and at the head, so that no turn or
+/// reflection leaves it as it is, in LPS millimetres.
 int bodyAt(const glm::dvec3& p) {
   const auto box = [&](const glm::dvec3& low, const glm::dvec3& high) {
     return p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y &&
@@ -42,7 +42,7 @@ const std::array<std::pair<int, Box>, 3>& bodyBoxes() {
   return boxes;
 }
 
-/// A grid of half millimetres around the body whose axes run along the columns.
+/// Returns a grid of half millimetres around the body with axes along the columns.
 glm::dmat4 gridAlong(const std::array<glm::dvec3, 3>& axes, const glm::ivec3& size) {
   glm::dmat4 matrix(1.0);
   glm::dvec3 corner(0.0);
@@ -63,7 +63,7 @@ const WrittenVolume& plainBody() {
   return body;
 }
 
-/// A smaller one for rows in which only the numbers matter.
+/// Returns a smaller body for rows in which only the numbers matter.
 const WrittenVolume& smallBody() {
   static const WrittenVolume body = [] {
     glm::dmat4 grid(2.0);
@@ -162,7 +162,8 @@ void VolumeFilesTest::sides_data() {
   }
 }
 
-/// Wherever the voxels begin and whichever way they run, what is at the patient's left stays there.
+/// Wherever the voxels begin and whichever way they run, structures at the patient's left stay
+/// there.
 void VolumeFilesTest::sides() {
   QFETCH(QString, name);
   QFETCH(QByteArray, bytes);
@@ -212,7 +213,7 @@ void VolumeFilesTest::numberTypes() {
   QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
 }
 
-/// Data beside the header, behind bytes or lines of something else, and nowhere else.
+/// Data may lie beside the header, behind bytes or lines of something else, and nowhere else.
 void VolumeFilesTest::detached() {
   const WrittenVolume& body = smallBody();
   const QByteArray raw = numbers(body, Number::uint8, std::endian::little);
@@ -302,7 +303,7 @@ void VolumeFilesTest::namesAndColours() {
   QVERIFY(named(caret->scene, "kidney right").mesh != nullptr);
 }
 
-/// 3D Slicer's overlapping segments: two layers, a voxel in both.
+/// 3D Slicer's overlapping segments come in two layers, with a voxel in both.
 void VolumeFilesTest::segmentsInLayers() {
   QByteArray header =
       "NRRD0005\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\n"
@@ -326,7 +327,7 @@ void VolumeFilesTest::segmentsInLayers() {
   QCOMPARE(named(imported->scene, "cyst").mesh->bounds().low, glm::vec3(4.5f, -0.5f, -0.5f));
 }
 
-/// Whoever overrules the frame says what the file's numbers mean: for NIfTI, RAS is what it is.
+/// A frame chosen by the user says what the file's numbers mean: for NIfTI, RAS changes nothing.
 void VolumeFilesTest::frameOverruled() {
   QTemporaryDir folder;
   const QString path = folder.filePath("b.nii");
@@ -418,14 +419,14 @@ void VolumeFilesTest::spoiled_data() {
   QTest::newRow("MINC") << "s.mnc" << mincFile(body);
 }
 
-/// Bytes changed, cut and doubled at random: a surface that is sound, or an error with a remedy.
+/// Bytes changed, cut and doubled at random give a sound surface, or an error with a remedy.
 void VolumeFilesTest::spoiled() {
   QFETCH(QString, name);
   QFETCH(QByteArray, bytes);
   QTemporaryDir folder;
   std::mt19937 random(20260101);
   const auto below = [&](qsizetype n) { return qsizetype(random() % std::uint32_t(n)); };
-  // Headers are where a change matters most.
+  // A change matters most in headers.
   const auto place = [&](const QByteArray& in) {
     return below(random() % 3 == 0 ? in.size() : std::min<qsizetype>(in.size(), 400));
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Folders of one file per structure, as automatic segmentation writes them: together one volume.
+// Tests folders of one file per structure, as automatic segmentation writes them: together they are
+// one volume.
 #include <QtTest>
 #include <algorithm>
 #include <array>
@@ -38,7 +39,7 @@ Result<Imported> importFolder(const QTemporaryDir& folder) {
   return importInputs(std::array{std::filesystem::path(folder.path().toStdString())}, {});
 }
 
-/// How many vertices two structures have at the same place.
+/// Returns how many vertices two structures have at the same place.
 std::size_t sharedVertices(const Scene& scene, const char* a, const char* b) {
   const auto places = [&](const char* name) {
     std::set<std::array<float, 3>> found;
@@ -64,7 +65,7 @@ class VolumeSetsTest : public QObject {
   void nothingUsable();
 };
 
-/// Two halves of a ball in a file each touch without a gap; empty masks are told once.
+/// Two halves of a ball in a file each touch without a gap; empty masks are reported once.
 void VolumeSetsTest::masks() {
   QTemporaryDir folder;
   writeMask(folder, "liver.nii.gz",
@@ -86,7 +87,7 @@ void VolumeSetsTest::masks() {
   QVERIFY(warningsOf(*imported).contains("2 masks hold nothing"));
 }
 
-/// What overlaps or lies on another grid is kept whole.
+/// Masks that overlap or lie on another grid are kept whole.
 void VolumeSetsTest::overlapping() {
   QTemporaryDir folder;
   const auto whole = [](const glm::dvec3& p) { return ball(p, glm::dvec3(15.0), 9.0); };
@@ -125,7 +126,7 @@ void VolumeSetsTest::imageAmongThem() {
   QVERIFY(warningsOf(*imported).contains("scan rather than a label volume"));
 }
 
-/// What is there as a surface is not taken from the volume once more.
+/// A structure that exists as a surface is not taken from the volume once more.
 void VolumeSetsTest::surfacesBeside() {
   QTemporaryDir folder;
   writeMesh(folder.filePath("liver.stl"), *octahedron(glm::vec3(15.0f), 9.0f));

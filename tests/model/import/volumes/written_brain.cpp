@@ -29,7 +29,7 @@ QByteArray zlibbed(const QByteArray& bytes) {
   return packed;
 }
 
-/// The numbers of a table of three columns in the form's order and encoding.
+/// Returns the numbers of a table of three columns in the form's order and encoding.
 template <class T>
 QByteArray giftiData(std::vector<T> numbers, const GiftiForm& form) {
   if (form.columnsFirst) {
@@ -72,7 +72,7 @@ PairBytes niftiPair(const WrittenVolume& volume, std::endian order) {
 
 PairBytes analyzePair(const WrittenVolume& volume, const AnalyzeForm& form) {
   PairBytes pair = niftiPair(volume);
-  // Where NIfTI keeps unit, forms and magic, Analyze has dates and names.
+  // In place of NIfTI's unit, forms and magic, Analyze has dates and names.
   pair.header.replace(120, 228, QByteArray(228, '\0'));
   pair.header[252] = form.orientation;
   for (int i = 0; i < 3; ++i)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What programs for brains write: volumes in two files, FreeSurfer's volumes and surfaces, GIFTI.
+// Writes files as programs for brains do: volumes in two files, FreeSurfer's volumes and surfaces,
+// GIFTI.
 #pragma once
 
 #include <QByteArray>
@@ -10,33 +11,34 @@
 
 namespace sline::test {
 
-/// The bytes of the two files of a pair.
+/// Holds the bytes of the two files of a pair.
 struct PairBytes {
   QByteArray header;
   QByteArray image;
 };
-/// A NIfTI-1 file as .hdr and .img.
+/// Returns a NIfTI-1 file as .hdr and .img.
 PairBytes niftiPair(const WrittenVolume& volume, std::endian order = std::endian::little);
 
 struct AnalyzeForm {
   char orientation = 0;
   glm::ivec3 origin{0};  ///< counted from 1; 0: none
 };
-/// The voxel sizes of the volume alone, as Analyze has them.
+/// Returns an Analyze file, which takes only the voxel sizes from the volume.
 PairBytes analyzePair(const WrittenVolume& volume, const AnalyzeForm& form = {});
 
 struct MghForm {
   bool placeKnown = true;
-  QByteArray footer;  ///< behind the numbers of the scan
+  QByteArray footer;  ///< follows the numbers of the scan
 };
 QByteArray mghFile(const WrittenVolume& volume, Number type = Number::int32,
                    const MghForm& form = {});
-/// A tag with a colour table in which 7 is "strange thing" and 9 "left kidney".
+/// Returns a tag with a colour table in which 7 is "strange thing" and 9 "left kidney".
 QByteArray mghColourTable();
 
-/// The cube of mesh_files as FreeSurfer writes a surface; `footer` stands behind the triangles.
+/// Returns the cube of mesh_files as FreeSurfer writes a surface; `footer` stands behind the
+/// triangles.
 QByteArray freeSurferCube(const QByteArray& footer = {});
-/// The footer of a volume with these axes and this middle.
+/// Returns the footer of a volume with these axes and this middle.
 QByteArray freeSurferGeometry(const glm::dmat3& axes, const glm::dvec3& middle);
 
 struct GiftiForm {
@@ -49,7 +51,7 @@ struct GiftiForm {
   QByteArray matrix = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
   QByteArray anatomy;  ///< "CortexLeft"
 };
-/// The cube of mesh_files.
+/// Returns the cube of mesh_files as GIFTI.
 QByteArray giftiCube(const GiftiForm& form = {});
 
 }  // namespace sline::test

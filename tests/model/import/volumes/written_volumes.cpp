@@ -94,7 +94,7 @@ glm::dmat4 rasOf(glm::dmat4 matrix) {
   return matrix;
 }
 
-/// The vector part of the rotation's quaternion (a ≥ 0), and −1 where the third axis is turned.
+/// Holds the vector part of the rotation's quaternion (a ≥ 0), and −1 if the third axis is turned.
 struct Quaternion {
   glm::dvec3 v{0.0};
   double sign = 1.0;
@@ -114,7 +114,7 @@ Quaternion quaternionOf(const glm::dmat4& matrix) {
     q.v = glm::dvec3(m[1][2] - m[2][1], m[2][0] - m[0][2], m[0][1] - m[1][0]) / (4.0 * a);
     return q;
   }
-  // Half a turn: the axis is in the diagonal, its signs in one column.
+  // For half a turn the axis is in the diagonal, its signs in one column.
   int largest = 0;
   for (int i = 1; i < 3; ++i)
     if (m[i][i] > m[largest][largest])
@@ -270,7 +270,7 @@ QByteArray metaImageFile(const WrittenVolume& volume, bool packed, Number type, 
 
 namespace {
 
-/// NetCDF's classic format: everything big-endian and filled up to four bytes.
+/// Writes NetCDF's classic format: everything big-endian and filled up to four bytes.
 class NetcdfWriter {
  public:
   void word(qsizetype value) { append(m_bytes, std::uint32_t(value), std::endian::big); }
@@ -300,10 +300,11 @@ class NetcdfWriter {
   QByteArray m_bytes;
 };
 
-/// Axes as MINC names them: each goes with the world's axis that it runs along most, forwards.
+/// Holds the axes as MINC names them: each goes with the world's axis that it runs along most,
+/// forwards.
 struct MincAxes {
-  std::array<int, 3> world{};         ///< of the volume's axes
-  std::array<glm::dvec3, 3> cosines;  ///< RAS
+  std::array<int, 3> world{};         ///< for each of the volume's axes
+  std::array<glm::dvec3, 3> cosines;  ///< in RAS
   std::array<double, 3> steps{};
   glm::dvec3 start{0.0};  ///< along the volume's axes
 };
@@ -337,7 +338,7 @@ QByteArray mincFile(const WrittenVolume& volume, double greatest) {
   QByteArray voxels;
   for (const int value : volume.values)
     voxels += char(std::lround(value * 255.0 / most));
-  // The place of the values is known when the header is.
+  // The place of the values is known only when the header is complete.
   qsizetype begin = 0;
   QByteArray header;
   for (int pass = 0; pass < 2; ++pass) {

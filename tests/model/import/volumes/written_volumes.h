@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Label volumes made and written by the tests themselves, in every format, type and orientation.
+// Makes and writes label volumes for the tests, in every format, type and orientation.
 #pragma once
 
 #include <QByteArray>
@@ -13,7 +13,7 @@
 
 namespace sline::test {
 
-/// The labels of a grid of voxels, asked at their middles in LPS millimetres.
+/// Holds the labels of a grid of voxels, sampled at their middles in LPS millimetres.
 struct WrittenVolume {
   glm::ivec3 size{0};
   glm::dmat4 toLps{1.0};
@@ -30,13 +30,13 @@ struct NiftiForm {
   int version = 1;
   enum class Place { sform, qform, none } place = Place::sform;
   QByteArray extension;  ///< text of a header extension
-  float slope = 0.0f;    ///< 0: as is
+  float slope = 0.0f;    ///< 0: values as they are
 };
 QByteArray niftiFile(const WrittenVolume& volume, Number type = Number::uint8,
                      std::endian order = std::endian::little, const NiftiForm& form = {});
 
-/// `space`: what stands behind "space:", such as "right-anterior-superior"; vectors are written in
-/// that space. `encoding`: raw, gzip, bzip2, hex or ascii.
+/// Returns an NRRD file. `space` is what stands behind "space:", such as "right-anterior-superior";
+/// vectors are written in that space. `encoding`: raw, gzip, bzip2, hex or ascii.
 QByteArray nrrdFile(const WrittenVolume& volume, const QByteArray& space,
                     const QByteArray& encoding = "raw", Number type = Number::uint8,
                     std::endian order = std::endian::little);
@@ -44,7 +44,8 @@ QByteArray nrrdFile(const WrittenVolume& volume, const QByteArray& space,
 QByteArray metaImageFile(const WrittenVolume& volume, bool packed, Number type = Number::uint8,
                          std::endian order = std::endian::little);
 
-/// MINC 1. With `greatest` above 0, bytes stand for numbers up to it instead of for themselves.
+/// Returns a MINC 1 file. With `greatest` above 0, bytes stand for numbers up to it instead of for
+/// themselves.
 QByteArray mincFile(const WrittenVolume& volume, double greatest = 0.0);
 
 QByteArray gzipped(const QByteArray& bytes);

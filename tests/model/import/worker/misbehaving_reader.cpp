@@ -46,7 +46,7 @@ Answer tetrahedron(bool outOfRange) {
   return model::RawMeshes{{mesh}, {{"made.dcm", "a warning"}}};
 }
 
-/// Ends as one would who reads without looking, whatever its compiler makes of that.
+/// Ends as a reader that does not check does, whatever its compiler makes of that.
 Answer crash() {
   raise(SIGSEGV);
   return said("still there");
@@ -58,7 +58,7 @@ Answer loopForever() {
     ++turns;
 }
 
-/// The same where the limit is one second already.
+/// Loops with the limit already lowered to one second.
 Answer loopForSecond() {
   const rlimit soon{1, 2};
   setrlimit(RLIMIT_CPU, &soon);
@@ -80,14 +80,14 @@ Answer eat() {
   }
 }
 
-/// The same where the limit is low already.
+/// Eats memory with the limit already lowered.
 Answer eatLittle() {
   const rlimit low{300'000'000, 300'000'000};
   setrlimit(RLIMIT_DATA, &low);
   return eat();
 }
 
-/// Where nothing keeps it, the one or the other gets through.
+/// Tries a socket and another program; without a sandbox, one of them gets through.
 Answer breakOut() {
   if (socket(AF_INET, SOCK_STREAM, 0) >= 0)
     return said("it has a socket");
@@ -99,7 +99,7 @@ Answer breakOut() {
   return said(errno == EPERM ? "kept in" : "programs fail for another reason");
 }
 
-/// Ends well, but answers with what no reader answers.
+/// Exits normally, but with bytes that no reader answers.
 Answer lie() {
   const std::string bytes(1000, '\xff');
   _exit(pwrite(model::exchangeDescriptor, bytes.data(), bytes.size(), 0) > 0 ? 0 : 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readers that crash, hang, eat memory or lie, in a process of their own: each is a message.
+// Tests readers that crash, hang, eat memory or lie, in a process of their own: each gives a
+// message.
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -68,7 +69,8 @@ class ReadingChildTest : public QObject {
     QFETCH(QString, reason);
     ReadOptions options;
     const char* deed = QTest::currentDataTag();
-    // Eating computes, too: on a machine that hands out memory slowly, for more than a second.
+    // Eating memory takes computing time, too: more than a second on a machine that hands out
+    // memory slowly.
     options.limits.childSeconds = qstrcmp(deed, "eat") == 0 ? 60 : 1;
     options.limits.childBytes = 300'000'000;
     QElapsedTimer clock;
@@ -78,7 +80,7 @@ class ReadingChildTest : public QObject {
     const QString text = QString::fromStdString(read.error().text());
     QVERIFY2(text.contains(reason), qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("%1.dcm").arg(QLatin1String(deed))), qPrintable(text));
-    // Computing may come slowly where others compute, too; waiting may not.
+    // Computing may be slow while other programs compute, too; waiting may not.
     if (qstrcmp(deed, "wait") == 0)
       QVERIFY2(clock.elapsed() < 8'000, qPrintable(QString::number(clock.elapsed())));
   }
@@ -115,7 +117,7 @@ class ReadingChildTest : public QObject {
              qPrintable(text));
   }
 
-  // What a child that was taken over might answer.
+  // A child that was taken over might give such answers.
   void spoiledAnswersAreRefused() {
     const Result<RawMeshes> whole = read("mesh");
     QVERIFY(whole.ok());

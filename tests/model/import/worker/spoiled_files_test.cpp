@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spoiled files of the kinds that libraries read: whatever those make of them, a message comes.
+// Tests spoiled files of the kinds that libraries read: whatever the libraries make of them, a
+// message comes.
 #include <QtTest>
 
 #include "tests/model/import/dicom/surface_facts.h"

@@ -34,7 +34,8 @@ void addBall(model::Scene& scene, const std::string& name, float x, const std::s
   scene.appendAnnotation(annotation);
 }
 
-/// Three labels, one of which wants to be markup, and one that is not seen.
+/// Returns an order with three labels, one of them with markup in its text, and one that is not
+/// seen.
 render::ExportOrder order() {
   render::ExportOrder made;
   addBall(made.scene, "left", 30.0f, "Leber & <b>Galle</b>");
@@ -61,7 +62,7 @@ QStringList allIn(const QString& folder) {
   return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
 }
 
-/// Lines that are notes, as their fields.
+/// Returns the fields of the lines that are notes.
 std::vector<QStringList> notesIn(const QByteArray& text) {
   std::vector<QStringList> notes;
   for (const QString& line : QString::fromUtf8(text).split('\n', Qt::SkipEmptyParts))
@@ -82,7 +83,7 @@ QImage imageNamed(const render::AnkiDeck& deck, const std::string& name) {
   return {};
 }
 
-/// The box that differs between two pictures.
+/// Returns the box in which two pictures differ.
 QRect changed(const QImage& a, const QImage& b) {
   QRect box;
   for (int y = 0; y < a.height(); ++y)
@@ -92,7 +93,7 @@ QRect changed(const QImage& a, const QImage& b) {
   return box;
 }
 
-/// Rows of a query as text.
+/// Returns the rows of a query as text.
 std::vector<QStringList> rowsOf(const QString& file, const char* query) {
   sqlite3* opened = nullptr;
   sqlite3_open_v2(file.toUtf8().constData(), &opened, SQLITE_OPEN_READONLY, nullptr);
@@ -139,7 +140,7 @@ class AnkiTest : public QObject {
     }
     QCOMPARE(labels, QStringList({"Leber &amp; &lt;b&gt;Galle&lt;/b&gt;", "肝臓 „rechts“",
                                   "Ren &quot;dexter&quot;"}));
-    // Six pictures, all different, and nothing else.
+    // There are six pictures, all different, and nothing else.
     pictures.sort();
     QCOMPARE(pictures.removeDuplicates(), 0);
     QCOMPARE(allIn(deck), pictures);
@@ -165,11 +166,11 @@ class AnkiTest : public QObject {
       const QImage answer = imageNamed(*deck, note.answer);
       QCOMPARE(question.size(), QSize(945, 531));
       boxes.push_back(changed(question, answer));
-      // The text alone changes, beside the anatomy.
+      // Only the text changes, beside the anatomy.
       QVERIFY(!boxes.back().isEmpty());
       QVERIFY2(boxes.back().width() < 300 && boxes.back().height() < 60,
                qPrintable(QString("%1 × %2").arg(boxes.back().width()).arg(boxes.back().height())));
-      // Something yellow asks.
+      // Something yellow marks the question.
       int yellow = 0;
       QRect asking;
       for (int y = boxes.back().top(); y <= boxes.back().bottom(); ++y)
@@ -180,13 +181,13 @@ class AnkiTest : public QObject {
             asking = asking.united(QRect(x, y, 1, 1));
           }
         }
-      // The question has none of the text, which is longer than what asks.
+      // The question shows none of the text, which is longer than the mark.
       QVERIFY(boxes.back().width() > asking.width() + 10);
       QVERIFY(yellow > 200);
     }
     for (std::size_t i = 0; i < 3; ++i)
       QVERIFY(!boxes[i].intersects(boxes[(i + 1) % 3]));
-    // What one card shows where another has its label.
+    // This compares what one card shows in the place where another has its label.
     const QImage first = imageNamed(*deck, deck->notes[0].answer);
     const QImage second = imageNamed(*deck, deck->notes[1].answer);
     QCOMPARE(changed(first, second).isEmpty(), others);
@@ -210,7 +211,7 @@ class AnkiTest : public QObject {
       return count;
     };
     QVERIFY(yellow(one) > 20);
-    // Where between pixels it stands is another matter.
+    // The place of the mark between pixels may differ.
     QVERIFY(std::abs(yellow(one) - yellow(other)) <= yellow(one) / 5);
   }
 

@@ -44,7 +44,7 @@ void setStyle(model::Scene& scene, model::NodeId id, const model::Style& style) 
   scene.setNodes(std::move(nodes));
 }
 
-/// Unlike its mirror image, with something of all that a scene can have.
+/// Holds a scene that differs from its mirror image, with something of all that a scene can have.
 struct Sample {
   model::Scene scene;
   model::NodeId left;
@@ -109,7 +109,7 @@ std::uint32_t number(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-/// The JSON chunk of a well-formed GLB.
+/// Returns the JSON chunk of a well-formed GLB.
 QJsonObject jsonOf(const std::string& bytes) {
   if (bytes.size() < 20 || !bytes.starts_with("glTF") || number(bytes, 8) != bytes.size())
     return {};
@@ -128,7 +128,7 @@ glm::dvec3 pointIn(const QJsonValue& list) {
   return {list[0].toDouble(), list[1].toDouble(), list[2].toDouble()};
 }
 
-/// Metres, in glTF's frame: the middle of the structure's bounds under the root's matrix.
+/// Returns the middle of the structure's bounds under the root's matrix, in metres in glTF's frame.
 glm::dvec3 middleOf(const QJsonObject& root, const QString& name) {
   const QJsonValue node = nodeNamed(root, name);
   const QJsonValue primitive = root["meshes"][node["mesh"].toInt()]["primitives"][0];
@@ -141,7 +141,7 @@ glm::dvec3 middleOf(const QJsonObject& root, const QString& name) {
   return glm::dvec3(matrix * glm::dvec4(middle, 1.0));
 }
 
-/// What a viewer of the world's frame would see of a place.
+/// Tells whether two places are the same to within that distance.
 bool near(const glm::dvec3& a, const glm::dvec3& b, double within = 1e-5) {
   return glm::length(a - b) < within;
 }
@@ -172,10 +172,10 @@ class GltfTest : public QObject {
   void stopsAndRefuses();
 
  private:
-  /// Khronos's validator on the bytes; an empty object where it did not run.
+  /// Returns the report of Khronos's validator on the bytes; an empty object if it did not run.
   QJsonObject judged(const std::string& bytes);
   QString m_node;
-  QString m_why;  ///< there is no validator
+  QString m_why;  ///< why there is no validator
   QTemporaryDir m_folder;
 };
 
@@ -279,7 +279,7 @@ void GltfTest::validatesTheAbdomen() {
   QVERIFY(verdict["triangles"].toInt() > 1'000'000);
 }
 
-/// Else its silence would mean nothing.
+/// Without this the validator's silence would mean nothing.
 void GltfTest::validatorFindsFaults() {
   if (!m_why.isEmpty())
     QSKIP(qPrintable(m_why));
@@ -292,7 +292,7 @@ void GltfTest::validatorFindsFaults() {
 
 void GltfTest::sidesStay() {
   const QJsonObject root = jsonOf(bytesOf(sample().scene));
-  // LPS (100, 5, 3) mm: left is +x, up +y, the front +z, whatever stands there.
+  // LPS (100, 5, 3) mm becomes left +x, up +y and front +z, whatever stands there.
   QVERIFY(near(middleOf(root, "left ball"), {0.100, 0.003, -0.005}));
   QVERIFY(near(middleOf(root, "front ball"), {-0.007, 0.002, 0.080}));
   QVERIFY(near(middleOf(root, "top ball"), {-0.009, 0.150, -0.004}));
@@ -309,7 +309,7 @@ void GltfTest::coloursAreLinear() {
   const QJsonValue left = materialOf("left ball");
   const QJsonArray factor = left["pbrMetallicRoughness"]["baseColorFactor"].toArray();
   QCOMPARE(factor[0].toDouble(), 1.0);
-  // sRGB 128 is 0.2158605 of the light.
+  // sRGB 128 is 0.2158605 in linear light.
   QVERIFY(std::abs(factor[1].toDouble() - 0.2158605) < 1e-6);
   QCOMPARE(factor[2].toDouble(), 0.0);
   QCOMPARE(factor[3].toDouble(), 0.5);
@@ -341,7 +341,7 @@ void GltfTest::annotationsAndCameras() {
   QVERIFY(near(pointIn(label["translation"]), glm::dvec3(place)));
   QCOMPARE(label["extras"]["text"].toString(), QString("Bällchen „links“"));
   QCOMPARE(label["extras"]["texts"]["la"].toString(), QString("globulus"));
-  // It goes where its structure goes.
+  // The label goes where its structure goes.
   const QJsonArray nodes = root["nodes"].toArray();
   const QJsonArray children = nodeNamed(root, "left ball")["children"].toArray();
   QCOMPARE(children.size(), 1);

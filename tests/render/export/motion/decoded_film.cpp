@@ -39,7 +39,7 @@ DecodedFilm decodedWebp(const QString& file) {
 
 namespace {
 
-/// What of the canvas a frame changes.
+/// Paints the part of the canvas that a frame changes.
 void paint(QImage& canvas, const SavedImage& image, const ColorMapObject& colours, int clear) {
   const GifImageDesc& place = image.ImageDesc;
   for (int y = 0; y < place.Height; ++y)

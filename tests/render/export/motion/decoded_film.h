@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films read again, each with a reader of its kind.
+// Reads films again, each with a reader of its kind.
 #pragma once
 
 #include <QImage>
@@ -10,14 +10,14 @@ namespace sline::test {
 
 struct DecodedFilm {
   std::vector<QImage> frames;  ///< RGBA, as they are shown
-  int milliseconds = 0;        ///< of the whole
+  int milliseconds = 0;        ///< of the whole film
   bool endless = false;
 };
 
-/// Without frames where the file cannot be read.
+/// Reads a WebP; without frames if the file cannot be read.
 DecodedFilm decodedWebp(const QString& file);
 DecodedFilm decodedGif(const QString& file);
-/// Through ffmpeg.
+/// Reads an MP4 through ffmpeg.
 DecodedFilm decodedMp4(const QString& file);
 
 }  // namespace sline::test

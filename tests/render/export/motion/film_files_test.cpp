@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films drawn, written and read again.
+// Tests films that are drawn, written and read again.
 #include <QDir>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -32,7 +32,7 @@ void add(model::Scene& scene, const std::string& name, const Colour& colour, flo
   scene.append(std::move(node));
 }
 
-/// 96 × 54 pixels, 6 frames in 0.6 s.
+/// Returns an order of 96 × 54 pixels and 6 frames in 0.6 s.
 render::ExportOrder smallOrder() {
   render::ExportOrder order;
   add(order.scene, "ring", {220, 60, 40}, 5.0f, test::askew(*test::torus(20.0f, 7.0f, 48, 24)));
@@ -61,7 +61,7 @@ render::ExportOrder labelledOrder() {
   return order;
 }
 
-/// The picture itself, as `sline render` draws it.
+/// Returns the picture itself, as `sline render` draws it.
 QImage still(const render::ExportOrder& order, const model::Camera& camera) {
   const auto context = render::gpu::HeadlessContext::create();
   const auto picture = render::Picture::create();
@@ -73,7 +73,7 @@ QImage still(const render::ExportOrder& order, const model::Camera& camera) {
   return QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
 }
 
-/// Mean difference of channels on white, 0 … 255; 255 where sizes differ.
+/// Returns the mean difference of channels on white, 0 … 255; 255 if sizes differ.
 double difference(const QImage& a, const QImage& b) {
   if (a.size() != b.size() || a.isNull())
     return 255.0;
@@ -244,7 +244,7 @@ class FilmFilesTest : public QObject {
     QVERIFY(render::writeFrames(order, folder.filePath("with").toStdString(), {}).ok());
     const test::DecodedFilm film = decodedFrames(folder.filePath("with"));
     QCOMPARE(int(film.frames.size()), 12);
-    // R, P, L and A at the left edge: from the front, the patient's left, the back, the right.
+    // The left edge shows R, P, L and A: from the front, the patient's left, the back, the right.
     std::vector<QImage> letters;
     for (const std::size_t i : {0u, 3u, 6u, 9u}) {
       letters.push_back(film.frames[i].copy(0, 40, 16, 28));
@@ -344,7 +344,7 @@ class FilmFilesTest : public QObject {
     order.of<render::FilmOptions>().framesPerSecond = 30;
     order.of<render::FilmOptions>().seconds = 0.2;
     QVERIFY(render::writeGif(order, folder.filePath("film.gif").toStdString(), {}).ok());
-    // Thirtieths of a second in hundredths: 3, 4, 3 and so on.
+    // Thirtieths of a second are rounded to hundredths: 3, 4, 3 and so on.
     QCOMPARE(test::decodedGif(folder.filePath("film.gif")).milliseconds, 200);
   }
 };

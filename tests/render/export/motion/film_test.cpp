@@ -25,7 +25,7 @@ model::NodeId add(model::Scene& scene, const std::string& name, const model::Mes
   return scene.append(std::move(node));
 }
 
-/// A long thing across, seen from the side on which it is short: turning, it needs more room.
+/// Returns a long object seen from the side on which it is short: turning, it needs more room.
 render::ExportOrder longOrder(model::AnatomicalView view = model::AnatomicalView::left) {
   render::ExportOrder order;
   for (const float x : {-90.0f, 0.0f, 90.0f})
@@ -54,7 +54,7 @@ float gammaIn(const render::FilmFrame& frame, std::size_t node = 0) {
   return frame.scene.resolve(frame.scene.nodes()[node].id).gamma.value();
 }
 
-/// Within what a margin on all sides leaves of the picture.
+/// Tells whether all points lie within the picture, less a margin on all sides.
 bool allInside(const render::FilmFrame& frame, const glm::vec2& size,
                const glm::vec2& margin = glm::vec2(0.0f)) {
   const render::Screen screen(frame.camera, size);
@@ -107,7 +107,7 @@ class FilmTest : public QObject {
       order.page.sizeMm = {100.0f, 100.0f};
       const Film film = std::move(Film::create(order)).value();
       QVERIFY(!(film.at(0).camera == order.camera));
-      // In the middle, and no smaller than it must be.
+      // The object is in the middle, and no smaller than it must be.
       QVERIFY(glm::length(film.at(9).camera.target - film.at(27).camera.target) < 1.0f);
       bool full = false;
       for (int i = 0; i < film.frames(); ++i)
@@ -118,7 +118,7 @@ class FilmTest : public QObject {
     }
   }
 
-  /// Whatever way the camera is tilted.
+  /// The axis rests whichever way the camera is tilted.
   void theAxisRests() {
     for (const bool close : {false, true}) {
       render::ExportOrder order = longOrder();
@@ -156,7 +156,7 @@ class FilmTest : public QObject {
     const Film film = std::move(Film::create(order)).value();
     QCOMPARE(film.frames(), 100);
     QVERIFY(!film.loops());
-    // 2 s at each of three views, 2 s on each way.
+    // The film stays 2 s at each of three views and takes 2 s on each way.
     const std::vector<model::View>& views = order.scene.views();
     for (const auto& [frame, view] :
          {std::pair(0, 0), {20, 0}, {40, 1}, {60, 1}, {80, 2}, {99, 2}}) {
@@ -168,7 +168,8 @@ class FilmTest : public QObject {
     QCOMPARE(gammaIn(film.at(30)), 2.5f);
     QCOMPARE(gammaIn(film.at(50)), 4.0f);
     QVERIFY(film.at(60).scene == model::shown(order.scene, views[1]).scene);
-    // On an arc: halfway from the front to the left the eye is between, and as far away.
+    // The camera flies on an arc: halfway from the front to the left the eye is between, and as far
+    // away.
     const model::Camera half = film.at(30).camera;
     QVERIFY(half.eye.x > 100.0f && half.eye.y < -100.0f);
   }
@@ -248,7 +249,7 @@ class FilmTest : public QObject {
   }
 
   void paletteOfManyIsNear() {
-    // All of a coarse cube, and a ground of which there is most.
+    // The image has all of a coarse cube of colours, and a ground that makes up most of it.
     render::Image image{.width = 4096 + 20000, .height = 1, .rgba = {}};
     for (int i = 0; i < 4096 + 20000; ++i)
       for (const int c : {i < 4096 ? 17 * (i % 16) : 251, i < 4096 ? 17 * (i / 16 % 16) : 247,
@@ -267,7 +268,8 @@ class FilmTest : public QObject {
       for (std::size_t channel = 0; channel < 3; ++channel)
         sum += std::abs(int(found[channel]) - int(c[channel]));
     }
-    // 255 boxes of a cube of colours are some 40 wide: a tenth on the average is what they can.
+    // 255 boxes of a cube of colours are some 40 wide, so a tenth on average is the best they can
+    // do.
     QVERIFY2(sum / (3.0 * 4096.0) < 14.0, qPrintable(QString::number(sum / 12288.0)));
   }
 };

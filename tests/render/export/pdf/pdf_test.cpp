@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What PDF files are made of: painted pages that no longer tell who made them, drawings with groups
-// that are clear as a whole, lists that flow through columns and pages.
+// Tests how PDF files are made: painted pages that no longer tell who made them, drawings with
+// groups that are clear as a whole, lists that flow through columns and pages.
 #include <QBuffer>
 #include <QPainter>
 #include <QPdfWriter>
@@ -31,9 +31,9 @@ namespace {
 
 using Object = QPDFObjectHandle;
 
-constexpr glm::dvec2 paper(200.0, 100.0);  // points
+constexpr glm::dvec2 paper(200.0, 100.0);  // in points
 
-/// Two pages as QPdfWriter makes them.
+/// Returns two pages as QPdfWriter makes them.
 QByteArray painted() {
   QBuffer bytes;
   bytes.open(QIODevice::WriteOnly);
@@ -53,8 +53,8 @@ Object stream(QPDF& file, const std::string& data, const char* type) {
   return made;
 }
 
-/// The same as a writer makes them who says all that PDF can say of him, in places where newer
-/// versions of Qt do and others may; `when` tells two of them apart.
+/// Returns the pages as written by a program that records all that PDF can hold about its user, in
+/// places where newer versions of Qt do so and others may; `when` tells two such files apart.
 QByteArray toldOf(const QByteArray& pages, const std::string& when) {
   QPDF file;
   file.processMemoryFile("test", pages.constData(), std::size_t(pages.size()));
@@ -119,7 +119,7 @@ void PdfTest::initTestCase() {
   m_typesetting = std::move(*made);
 }
 
-/// Two tones, one over the other, that clear together.
+/// Returns a page of two tones, one over the other, that are clear together.
 QByteArray PdfTest::page(float opacity) const {
   const auto tone = [](float inset, const Colour& colour) {
     return VectorShape{.path = roundedBox(glm::vec2(10.0f + inset), glm::vec2(40.0f - inset), 1.0f),
@@ -153,9 +153,9 @@ void PdfTest::makersAreNotTold() {
     QCOMPARE(markersIn(*bytes, markers), QStringList());
     QCOMPARE(bytes->contains("/Metadata"), !credit.empty());
     QCOMPARE(bytes->contains("/Info"), !credit.empty());
-    // What was drawn is not taken along with what was said.
+    // Drawn content is not removed together with the metadata.
     QVERIFY(bytes->contains("/Own") && bytes->contains("/Link"));
-    // No date and nothing drawn by lot, in the file's identifier either.
+    // There is no date and no random number, in the file's identifier either.
     const Result<QByteArray> later = joinedPages(toldOf(pages, "20311224180000"), credit);
     QVERIFY(later.ok());
     QCOMPARE(*later, *bytes);
@@ -168,7 +168,7 @@ void PdfTest::filesAreSaidToBeWhatTheyAre() {
       joinedPdf(painted(), {{}, {}},
                 {.pageSize = paper, .language = "nb", .title = "Nyre (左)", .credit = credit});
   QVERIFY(bytes.ok());
-  // Viewers begin to show such a file before they have all of it.
+  // Viewers begin to show a linearized file before they have all of it.
   QVERIFY(bytes->left(1024).contains("/Linearized"));
   QPDF file;
   file.processMemoryFile("made", bytes->constData(), std::size_t(bytes->size()));
@@ -180,7 +180,7 @@ void PdfTest::filesAreSaidToBeWhatTheyAre() {
   QCOMPARE(info.getKeys().size(), std::size_t(3));
   QCOMPARE(file.getRoot().getKey("/Lang").getUTF8Value(), std::string("nb"));
   QVERIFY(file.getRoot().getKey("/ViewerPreferences").getKey("/DisplayDocTitle").getBoolValue());
-  // As it is, for those who look for it without knowing PDF.
+  // The credit stands as plain text, for programs that look for it without knowing PDF.
   QVERIFY(bytes->contains("<dc:creator>"));
   for (const Object& page : file.getAllPages()) {
     Object box = Object(page).getKey("/MediaBox");
@@ -192,7 +192,7 @@ void PdfTest::filesAreSaidToBeWhatTheyAre() {
 void PdfTest::damagedPagesAreRefused() {
   const QByteArray whole = painted();
   QVERIFY(joinedPages(whole).ok());
-  // Another number of pages than there are drawings.
+  // The number of pages differs from that of the drawings.
   QVERIFY(!joinedPdf(whole, {{}}, {.pageSize = paper}).ok());
   for (const QByteArray& bytes :
        {QByteArray(), QByteArray("%PDF-1.4\n"), whole.left(whole.size() / 2),
@@ -206,7 +206,7 @@ void PdfTest::damagedPagesAreRefused() {
   Mutator spoil(18, {});
   int fine = 0;
   for (int i = 0; i < 200; ++i)
-    fine += joinedPages(spoil(whole)).ok();  // whatever comes of it, it ends
+    fine += joinedPages(spoil(whole)).ok();  // whatever the result, it ends
   QVERIFY2(fine < 150, qPrintable(QString::number(fine)));
 }
 

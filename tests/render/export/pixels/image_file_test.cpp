@@ -13,13 +13,13 @@
 namespace sline::render {
 namespace {
 
-/// 3 × 2: opaque red, half green, clear; half white, opaque black, opaque grey.
+/// Returns 3 × 2 pixels: opaque red, half green, clear; half white, opaque black, opaque grey.
 Image sample() {
   return {3, 2, {255, 0,   0,   255, 0, 200, 0, 128, 0,   0,   0,   0,
                  255, 255, 255, 128, 0, 0,   0, 255, 128, 128, 128, 255}};
 }
 
-/// What the file holds, as floats, channel by channel, alpha as the file has it.
+/// Holds the file's content as floats, channel by channel, with alpha as the file has it.
 struct Held {
   int channels = 0;
   std::vector<float> values;

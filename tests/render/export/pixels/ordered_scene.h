@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An order with all that a picture can hold: lines, hatching, shading, a structure that is half
-// clear, a cut face, labels.
+// Makes an order with all that a picture can hold: lines, hatching, shading, a structure that is
+// half clear, a cut face, labels.
 #pragma once
 
 #include "render/export/order/export_order.h"

@@ -15,7 +15,7 @@ namespace sline::test {
 
 namespace {
 
-/// The whole picture, collected from its bands; empty where that failed.
+/// Returns the whole picture, collected from its bands; empty if that failed.
 render::PixelRows drawn(const render::ExportOrder& order, render::PageBands bands) {
   bands.size = pixelsOf(order.page);
   render::PixelRows all{.width = bands.size.x, .height = 0, .rgba = {}};
@@ -35,9 +35,9 @@ render::PixelRows drawn(const render::ExportOrder& order, render::PageBands band
 }
 
 struct Apart {
-  double largest = 0.0;  ///< of 255
-  double share = 0.0;    ///< of pixels that are more than 1/255 apart
-  double mean = 0.0;     ///< of 255
+  double largest = 0.0;  ///< out of 255
+  double share = 0.0;    ///< share of pixels that are more than 1/255 apart
+  double mean = 0.0;     ///< out of 255
 };
 
 Apart apart(const render::PixelRows& a, const render::PixelRows& b) {
@@ -57,7 +57,7 @@ Apart apart(const render::PixelRows& a, const render::PixelRows& b) {
   return found;
 }
 
-/// Every side × side pixels as one.
+/// Returns the rows with every side × side pixels averaged into one.
 render::PixelRows averagedRows(const render::PixelRows& rows, int side) {
   render::PicturePiece piece{.left = 0,
                              .top = 0,
@@ -73,7 +73,8 @@ render::PixelRows averagedRows(const render::PixelRows& rows, int side) {
   return result;
 }
 
-/// Every manner of drawing, some of it half clear, cut open, with a label and marks.
+/// Returns an order with every manner of drawing, some of it half clear, cut open, with a label and
+/// marks.
 render::ExportOrder anatomyOrder(const model::Scene& imported) {
   render::ExportOrder order;
   order.scene = imported;
@@ -140,7 +141,7 @@ void PageBandsTest::noSeams() {
   order.environment.background = render::Background(background);
   const render::PixelRows whole = drawn(order, {.samples = samples, .bandSamples = 1 << 30});
   QVERIFY(whole.height > 300);
-  // Bands of 23 and of a single row of samples' squares: many seams, at odd places.
+  // Bands of 23 and of a single row of samples' squares have many seams, at odd places.
   for (const int rows : {23, 61}) {
     const render::PixelRows bands =
         drawn(order, {.samples = samples, .bandSamples = rows * samples * samples * whole.width});
@@ -197,7 +198,7 @@ void PageBandsTest::printSizeDecides() {
 }
 
 void PageBandsTest::averagesHoldMore() {
-  // Two grey samples and two a step brighter: half a step between, which 8 bits cannot say.
+  // Two samples are grey and two a step brighter: half a step between, which 8 bits cannot hold.
   const std::uint16_t low = 257 * 100;
   const std::uint16_t high = 257 * 101;
   render::PicturePiece piece{
@@ -221,7 +222,7 @@ void PageBandsTest::samplesStayDrawable() {
   QCOMPARE(samples({7016, 9933}, {}), 1);
   QCOMPARE(samples({7016, 9933}, {}, true), 2);
   QCOMPARE(samples({7016, 9933}, {.samples = 3}), 3);
-  // No more than a picture can have.
+  // There are no more samples than a picture can have.
   for (const int asked : {0, 4})
     QVERIFY(20000 * samples({20000, 100}, {.bits = 16, .samples = asked}) <= 65535);
 }

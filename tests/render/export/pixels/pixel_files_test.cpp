@@ -41,7 +41,7 @@ Writer writerOf(const QString& extension) {
   return nullptr;
 }
 
-/// A file as another reader finds it.
+/// Holds a file as another reader finds it.
 struct Read {
   OIIO::ImageSpec spec;
   std::vector<float> values;  ///< as they are in the file
@@ -72,7 +72,7 @@ QByteArray contents(const QString& file) {
   return source.open(QIODevice::ReadOnly) ? source.readAll() : QByteArray();
 }
 
-/// Of a PNG, in order, but for the repeated ones.
+/// Returns the names of a PNG's chunks in order, without repetitions.
 QStringList chunks(const QByteArray& png) {
   QStringList names;
   for (qsizetype at = 8; at + 12 <= png.size();) {
@@ -86,7 +86,7 @@ QStringList chunks(const QByteArray& png) {
   return names;
 }
 
-/// The scene as print in black and white wants it.
+/// Returns the scene drawn for print in black and white.
 render::ExportOrder inkOrder() {
   render::ExportOrder order = orderedPicture();
   order.scene = model::withInkAlone(order.scene).scene;
@@ -250,7 +250,7 @@ void PixelFilesTest::sixteenBitsAreReal() {
   for (const float value : readBack(written("b.png", order)).values)
     coarse.insert(int(std::lround(value * 255.0f)));
   QVERIFY(coarse.size() <= 256);
-  // Shading and softened edges have far more tones than 8 bits can say.
+  // Shading and softened edges have far more tones than 8 bits can hold.
   QVERIFY2(reds.size() > 5000, qPrintable(QString::number(reds.size())));
 }
 
@@ -279,7 +279,7 @@ void PixelFilesTest::inkAlone() {
     greys += value != 0.0f && value != 1.0f;
   QCOMPARE(greys, std::size_t(0));
   QVERIFY(read.mean() < 0.99);
-  // As much ink as in the picture with soft edges.
+  // There is as much ink as in the picture with soft edges.
   order.of<render::PixelOptions>() = {.bits = 8, .grey = true};
   const Read soft = readBack(written("soft." + extension, order));
   QCOMPARE(soft.values.size(), read.values.size());
@@ -365,7 +365,7 @@ void PixelFilesTest::tellsNothingElse() {
       for (const char* variable : {"USER", "HOME", "HOSTNAME", "LOGNAME"})
         if (const QByteArray value = qgetenv(variable); value.size() > 3)
           QVERIFY2(!bytes.contains(value), variable);
-      // The same each time, under any name.
+      // The files are the same each time, under any name.
       if (first.isEmpty())
         first = bytes;
       QCOMPARE(bytes, first);

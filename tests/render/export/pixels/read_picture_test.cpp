@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures are read as they were written, whatever they are called; damaged ones and those that
-// promise too much are refused.
+// Tests that pictures are read as they were written, whatever their names; damaged ones and those
+// that promise too much are refused.
 #include "render/export/pixels/read_picture.h"
 
 #include <QFile>
@@ -19,7 +19,7 @@ using namespace render;
 
 namespace {
 
-/// Colours with soft transitions, a quarter of it half clear.
+/// Returns colours with soft transitions; if `clear`, a quarter of it is half clear.
 Image sample(bool clear) {
   Image image{.width = 61, .height = 47, .rgba = {}};
   for (int y = 0; y < image.height; ++y)
@@ -72,7 +72,7 @@ QString ReadPictureTest::written(const QString& name, const Image& image) {
 void ReadPictureTest::asWritten_data() {
   QTest::addColumn<QString>("name");
   QTest::addColumn<bool>("clear");
-  QTest::addColumn<int>("tolerance");  // of 65535
+  QTest::addColumn<int>("tolerance");  // out of 65535
   for (const char* kind : {"png", "tiff", "webp", "jp2"})
     for (const bool clear : {false, true})
       QTest::addRow("%s%s", kind, clear ? " clear" : "")
@@ -110,7 +110,7 @@ void ReadPictureTest::sixteenBits_data() {
   QTest::newRow("jp2") << int(PixelKind::jp2);
 }
 
-/// Nothing of them is lost on the way out and in.
+/// All sixteen bits survive writing and reading.
 void ReadPictureTest::sixteenBits() {
   QFETCH(int, kind);
   const std::string file = m_folder.filePath("deep").toStdString();

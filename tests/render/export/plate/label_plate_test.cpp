@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plates: columns no wider than they must be, the anatomy as large as it can be beside them.
+// Tests plates: columns no wider than they must be, the anatomy as large as it can be beside them.
 #include <QTest>
 #include <glm/geometric.hpp>
 
@@ -24,7 +24,7 @@ const char* const longWord = "Hypogastricoretroperitoneoprostaticovesicalfascia"
 const char* const chineseText =
     "骶骨是由五块融合的椎骨组成的三角形骨骼与两侧髋骨相关节位于脊柱下端骨盆后壁的正中部位";
 
-/// A ball as wide as high with labels all around its front.
+/// Returns a ball as wide as high with labels all around its front.
 model::Scene labelled(const std::vector<std::string>& texts) {
   model::Scene scene;
   model::Node node;
@@ -91,7 +91,7 @@ class LabelPlateTest : public QObject {
     m_typesetting = std::move(*made);
   }
 
-  /// What is measured by words is as large as what is set.
+  /// Text measured by its words is as large as the text when set.
   void measuredAsSet_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<int>("kind");
@@ -146,7 +146,7 @@ class LabelPlateTest : public QObject {
     }
   }
 
-  /// Texts without spaces are broken likewise, and what no page has room for takes none.
+  /// Texts without spaces are broken, too, and a text that no page has room for takes none.
   void unbrokenTextsDoNotMakeTheAnatomySmall_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<int>("leftOut");
@@ -178,7 +178,7 @@ class LabelPlateTest : public QObject {
     }
   }
 
-  /// However large the letters: half of the page is for each column.
+  /// However large the letters, each column has half of the page.
   void columnsNeverMeet() {
     std::vector<std::string> texts = shortTexts(6);
     texts[1] = texts[2] = longWord;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks at a picture's edges: they say what is true, and nothing covers anything.
+// Tests marks at a picture's edges: they are true, and nothing covers anything.
 #include <QTest>
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -62,7 +62,7 @@ model::Section coronal(float mm) {
   return section;
 }
 
-/// Of LPS: where a letter's side of the body lies.
+/// Returns the direction in LPS in which a letter's side of the body lies.
 glm::vec3 wayOf(char letter) {
   switch (letter) {
     case 'L':
@@ -121,8 +121,8 @@ void MarksTest::lettersAreTrue_data() {
     QTest::addRow("camera %d", seed) << seed << (seed % 2 == 1);
 }
 
-/// Wherever the camera is, and whatever is upwards in the picture: what lies farther to the
-/// patient's left is nearer to the edge that says L.
+/// Wherever the camera is, and whatever is upwards in the picture, a place farther to the patient's
+/// left is nearer to the edge that says L.
 void MarksTest::lettersAreTrue() {
   QFETCH(int, seed);
   QFETCH(bool, parallel);
@@ -238,7 +238,7 @@ void MarksTest::theScaleIsTrue() {
   order.page.sizeMm = {width, 0.6f * width};
   order.camera.projection =
       parallel ? model::Projection::orthographic : model::Projection::perspective;
-  order.camera.target = {0.0f, -30.0f, 0.0f};  // the bar holds in the middle of what is seen
+  order.camera.target = {0.0f, -30.0f, 0.0f};  // the bar holds in the middle of the visible part
   const Marks marks = marksOf(order);
   const LetteringItem* item = find(marks, "scale");
   QVERIFY(item);
@@ -264,7 +264,7 @@ void MarksTest::sections() {
   model::Section off = coronal(5.0f);
   off.enabled = false;
   scene.appendSection(off);
-  scene.appendSection(coronal(-80.0f));  // before the sphere: takes nothing away
+  scene.appendSection(coronal(-80.0f));  // lies before the sphere and takes nothing away
   marks = marksOf(orderOf(scene));
   QVERIFY(!find(marks, "section 2"));
   model::Section scoped = coronal(5.0f);

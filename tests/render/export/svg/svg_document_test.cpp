@@ -42,7 +42,8 @@ render::VectorStructure structure(model::NodeId id, float depth) {
           .lines = {{"Contours", 1.0f, {pen}}}};
 }
 
-/// Labels of all groups with ids, in the order of the document, each with its depth in the tree.
+/// Returns the labels of all groups with ids, in the order of the document, each with its depth in
+/// the tree.
 QStringList labels(const std::string& svg, QString* fault = nullptr) {
   QXmlStreamReader reader(QByteArray::fromStdString(svg));
   QStringList found;

@@ -42,7 +42,7 @@ void ColourVisionTest::publishedDifferences_data() {
   QTest::addColumn<double>("a2");
   QTest::addColumn<double>("b2");
   QTest::addColumn<double>("expected");
-  // From table 1 of Sharma, Wu, Dalal 2005: those where programs go wrong.
+  // These are from table 1 of Sharma, Wu, Dalal 2005, the rows where programs go wrong.
   QTest::newRow("1") << 50.0 << 2.6772 << -79.7751 << 50.0 << 0.0 << -82.7485 << 2.0425;
   QTest::newRow("4") << 50.0 << -1.3802 << -84.2814 << 50.0 << 0.0 << -82.7485 << 1.0000;
   QTest::newRow("7") << 50.0 << 0.0 << 0.0 << 50.0 << -1.0 << 2.0 << 2.3669;
@@ -87,7 +87,7 @@ void ColourVisionTest::asBefore_data() {
   row({128, 128, 128}, {200, 40, 40}, 29.325576);
 }
 
-/// What was written here by the formulas before Little CMS did it.
+/// The values are those written here by the formulas before Little CMS was used.
 void ColourVisionTest::asBefore() {
   QFETCH(QList<int>, a);
   QFETCH(QList<int>, b);
@@ -99,7 +99,8 @@ void ColourVisionTest::asBefore() {
   QVERIFY2(std::abs(found - expected) < 1e-4, qPrintable(QString::number(found, 'f', 6)));
 }
 
-/// The numbers in them are those of IEC 61966-2-1 under D50, and there is no clock in them.
+/// The numbers in the profiles are those of IEC 61966-2-1 under D50, and there is no time of day in
+/// them.
 void ColourVisionTest::profiles() {
   const std::string srgb = srgbProfile();
   const auto number = [](const std::string& bytes, std::size_t at) {

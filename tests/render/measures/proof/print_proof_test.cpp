@@ -17,13 +17,13 @@ using render::ProofPair;
 using render::ProofSettings;
 using render::Vision;
 
-// Alike to eyes without cones for middle waves.
+// These look alike to eyes without cones for middle waves.
 constexpr Colour rust{190, 70, 60};
 constexpr Colour olive{72, 136, 48};
 constexpr Colour black{12, 12, 12};
 constexpr Colour white{245, 245, 245};
 
-/// Two balls side by side that touch in the picture, `gap` mm apart.
+/// Returns two balls side by side that touch in the picture, `gap` mm apart.
 render::ExportOrder twoBalls(const model::Style& left, const model::Style& right,
                              float gap = -6.0f) {
   render::ExportOrder order;
@@ -129,7 +129,7 @@ void PrintProofTest::proposalsPass() {
   QVERIFY(anyAlike(proof.neighbours, settings));
   QCOMPARE(proof.proposals.size(), std::size_t(1));
   QVERIFY(!anyAlike(proof.afterwards, settings));
-  // Another look at the scene that was proposed says the same.
+  // A second proof of the proposed scene finds nothing more.
   render::ExportOrder again = order;
   again.scene = render::withProposals(order.scene, proof.proposals);
   QVERIFY(again.scene == proof.proposed);
@@ -139,8 +139,8 @@ void PrintProofTest::proposalsPass() {
 }
 
 void PrintProofTest::neighboursOfTheNeighbourCount() {
-  // A third ball touches the smaller one: what sets that apart from the first must not make it like
-  // the third.
+  // A third ball touches the smaller one: the change that sets the smaller apart from the first
+  // must not make it like the third.
   render::ExportOrder order = twoBalls(styled(5.0f, rust), styled(5.0f, olive));
   add(order.scene, moved(*sphere(16.0f, 4), 1.0f, {22.0f, -10.0f, 26.0f}),
       styled(5.0f, Colour{200, 190, 110}));
@@ -199,7 +199,7 @@ void PrintProofTest::stops() {
   const Result<PrintProof> proof =
       render::printProof(twoBalls(styled(5.0f, rust), styled(5.0f, olive)), {},
                          [](double share, std::string_view) { return share < 0.3; });
-  QVERIFY(proof.ok());  // was quicker than that
+  QVERIFY(proof.ok());  // finished before it could be stopped
   const Result<PrintProof> none =
       render::printProof(twoBalls(styled(5.0f, rust), styled(5.0f, olive)), {},
                          [](double, std::string_view what) { return what != "trying changes"; });
