@@ -14,7 +14,7 @@
 #include "model/geometry/nearest_point.h"
 #include "model/scene/markup.h"
 #include "model/scene_file/scene_file.h"
-#include "render/labels/best_place.h"
+#include "render/labels/best_anchor.h"
 
 namespace sline::cli {
 
@@ -40,11 +40,11 @@ struct AnnotateFlags {
   std::vector<std::uint64_t> remove;
 };
 
-Error wrong(const std::string& reason, const std::string& remedy) {
+Error usageError(const std::string& reason, const std::string& remedy) {
   return {.reason = reason, .remedy = remedy};
 }
 
-Result<glm::vec3> parsePlace(std::string_view text) {
+Result<glm::vec3> parsePoint(std::string_view text) {
   std::array<float, 3> values{};
   std::string_view rest = text;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -52,8 +52,8 @@ Result<glm::vec3> parsePlace(std::string_view text) {
     const auto [end, failure] = std::from_chars(rest.data(), rest.data() + cut, values[i]);
     if (failure != std::errc{} || end != rest.data() + cut || !std::isfinite(values[i]) ||
         (cut == rest.size()) != (i + 1 == values.size()))
-      return wrong("the place \"" + std::string(text) + "\" is not understood",
-                   "Give x,y,z in millimetres, LPS");
+      return usageError("the place \"" + std::string(text) + "\" is not understood",
+                        "Give x,y,z in millimetres, LPS");
     rest.remove_prefix(std::min(cut + 1, rest.size()));
   }
   return glm::vec3(values[0], values[1], values[2]);
@@ -90,12 +90,13 @@ Result<std::map<std::string, std::string>> parseTexts(const std::vector<std::str
   for (const std::string& text : texts) {
     const std::size_t cut = text.find('=');
     if (cut == std::string::npos || !isLanguageTag(text.substr(0, cut)))
-      return wrong("the text \"" + text + "\" does not say its language", "Write de=\"Niere\"");
+      return usageError("the text \"" + text + "\" does not say its language",
+                        "Write de=\"Niere\"");
     if (isBlank(text.substr(cut + 1)))
-      return wrong("--text " + text + " has no words", "Write some, or leave it out");
+      return usageError("--text " + text + " has no words", "Write some, or leave it out");
     if (!parsed.emplace(text.substr(0, cut), text.substr(cut + 1)).second)
-      return wrong("--text says two things in the language " + text.substr(0, cut),
-                   "Leave one out");
+      return usageError("--text says two things in the language " + text.substr(0, cut),
+                        "Leave one out");
   }
   return parsed;
 }
@@ -110,8 +111,8 @@ Result<model::NodeId> structureNamed(const model::Scene& scene, const std::strin
   std::string inside;
   for (const model::NodeId id : scene.structuresBelow(nodes->front()))
     inside += (inside.empty() ? "" : ", ") + scene.find(id)->name;
-  return wrong("\"" + name + "\" is a group, which has no surface to point at",
-               "Name a structure in it: " + inside);
+  return usageError("\"" + name + "\" is a group, which has no surface to point at",
+                    "Name a structure in it: " + inside);
 }
 
 /// Holds what is needed to find the annotation's place.
@@ -128,25 +129,25 @@ Result<model::Anchor> anchorFor(const Where& where, std::optional<model::NodeId>
     const bool visible = where.scene.resolve(*structure).visible;
     const model::Scene scene =
         visible ? where.scene : model::withOnlyVisible(where.scene, std::array{*structure}).scene;
-    const auto best = render::bestPlaceOn(scene, *structure, where.screen, where.trees);
+    const auto best = render::bestAnchorOn(scene, *structure, where.screen, where.trees);
     if (!best)
-      return wrong(name + " is not within that view",
-                   "Give another --view, or a place with --at x,y,z");
+      return usageError(name + " is not within that view",
+                        "Give another --view, or a place with --at x,y,z");
     if (!visible)
       warn(name + " is not visible in that view; nor is its label, until it is");
     else if (best->hidden)
       warn(name + " is hidden by other structures in that view; the label points through them");
     return model::Anchor(best->point);
   }
-  const Result<glm::vec3> place = parsePlace(at);
+  const Result<glm::vec3> place = parsePoint(at);
   if (!place.ok())
     return place.error();
   if (!structure)
     return model::Anchor(*place);
   const auto nearest = model::nearestPoint(*where.scene.find(*structure)->mesh, *place);
   if (!nearest)
-    return wrong("\"" + where.scene.find(*structure)->name + "\" has no surface",
-                 "Name another structure");
+    return usageError("\"" + where.scene.find(*structure)->name + "\" has no surface",
+                      "Name another structure");
   return model::Anchor(model::SurfacePoint{*structure, nearest->triangle, nearest->weights});
 }
 
@@ -198,48 +199,49 @@ Result<Annotation> annotationFor(const AnnotateFlags& flags, const Where& where,
 }
 
 /// Returns the fault that makes the flags unusable together.
-std::optional<Error> fault(const AnnotateFlags& flags) {
+std::optional<Error> conflictIn(const AnnotateFlags& flags) {
   const int tasks = int(flags.list) + int(!flags.remove.empty()) +
                     int(flags.label || !flags.on.empty() || !flags.at.empty());
   if (tasks != 1)
-    return wrong("there is not one thing to do",
-                 "Give --on (with --label), --list or --remove, one of them");
+    return usageError("there is not one thing to do",
+                      "Give --on (with --label), --list or --remove, one of them");
   if (!model::isSceneFile(flags.scene))
     return Error{.file = flags.scene,
                  .reason = "a scene file's name ends with " + std::string(model::sceneExtension),
                  .remedy = "Name a scene file; `sline import` makes one"};
   if (flags.on.size() > 1 && (flags.label || !flags.at.empty() || !flags.texts.empty()))
-    return wrong("one text or place is given for several structures",
-                 "Leave --label, --text and --at out, or name one structure");
+    return usageError("one text or place is given for several structures",
+                      "Leave --label, --text and --at out, or name one structure");
   if (flags.label && isBlank(*flags.label))
-    return wrong("--label has no words", "Write some, or leave it out for the structure's name");
+    return usageError("--label has no words",
+                      "Write some, or leave it out for the structure's name");
   const bool making = !flags.list && flags.remove.empty();
   if (making && flags.on.empty() && (flags.at.empty() || !flags.label))
-    return wrong("the label has no text or no place",
-                 "Give --on STRUCTURE, or --label TEXT and --at x,y,z");
+    return usageError("the label has no text or no place",
+                      "Give --on STRUCTURE, or --label TEXT and --at x,y,z");
   if (making && (flags.kind == "distance") == flags.to.empty())
-    return wrong("a distance has two places, any other annotation one",
-                 "Give --kind distance with --at x,y,z and --to x,y,z");
+    return usageError("a distance has two places, any other annotation one",
+                      "Give --kind distance with --at x,y,z and --to x,y,z");
   if (making && flags.kind == "distance" && flags.at.empty())
-    return wrong("a distance has two places", "Give --at x,y,z and --to x,y,z");
+    return usageError("a distance has two places", "Give --at x,y,z and --to x,y,z");
   return std::nullopt;
 }
 
 /// Returns the scene with what the flags ask for; an error counts as wrong use.
-Result<model::Scene> annotated(const model::Scene& scene, const AnnotateFlags& flags) {
-  PictureOrder order;
-  order.view = flags.view;
-  const model::Scene shown = asSaved(scene, order);
-  const Result<model::Camera> camera = cameraFor(shown, order);
+Result<model::Scene> addAnnotations(const model::Scene& scene, const AnnotateFlags& flags) {
+  PictureSpec spec;
+  spec.view = flags.view;
+  const model::Scene shown = withSavedView(scene, spec);
+  const Result<model::Camera> camera = cameraFor(shown, spec);
   if (!camera.ok())
     return camera.error();
   const model::View* saved = savedView(scene, flags.view);
   const auto view = saved ? std::optional(std::size_t(saved - scene.views().data())) : std::nullopt;
   if (flags.onlyInView && !view)
-    return wrong("\"" + flags.view + "\" is no saved view", "Name one with --view");
+    return usageError("\"" + flags.view + "\" is no saved view", "Name one with --view");
   model::MeshTrees trees;
   const float height = render::usualHeightMm;
-  const Where where{shown, render::Screen(*camera, {order.size.aspect() * height, height}), trees};
+  const Where where{shown, render::Screen(*camera, {spec.size.aspect() * height, height}), trees};
   std::vector<std::optional<std::string>> targets(flags.on.begin(), flags.on.end());
   if (targets.empty())
     targets.emplace_back();
@@ -259,13 +261,13 @@ Result<model::Scene> annotated(const model::Scene& scene, const AnnotateFlags& f
   return after;
 }
 
-Result<model::Scene> without(const model::Scene& scene, const AnnotateFlags& flags) {
+Result<model::Scene> removeAnnotations(const model::Scene& scene, const AnnotateFlags& flags) {
   std::vector<model::AnnotationId> ids;
   for (const std::uint64_t number : flags.remove) {
     const auto& all = scene.annotations();
     if (std::none_of(all.begin(), all.end(), [&](const auto& a) { return a.id.value == number; }))
-      return wrong("no annotation has the number " + std::to_string(number),
-                   "`sline annotate SCENE --list` lists them");
+      return usageError("no annotation has the number " + std::to_string(number),
+                        "`sline annotate SCENE --list` lists them");
     ids.push_back({number});
   }
   return model::withoutAnnotations(scene, ids).scene;
@@ -289,7 +291,7 @@ Exit list(const model::Scene& scene) {
 }
 
 Exit runAnnotate(const AnnotateFlags& flags) {
-  if (const std::optional<Error> error = fault(flags))
+  if (const std::optional<Error> error = conflictIn(flags))
     return complain(*error, Exit::wrongUse);
   if (flags.list) {
     const auto document = openedScene(flags.scene);
@@ -301,8 +303,8 @@ Exit runAnnotate(const AnnotateFlags& flags) {
   Result<model::SceneDocument> document = openedScene(flags.scene);
   if (!document.ok())
     return complain(document.error(), Exit::failed);
-  Result<model::Scene> after =
-      flags.remove.empty() ? annotated(document->scene, flags) : without(document->scene, flags);
+  Result<model::Scene> after = flags.remove.empty() ? addAnnotations(document->scene, flags)
+                                                    : removeAnnotations(document->scene, flags);
   if (!after.ok())
     return complain(after.error(), Exit::wrongUse);
   document->scene = std::move(*after);

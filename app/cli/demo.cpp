@@ -69,9 +69,9 @@ Exit writeMeshes(const DemoFlags& flags) {
 }
 
 Exit draw(const DemoFlags& flags) {
-  Result<PictureOrder> order = understood(flags.picture);
-  if (!order.ok())
-    return complain(order.error(), Exit::wrongUse);
+  Result<PictureSpec> spec = parseFlags(flags.picture);
+  if (!spec.ok())
+    return complain(spec.error(), Exit::wrongUse);
   const Target picture{.flag = "--output", .name = flags.picture.output, .endings = {}};
   if (const Status fine = checkTargets({&picture, 1}, {&flags.picture.cameraFile, 1}); !fine.ok())
     return complain(fine.error(), Exit::wrongUse);
@@ -79,11 +79,11 @@ Exit draw(const DemoFlags& flags) {
   progress.show(0.0, "modelling");
   const model::Scene scene = sceneFor(flags);
   const auto& views = scene.views();
-  if (order->view == firstView && std::none_of(views.begin(), views.end(), [](const auto& view) {
+  if (spec->view == firstView && std::none_of(views.begin(), views.end(), [](const auto& view) {
         return view.name == firstView;
       }))
-    order->view = "anterior";
-  return drawScene(scene, *order, progress);
+    spec->view = "anterior";
+  return drawScene(scene, *spec, progress);
 }
 
 Exit runDemo(const DemoFlags& flags) {

@@ -5,44 +5,44 @@ namespace sline::cli {
 
 namespace {
 /// Does the same as `arrangedFor` for a scene that `asSaved` returned.
-Result<ArrangedScene> arrangedShown(const model::Scene& shown, const PictureOrder& order) {
-  const Result<model::Scene> focus = inFocus(shown, order);
+Result<ArrangedScene> arrangeShownScene(const model::Scene& shown, const PictureSpec& spec) {
+  const Result<model::Scene> focus = inFocus(shown, spec);
   if (!focus.ok())
     return focus.error();
-  const Result<model::Scene> dressed = styled(*focus, order);
+  const Result<model::Scene> dressed = styled(*focus, spec);
   if (!dressed.ok())
     return dressed.error();
-  const Result<model::Scene> cut = cutOpen(*dressed, order);
+  const Result<model::Scene> cut = cutOpen(*dressed, spec);
   if (!cut.ok())
     return cut.error();
-  const Result<model::Camera> camera = cameraFor(*cut, order);
+  const Result<model::Camera> camera = cameraFor(*cut, spec);
   if (!camera.ok())
     return camera.error();
   return ArrangedScene{*cut, *camera};
 }
 }  // namespace
 
-Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder& order) {
-  return arrangedShown(asSaved(scene, order), order);
+Result<ArrangedScene> arrangeScene(const model::Scene& scene, const PictureSpec& spec) {
+  return arrangeShownScene(withSavedView(scene, spec), spec);
 }
 
-Result<ArrangedScene> arrangedOn(const glm::vec2& pageMm, const model::Scene& scene,
-                                 PictureOrder& order) {
-  const model::Scene shown = asSaved(scene, order);
-  order.labels.viewName = shownViewName(scene, order);
-  if (const Status ready = prepareLabels(order.labels, shown, pageMm); !ready.ok())
+Result<ArrangedScene> arrangeOnPage(const glm::vec2& pageMm, const model::Scene& scene,
+                                    PictureSpec& spec) {
+  const model::Scene shown = withSavedView(scene, spec);
+  spec.labels.viewName = shownViewName(scene, spec);
+  if (const Status ready = prepareLabels(spec.labels, shown, pageMm); !ready.ok())
     return ready.error();
-  return arrangedShown(shown, order);
+  return arrangeShownScene(shown, spec);
 }
 
-Exit drawScene(const model::Scene& scene, const PictureOrder& given, Progress& progress) {
-  PictureOrder order = given;
+Exit drawScene(const model::Scene& scene, const PictureSpec& given, Progress& progress) {
+  PictureSpec spec = given;
   const float height = render::usualHeightMm;
   const Result<ArrangedScene> arranged =
-      arrangedOn({height * order.size.aspect(), height}, scene, order);
+      arrangeOnPage({height * spec.size.aspect(), height}, scene, spec);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
-  const Status drawn = drawToFile(arranged->scene, arranged->camera, order, progress);
+  const Status drawn = drawToFile(arranged->scene, arranged->camera, spec, progress);
   if (!drawn.ok()) {
     progress.wipe();
     return complain(drawn.error(), Exit::failed);

@@ -12,14 +12,14 @@ struct ArrangedScene {
 };
 
 /// Returns the scene as the order wants it drawn, with its camera. An error counts as wrong use.
-Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder& order);
+Result<ArrangedScene> arrangeScene(const model::Scene& scene, const PictureSpec& spec);
 
 /// Does the same as `arrangedFor` on a page of that size, with the order's labels made ready and
 /// room left for them.
-Result<ArrangedScene> arrangedOn(const glm::vec2& pageMm, const model::Scene& scene,
-                                 PictureOrder& order);
+Result<ArrangedScene> arrangeOnPage(const glm::vec2& pageMm, const model::Scene& scene,
+                                    PictureSpec& spec);
 
 /// Draws the scene as ordered and writes the file; complains if it cannot.
-Exit drawScene(const model::Scene& scene, const PictureOrder& order, Progress& progress);
+Exit drawScene(const model::Scene& scene, const PictureSpec& spec, Progress& progress);
 
 }  // namespace sline::cli

@@ -15,9 +15,9 @@
 #include "render/export/encoding/xml_text.h"
 #include "render/export/formats/export_formats.h"
 #include "render/export/order/common_options.h"
+#include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
-#include "render/export/pdf/sheet_order.h"
 #include "render/export/pixels/pixel_options.h"
 
 namespace sline::cli {
@@ -34,34 +34,33 @@ struct ExportFlags {
   std::map<std::string, std::string> targets;
 };
 
-Result<PictureOrder> understoodExport(const ExportFlags& flags, const render::ExportPage& page) {
+Result<PictureSpec> parsePictureFlags(const ExportFlags& flags, const render::ExportPage& page) {
   if (flags.targets.empty()) {
     std::string known;
     for (const render::ExportFormat& format : render::exportFormats())
       known += (known.empty() ? "Give --" : ", --") + std::string(format.id) + " FILE";
     return Error{.reason = "nothing says what to write", .remedy = known};
   }
-  Result<PictureOrder> order = understoodLook(flags.picture);
-  if (!order.ok())
-    return order;
-  if (order->hatching == render::HatchingMethod::asPrinted)
+  Result<PictureSpec> spec = parseFlagsWithoutOutput(flags.picture);
+  if (!spec.ok())
+    return spec;
+  if (spec->hatching == render::HatchingMethod::asPrinted)
     return Error{.reason = "hatching as Sline's paper prints it is made of grey pixels, not lines",
                  .remedy = "Leave --hatching out, or draw a picture with `sline render`"};
   // The camera is fitted to the page's shape.
-  order->size = {int(std::lround(100.0f * page.sizeMm.x)),
-                 int(std::lround(100.0f * page.sizeMm.y))};
-  return order;
+  spec->size = {int(std::lround(100.0f * page.sizeMm.x)), int(std::lround(100.0f * page.sizeMm.y))};
+  return spec;
 }
 
 /// Returns the order with the figure as large as its sheet lets it, and the camera fitted to that.
-Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order,
+Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureSpec& spec,
                                     const render::Typesetting& typesetting) {
   job.page.sizeMm = render::sheetFigureMm(job);
   const render::ExportOrder figure = render::sheetFigure(job);
-  order.labels.sides = render::sidesOfPlate(figure, typesetting);
-  order.size = {int(std::lround(100.0f * job.page.sizeMm.x)),
-                int(std::lround(100.0f * job.page.sizeMm.y))};
-  const Result<model::Camera> camera = cameraFor(job.scene, order);
+  spec.labels.sides = render::sidesOfPlate(figure, typesetting);
+  spec.size = {int(std::lround(100.0f * job.page.sizeMm.x)),
+               int(std::lround(100.0f * job.page.sizeMm.y))};
+  const Result<model::Camera> camera = cameraFor(job.scene, spec);
   if (!camera.ok())
     return camera.error();
   job.camera = *camera;
@@ -69,10 +68,10 @@ Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order
 }
 
 /// Holds what the flags say before a scene is read.
-struct Wanted {
+struct ParsedExport {
   model::ImportOptions import;
   render::ExportOrder job;  ///< its page, the options of kinds and the credit
-  PictureOrder order;
+  PictureSpec spec;
 };
 
 /// Checks options against each other.
@@ -87,13 +86,13 @@ Status checkOptions(const ExportFlags& flags, const render::ExportOrder& job) {
   return Unit{};
 }
 
-Result<Wanted> wanted(const ExportFlags& flags) {
-  Wanted wish;
+Result<ParsedExport> parseExport(const ExportFlags& flags) {
+  ParsedExport wish;
   const Result<model::ImportOptions> import = importOptions(flags.input);
   if (!import.ok())
     return import.error();
   wish.import = *import;
-  const Result<render::ExportPage> page = understood(flags.page);
+  const Result<render::ExportPage> page = parseFlags(flags.page);
   if (!page.ok())
     return page.error();
   wish.job.page = *page;
@@ -104,32 +103,31 @@ Result<Wanted> wanted(const ExportFlags& flags) {
   // Reduced to what files can hold.
   wish.job.credit = {render::plainLine(wish.job.credit.author),
                      render::plainLine(wish.job.credit.copyright)};
-  const Result<PictureOrder> order = understoodExport(flags, *page);
-  if (!order.ok())
-    return order.error();
-  wish.order = *order;
-  wish.job.environment = order->environment;
-  wish.job.pureInk = order->blackAndWhite;
-  wish.job.labels = order->labels.style;
-  wish.job.marks = order->labels.marks;
+  const Result<PictureSpec> spec = parsePictureFlags(flags, *page);
+  if (!spec.ok())
+    return spec.error();
+  wish.spec = *spec;
+  wish.job.environment = spec->environment;
+  wish.job.pureInk = spec->blackAndWhite;
+  wish.job.labels = spec->labels.style;
+  wish.job.marks = spec->labels.marks;
   return wish;
 }
 
 /// Returns all that the files are made of.
-Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish,
+Result<render::ExportOrder> exportOrderOf(const ExportFlags& flags, ParsedExport& wish,
                                           const ArrangedScene& arranged,
                                           const render::Typesetting& typesetting) {
   render::ExportOrder job = wish.job;
   job.scene = arranged.scene;
   job.camera = arranged.camera;
-  job.viewName = wish.order.labels.viewName;
-  if (const Status fine =
-          understoodSweep(flags.film, arranged.scene, job.of<render::FilmOptions>());
+  job.viewName = wish.spec.labels.viewName;
+  if (const Status fine = parseSweep(flags.film, arranged.scene, job.of<render::FilmOptions>());
       !fine.ok())
     return fine.error();
   return job.of<render::SheetOptions>().kind == render::SheetKind::none
              ? Result<render::ExportOrder>(job)
-             : onSheet(job, wish.order, typesetting);
+             : onSheet(job, wish.spec, typesetting);
 }
 
 /// Tells that files written beside a sheet show the sheet's figure and are as large.
@@ -181,7 +179,7 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   ExportFlags flags = typed;
   if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
     return complain(film.error(), Exit::wrongUse);
-  Result<Wanted> wish = wanted(flags);
+  Result<ParsedExport> wish = parseExport(flags);
   if (!wish.ok())
     return complain(wish.error(), Exit::wrongUse);
   if (const Status fine = checkExportTargets(flags); !fine.ok())
@@ -198,12 +196,12 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
   const Result<ArrangedScene> arranged =
-      arrangedOn(wish->job.page.sizeMm, imported->scene, wish->order);
+      arrangeOnPage(wish->job.page.sizeMm, imported->scene, wish->spec);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
     tellWarning("no structure is visible: the drawing is empty");
-  const Result<render::ExportOrder> job = understoodJob(flags, *wish, *arranged, **typesetting);
+  const Result<render::ExportOrder> job = exportOrderOf(flags, *wish, *arranged, **typesetting);
   if (!job.ok())
     return complain(job.error(), Exit::wrongUse);
   tellOfSheet(*job, flags.targets);
@@ -226,7 +224,7 @@ std::string kindsWith(const render::ExportOption& option) {
 void declareOptions(CLI::App& command, TypedOptions& options) {
   CLI::Option* sheet = nullptr;
   for (const render::ExportOption* option : render::exportOptions()) {
-    if (option->part != render::OptionPart::kind || !*option->flag)
+    if (option->group != render::OptionGroup::kind || !*option->flag)
       continue;
     CLI::Option* declared = options.declare(command, *option, kindsWith(*option));
     const render::OptionList own = render::sheetOptions();
@@ -260,7 +258,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
                           ->capture_default_str();
   addCameraOption(command, flags.picture, view);
   addDetailOptions(command, flags.picture);
-  addLookOptions(command, flags.picture);
+  addAppearanceOptions(command, flags.picture);
   flags.picture.labels.marks = "on";
   declareLabels(command, flags.picture.labels);
   addSectionOptions(command, flags.picture.sections);

@@ -20,7 +20,7 @@ struct ImportFlags {
   bool json = false;
 };
 
-Result<model::ImportOptions> understoodImport(const ImportFlags& flags) {
+Result<model::ImportOptions> parseImportFlags(const ImportFlags& flags) {
   if (!flags.plan && flags.output.empty())
     return Error{.reason = "there is no output", .remedy = "Give -o FILE.sline, or --plan"};
   if (!flags.output.empty() && !model::isSceneFile(flags.output))
@@ -51,7 +51,7 @@ Exit showPlan(const ImportFlags& flags, const model::ImportOptions& options) {
 }
 
 Exit runImport(const ImportFlags& flags) {
-  const Result<model::ImportOptions> options = understoodImport(flags);
+  const Result<model::ImportOptions> options = parseImportFlags(flags);
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
   if (flags.plan)

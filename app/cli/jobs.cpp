@@ -25,7 +25,7 @@ struct JobsFlags {
 };
 
 /// Holds a job as it is carried out.
-struct Order {
+struct PlannedJob {
   std::string where;
   std::vector<std::string> flags;  ///< "--view=left": nothing in a list is taken for a flag
   std::vector<std::string> inputs;
@@ -110,7 +110,7 @@ std::string valueBeside(const std::filesystem::path& folder, const std::string& 
   return flag == "text" && std::filesystem::is_regular_file(file, unknown) ? file : value;
 }
 
-std::vector<std::string> parted(const std::string& text) {
+std::vector<std::string> splitAtSemicolons(const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find(';', at), text.size());
@@ -124,7 +124,7 @@ std::vector<std::string> parted(const std::string& text) {
 }
 
 /// Tells whether a cell switches its flag on.
-Result<bool> isSaid(const JobField& field) {
+Result<bool> isSwitchedOn(const JobField& field) {
   if (field.values.empty())
     return true;
   const std::string word = lowerCase(field.values.front());
@@ -139,29 +139,29 @@ Result<bool> isSaid(const JobField& field) {
                .remedy = "Write yes or no"};
 }
 
-class Orders {
+class JobPlanner {
  public:
-  Orders(const std::filesystem::path& list, const std::string& folder)
+  JobPlanner(const std::filesystem::path& list, const std::string& folder)
       : m_list(list.string()),
         m_beside(list.parent_path()),
         m_targets(folder.empty() ? m_beside : std::filesystem::path(folder)) {}
 
-  Result<std::vector<Order>> of(const std::vector<Job>& jobs) {
-    std::vector<Order> orders;
+  Result<std::vector<PlannedJob>> of(const std::vector<Job>& jobs) {
+    std::vector<PlannedJob> plannedJobs;
     for (const Job& job : jobs) {
-      Result<Order> order = orderOf(job);
-      if (!order.ok())
-        return order.error();
-      orders.push_back(std::move(*order));
+      Result<PlannedJob> planned = planOf(job);
+      if (!planned.ok())
+        return planned.error();
+      plannedJobs.push_back(std::move(*planned));
     }
-    if (const Status apart = checkEachOther(orders); !apart.ok())
+    if (const Status apart = checkEachOther(plannedJobs); !apart.ok())
       return apart.error();
-    return orders;
+    return plannedJobs;
   }
 
  private:
-  Result<Order> orderOf(const Job& job) {
-    Order order{.where = job.where, .flags = {}, .inputs = {}, .targets = {}};
+  Result<PlannedJob> planOf(const Job& job) {
+    PlannedJob planned{.where = job.where, .flags = {}, .inputs = {}, .targets = {}};
     if (!job.find("input"))
       return Error{.where = job.where,
                    .reason = "it says nothing of what to draw",
@@ -169,30 +169,30 @@ class Orders {
     m_named.clear();
     m_film.file.reset();
     for (const JobField& field : job.fields)
-      if (const Status added = add(field, order); !added.ok())
+      if (const Status added = add(field, planned); !added.ok())
         return added.error();
-    if (order.targets.empty())
+    if (planned.targets.empty())
       return Error{.where = job.where,
                    .reason = "it says nothing of what to write",
                    .remedy = "Give it a target, as in a column " +
                              std::string(render::exportFormats().front().id)};
-    if (const Status fine = checkNames(order); !fine.ok()) {
+    if (const Status fine = checkNames(planned); !fine.ok()) {
       Error error = fine.error();
       error.where = job.where + (error.file.empty() ? "" : ", " + error.file);
       return error;
     }
-    return order;
+    return planned;
   }
 
-  Status checkNames(const Order& order) {
+  Status checkNames(const PlannedJob& planned) {
     if (const Status film = addFilmTarget(m_film, m_named); !film.ok())
       return film;
-    std::vector<std::string> read = order.inputs;
+    std::vector<std::string> read = planned.inputs;
     read.push_back(m_list);
     return checkTargets(exportTargets(m_named), read);
   }
 
-  Status add(const JobField& field, Order& order) {
+  Status add(const JobField& field, PlannedJob& planned) {
     const CLI::Option* option = m_command.option(field.flag);
     if (!option)
       return Error{.where = field.where,
@@ -205,35 +205,36 @@ class Orders {
                        .reason = "an input has no name",
                        .remedy = "Name a scene, mesh or folder"};
         else
-          order.inputs.push_back(besideList(m_beside, path));
+          planned.inputs.push_back(besideList(m_beside, path));
       return Unit{};
     }
     if (isTarget(field.flag))
-      return addTarget(field, order);
+      return addTarget(field, planned);
     const std::string flag = "--" + field.flag;
     if (option->get_items_expected_max() == 0) {
-      const Result<bool> said = isSaid(field);
+      const Result<bool> said = isSwitchedOn(field);
       if (!said.ok())
         return said.error();
       if (*said)
-        order.flags.push_back(flag);
+        planned.flags.push_back(flag);
       return Unit{};
     }
     const bool several = option->get_expected_max() > 1;
     std::vector<std::string> values;
     for (const std::string& value : field.values)
-      for (const std::string& part : several ? parted(value) : std::vector<std::string>{value})
+      for (const std::string& part :
+           several ? splitAtSemicolons(value) : std::vector<std::string>{value})
         values.push_back(part);
     if (values.empty() || std::find(values.begin(), values.end(), "") != values.end())
       return Error{.where = field.where,
                    .reason = flag + " needs a value",
                    .remedy = "Write one, or leave it out; see `sline export --help`"};
     for (const std::string& value : values)
-      order.flags.push_back(flag + "=" + valueBeside(m_beside, field.flag, value));
+      planned.flags.push_back(flag + "=" + valueBeside(m_beside, field.flag, value));
     return Unit{};
   }
 
-  Status addTarget(const JobField& field, Order& order) {
+  Status addTarget(const JobField& field, PlannedJob& planned) {
     if (field.values.size() != 1)
       return Error{
           .where = field.where, .reason = "it names no file, or several", .remedy = "Write one"};
@@ -250,8 +251,8 @@ class Orders {
       return Error{.where = field.where,
                    .reason = "\"" + named.string() + "\" is written by " + before->second + ", too",
                    .remedy = "Give each job a target of its own"};
-    order.targets.push_back(target);
-    order.flags.push_back("--" + field.flag + "=" + target.string());
+    planned.targets.push_back(target);
+    planned.flags.push_back("--" + field.flag + "=" + target.string());
     if (field.flag == "video")
       m_film.file = target.string();
     else
@@ -261,15 +262,15 @@ class Orders {
 
   /// Fails if a job would write what another reads, since the order in which they are done is
   /// unknown.
-  Status checkEachOther(const std::vector<Order>& orders) const {
+  Status checkEachOther(const std::vector<PlannedJob>& plannedJobs) const {
     std::map<std::filesystem::path, std::string> readers;
-    for (const Order& order : orders)
-      for (const std::string& input : order.inputs)
-        readers.emplace(realPath(input), order.where);
-    for (const Order& order : orders)
-      for (const std::filesystem::path& target : order.targets)
+    for (const PlannedJob& planned : plannedJobs)
+      for (const std::string& input : planned.inputs)
+        readers.emplace(realPath(input), planned.where);
+    for (const PlannedJob& planned : plannedJobs)
+      for (const std::filesystem::path& target : planned.targets)
         if (const auto reader = readers.find(realPath(target)); reader != readers.end())
-          return Error{.where = order.where,
+          return Error{.where = planned.where,
                        .reason = "\"" + target.string() + "\" is read by " + reader->second,
                        .remedy = "Give it another name"};
     return Unit{};
@@ -284,24 +285,24 @@ class Orders {
   FilmFlags m_film;                            ///< the --video of that job
 };
 
-bool allThere(const Order& order) {
-  return std::all_of(order.targets.begin(), order.targets.end(), [](const auto& target) {
+bool allTargetsExist(const PlannedJob& planned) {
+  return std::all_of(planned.targets.begin(), planned.targets.end(), [](const auto& target) {
     std::error_code unknown;
     return std::filesystem::exists(target, unknown);
   });
 }
 
-std::string targetsText(const Order& order) {
+std::string targetsText(const PlannedJob& planned) {
   std::string all;
-  for (const std::filesystem::path& target : order.targets)
+  for (const std::filesystem::path& target : planned.targets)
     all += (all.empty() ? "" : ", ") + target.string();
   return all;
 }
 
 /// Makes the folders that targets lie in: a list that sorts figures into folders means them to
 /// exist.
-Status prepareFolders(const Order& order) {
-  for (const std::filesystem::path& target : order.targets) {
+Status prepareFolders(const PlannedJob& planned) {
+  for (const std::filesystem::path& target : planned.targets) {
     std::error_code failed;
     if (target.has_parent_path())
       std::filesystem::create_directories(target.parent_path(), failed);
@@ -327,17 +328,17 @@ struct Tally {
   }
 };
 
-void carryOut(const Order& order, Tally& tally) {
+void carryOut(const PlannedJob& planned, Tally& tally) {
   Exit exit = Exit::done;
-  ExportCommand command(order.where);
-  if (const Status prepared = prepareFolders(order); !prepared.ok())
+  ExportCommand command(planned.where);
+  if (const Status prepared = prepareFolders(planned); !prepared.ok())
     exit = complain(prepared.error(), Exit::failed);
   else
-    exit = command.run(order.arguments());
+    exit = command.run(planned.arguments());
   ++(exit == Exit::done ? tally.done : tally.failed);
   tally.withWarnings += command.warnings() > 0 ? 1 : 0;
   if (exit != Exit::done)
-    std::cerr << "sline: " << order.where << " failed: " << targetsText(order) << '\n';
+    std::cerr << "sline: " << planned.where << " failed: " << targetsText(planned) << '\n';
 }
 
 Exit runJobs(const JobsFlags& flags) {
@@ -347,26 +348,26 @@ Exit runJobs(const JobsFlags& flags) {
   const Result<std::vector<Job>> jobs = readJobList(flags.list);
   if (!jobs.ok())
     return complain(jobs.error(), Exit::wrongUse);
-  Result<std::vector<Order>> orders = Orders(flags.list, flags.folder).of(*jobs);
-  if (!orders.ok()) {
-    Error error = orders.error();
+  Result<std::vector<PlannedJob>> plannedJobs = JobPlanner(flags.list, flags.folder).of(*jobs);
+  if (!plannedJobs.ok()) {
+    Error error = plannedJobs.error();
     error.file = flags.list;
     return complain(error, Exit::wrongUse);
   }
   Tally tally;
-  for (std::size_t i = 0; i < orders->size(); ++i) {
-    const Order& order = (*orders)[i];
+  for (std::size_t i = 0; i < plannedJobs->size(); ++i) {
+    const PlannedJob& planned = (*plannedJobs)[i];
     if (!shard->has(i))
       continue;
-    if (flags.resume && allThere(order))
+    if (flags.resume && allTargetsExist(planned))
       ++tally.skipped;
     else if (flags.dryRun)
-      std::cout << order.where << '\t' << targetsText(order) << '\n';
+      std::cout << planned.where << '\t' << targetsText(planned) << '\n';
     else
-      carryOut(order, tally);
+      carryOut(planned, tally);
   }
   if (!flags.dryRun)
-    tell(tally.text(orders->size()));
+    tell(tally.text(plannedJobs->size()));
   return tally.failed == 0 ? Exit::done : Exit::failed;
 }
 

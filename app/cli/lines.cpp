@@ -43,47 +43,47 @@ std::vector<std::string> lineKindNames() {
   return names;
 }
 
-struct LinesOrder {
+struct LinesSpec {
   model::ImportOptions import;
   model::Camera camera;
   Size size;
   Gamma gamma;
   std::vector<std::string> kinds;
-  SectionsOrder sections;
+  SectionsSpec sections;
 
   bool wants(std::string_view kind) const {
     return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
   }
 };
 
-Result<LinesOrder> understoodLines(const LinesFlags& flags) {
-  LinesOrder order;
+Result<LinesSpec> parseLinesFlags(const LinesFlags& flags) {
+  LinesSpec spec;
   InputFlags input = flags.input;
   if (input.smooth.empty())
     input.smooth = "off";
   const Result<model::ImportOptions> options = importOptions(input);
   if (!options.ok())
     return options.error();
-  order.import = *options;
+  spec.import = *options;
   const Result<Size> size = parseSize(flags.size);
   if (!size.ok())
     return size.error();
-  order.size = *size;
-  order.kinds = flags.kinds;
-  const std::string allEntered = order.wants("hatching") ? "3" : "2";
+  spec.size = *size;
+  spec.kinds = flags.kinds;
+  const std::string allEntered = spec.wants("hatching") ? "3" : "2";
   const Result<Gamma> gamma = parseGamma(flags.gamma.empty() ? allEntered : flags.gamma);
   if (!gamma.ok())
     return gamma.error();
-  order.gamma = *gamma;
+  spec.gamma = *gamma;
   const Result<model::Camera> camera = readCamera(flags.camera);
   if (!camera.ok())
     return camera.error();
-  order.camera = *camera;
-  const Result<SectionsOrder> sections = understood(flags.sections);
+  spec.camera = *camera;
+  const Result<SectionsSpec> sections = parseFlags(flags.sections);
   if (!sections.ok())
     return sections.error();
-  order.sections = *sections;
-  return order;
+  spec.sections = *sections;
+  return spec;
 }
 
 Json jsonSeed(const render::HatchSeed& seed) {
@@ -93,8 +93,8 @@ Json jsonSeed(const render::HatchSeed& seed) {
 /// Collects the segments and strokes of all structures, kind by kind.
 class LinesDocument {
  public:
-  explicit LinesDocument(const LinesOrder& order) : m_order(order) {
-    for (const std::string& kind : order.kinds)
+  explicit LinesDocument(const LinesSpec& spec) : m_order(spec) {
+    for (const std::string& kind : spec.kinds)
       m_kinds[kind] = {{kind == "hatching" ? "strokes" : "segments", Json::array()},
                        {"thresholds", Json::object()}};
   }
@@ -210,28 +210,28 @@ class LinesDocument {
     }
   }
 
-  const LinesOrder& m_order;
+  const LinesSpec& m_order;
   Json m_kinds = Json::object();
   std::vector<float> m_featureSize;
 };
 
 Exit runLines(const LinesFlags& flags) {
-  const Result<LinesOrder> order = understoodLines(flags);
-  if (!order.ok())
-    return complain(order.error(), Exit::wrongUse);
+  const Result<LinesSpec> spec = parseLinesFlags(flags);
+  if (!spec.ok())
+    return complain(spec.error(), Exit::wrongUse);
   std::vector<std::string> read = flags.input.inputs;
   read.push_back(flags.camera);
   const Target lines{.flag = "--output", .name = flags.output, .endings = {"json"}};
   if (const Status fine = checkTargets({&lines, 1}, read); !fine.ok())
     return complain(fine.error(), Exit::wrongUse);
   Progress progress;
-  const Result<model::Imported> imported = readInputs(flags.input, order->import, progress);
+  const Result<model::Imported> imported = readInputs(flags.input, spec->import, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
-  const Result<model::Scene> scene = sectioned(imported->scene, order->sections, order->camera);
+  const Result<model::Scene> scene = sectioned(imported->scene, spec->sections, spec->camera);
   if (!scene.ok())
     return complain(scene.error(), Exit::wrongUse);
-  LinesDocument document(*order);
+  LinesDocument document(*spec);
   for (const model::Node& node : scene->nodes())
     if (!node.isGroup())
       document.add(node.mesh, model::planesOf(scene->sectionsOf(node.id)));

@@ -26,7 +26,7 @@ constexpr const char* footer =
     "`sline COMMAND --help` explains a command.";
 
 /// Returns the exit code, and prints a message if standard output could not be written.
-int afterOutput(int code) {
+int exitCodeAfterOutput(int code) {
   std::cout.flush();
   const bool told = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (told && std::cout.good())
@@ -37,8 +37,8 @@ int afterOutput(int code) {
   return code == int(Exit::done) ? int(Exit::failed) : code;
 }
 
-std::vector<std::string> arranged(const CLI::App& program,
-                                  const std::vector<std::string>& arguments) {
+std::vector<std::string> inputsFirst(const CLI::App& program,
+                                     const std::vector<std::string>& arguments) {
   const auto commands = program.get_subcommands([&arguments](const CLI::App* each) {
     return !arguments.empty() && each->get_name() == arguments.front();
   });
@@ -81,7 +81,8 @@ int run(int argc, char** argv) {
   sline::cli::addSteadiness(program, exit);
   sline::cli::addManual(program, exit);
   try {
-    std::vector<std::string> arguments = arranged(program, {argv + std::min(argc, 1), argv + argc});
+    std::vector<std::string> arguments =
+        inputsFirst(program, {argv + std::min(argc, 1), argv + argc});
     // CLI11 takes the arguments from the last to the first.
     std::reverse(arguments.begin(), arguments.end());
     program.parse(arguments);
@@ -96,7 +97,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   sline::model::keepStandardStreams();
   try {
-    return afterOutput(run(argc, argv));
+    return exitCodeAfterOutput(run(argc, argv));
   } catch (const std::bad_alloc&) {
     std::cerr << "sline: there is not enough memory. Close other programs or draw fewer parts.\n";
   } catch (const std::exception& failure) {

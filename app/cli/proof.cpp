@@ -49,14 +49,14 @@ std::string rounded(double value) {
   return text.str();
 }
 
-render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrder& order) {
+render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureSpec& spec) {
   constexpr float pixelMm = render::millimetresPerInch / 96.0f;
   render::ExportOrder job;
   job.scene = arranged.scene;
   job.camera = arranged.camera;
-  job.page = {.sizeMm = pixelMm * glm::vec2(float(order.size.width), float(order.size.height)),
+  job.page = {.sizeMm = pixelMm * glm::vec2(float(spec.size.width), float(spec.size.height)),
               .dpi = 96.0f};
-  job.environment = order.environment;
+  job.environment = spec.environment;
   return job;
 }
 
@@ -173,7 +173,7 @@ void printText(const model::Scene& scene, const render::PrintProof& proof,
 }
 
 /// Writes the picture as each kind of eye sees it, to a file for each.
-Status writeVisions(const render::ExportOrder& job, const PictureOrder& order,
+Status writeVisions(const render::ExportOrder& job, const PictureSpec& spec,
                     const std::filesystem::path& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
@@ -186,13 +186,13 @@ Status writeVisions(const render::ExportOrder& job, const PictureOrder& order,
     return picture.error();
   const Result<render::Image> image = (*picture)->render(
       job.scene, job.camera,
-      {.width = order.size.width, .height = order.size.height, .environment = order.environment},
-      order.samples);
+      {.width = spec.size.width, .height = spec.size.height, .environment = spec.environment},
+      spec.samples);
   if (!image.ok())
     return image.error();
   for (const render::Vision vision : render::visions)
     if (const Status written =
-            render::writeImage(render::seen(*image, vision),
+            render::writeImage(render::simulateVision(*image, vision),
                                folder / ("proof_" + std::string(render::nameOf(vision)) + ".png"));
         !written.ok())
       return written;
@@ -209,8 +209,8 @@ Status writeCopy(const model::Imported& imported, const ProofFlags& flags,
   const model::View* saved =
       flags.picture.cameraFile.empty() ? savedView(imported.scene, flags.picture.view) : nullptr;
   if (saved) {
-    const model::Scene shown =
-        render::withProposals(model::shown(imported.scene, *saved).scene, proof.proposals);
+    const model::Scene shown = render::withProposals(
+        model::withViewApplied(imported.scene, *saved).scene, proof.proposals);
     document.scene = model::withViewUpdated(document.scene, std::size_t(saved - views.data()),
                                             model::viewOf(shown, saved->camera, saved->name))
                          .scene;
@@ -238,17 +238,17 @@ Exit runProof(const ProofFlags& flags) {
   const Result<model::ImportOptions> options = importOptions(flags.input);
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
-  const Result<PictureOrder> order = understoodLook(flags.picture);
-  if (!order.ok())
-    return complain(order.error(), Exit::wrongUse);
+  const Result<PictureSpec> spec = parseFlagsWithoutOutput(flags.picture);
+  if (!spec.ok())
+    return complain(spec.error(), Exit::wrongUse);
   Progress progress;
   const Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
-  const Result<ArrangedScene> arranged = arrangedFor(imported->scene, *order);
+  const Result<ArrangedScene> arranged = arrangeScene(imported->scene, *spec);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
-  const render::ExportOrder job = exportOrder(*arranged, *order);
+  const render::ExportOrder job = exportOrder(*arranged, *spec);
   const render::ProofSettings settings{.leastDifference = flags.threshold, .all = flags.all};
   const Result<render::PrintProof> proof =
       render::printProof(job, settings, [&progress](double share, std::string_view what) {
@@ -259,7 +259,7 @@ Exit runProof(const ProofFlags& flags) {
   if (!proof.ok())
     return complain(proof.error(), Exit::failed);
   if (!flags.folder.empty())
-    if (const Status written = writeVisions(job, *order, flags.folder); !written.ok())
+    if (const Status written = writeVisions(job, *spec, flags.folder); !written.ok())
       return complain(written.error(), Exit::failed);
   if (flags.apply)
     if (const Status written = writeCopy(*imported, flags, *proof); !written.ok())

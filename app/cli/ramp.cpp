@@ -238,16 +238,16 @@ struct RampReport {
 
 /// Measures one structure after the other and prints each as soon as it is known, unless all go
 /// into one JSON object. Returns an exit code if it cannot go on.
-std::optional<Exit> measureAll(const MeasureOrder& order, const RampFlags& flags,
-                               Progress& progress, RampReport& report) {
+std::optional<Exit> measureAll(const MeasureSpec& spec, const RampFlags& flags, Progress& progress,
+                               RampReport& report) {
   const Result<render::HeadlessPicture> picture = render::HeadlessPicture::create();
   if (!picture.ok())
     return complain(picture.error(), Exit::failed);
   std::vector<render::SheetPicture> pictures;
-  for (const model::NodeId id : order.structures) {
-    progress.show(double(report.structures.size()) / double(order.structures.size()),
-                  order.scene.find(id)->name);
-    const Result<render::Subject> subject = subjectOf(order, id);
+  for (const model::NodeId id : spec.structures) {
+    progress.show(double(report.structures.size()) / double(spec.structures.size()),
+                  spec.scene.find(id)->name);
+    const Result<render::Subject> subject = subjectOf(spec, id);
     if (!subject.ok())
       return complain(subject.error(), Exit::wrongUse);
     Result<MeasuredRamp> measured =
@@ -255,7 +255,7 @@ std::optional<Exit> measureAll(const MeasureOrder& order, const RampFlags& flags
     progress.wipe();
     if (!measured.ok())
       return complain(measured.error(), Exit::failed);
-    measured->group = order.scene.groupPath(id);
+    measured->group = spec.scene.groupPath(id);
     if (!flags.sheet.empty())
       appendSheet(report.sheet, pictures, measured->ramp);
     if (!flags.measure.json)
@@ -281,16 +281,16 @@ Exit runRamp(const RampFlags& flags) {
     return complain(named.error(), Exit::wrongUse);
   Progress progress;
   bool wrongUse = false;
-  const Result<MeasureOrder> order = measureOrder(flags.measure, progress, wrongUse);
-  if (!order.ok())
-    return complain(order.error(), wrongUse ? Exit::wrongUse : Exit::failed);
-  if (!flags.sheet.empty() && order->structures.size() > mostOnASheet)
-    return complain({.reason = "a sheet of " + std::to_string(order->structures.size()) +
+  const Result<MeasureSpec> spec = readMeasureSpec(flags.measure, progress, wrongUse);
+  if (!spec.ok())
+    return complain(spec.error(), wrongUse ? Exit::wrongUse : Exit::failed);
+  if (!flags.sheet.empty() && spec->structures.size() > mostOnASheet)
+    return complain({.reason = "a sheet of " + std::to_string(spec->structures.size()) +
                                " structures is too large to look at",
                      .remedy = "Name at most " + std::to_string(mostOnASheet) + " structures"},
                     Exit::wrongUse);
   RampReport report;
-  if (const auto stopped = measureAll(*order, flags, progress, report))
+  if (const auto stopped = measureAll(*spec, flags, progress, report))
     return *stopped;
   if (!flags.sheet.empty())
     if (const Status written = render::writeImage(report.sheet, flags.sheet); !written.ok())

@@ -18,7 +18,7 @@ struct ReloadFlags {
   bool dryRun = false;
 };
 
-const char* told(model::ReloadedFile::Fate fate, bool dryRun) {
+const char* fateText(model::ReloadedFile::Fate fate, bool dryRun) {
   switch (fate) {
     case model::ReloadedFile::Fate::replaced:
       return dryRun ? "would be replaced" : "replaced";
@@ -33,7 +33,7 @@ const char* told(model::ReloadedFile::Fate fate, bool dryRun) {
 
 void report(const model::Reloaded& reloaded, bool dryRun) {
   for (const model::ReloadedFile& file : reloaded.files) {
-    std::cout << file.file << ": " << told(file.fate, dryRun);
+    std::cout << file.file << ": " << fateText(file.fate, dryRun);
     if (!file.reason.empty())
       std::cout << " (" << file.reason << ')';
     std::string names;

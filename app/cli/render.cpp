@@ -18,9 +18,9 @@ Exit runRender(const RenderFlags& flags) {
   const Result<model::ImportOptions> options = importOptions(flags.input);
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
-  const Result<PictureOrder> order = understood(flags.picture);
-  if (!order.ok())
-    return complain(order.error(), Exit::wrongUse);
+  const Result<PictureSpec> spec = parseFlags(flags.picture);
+  if (!spec.ok())
+    return complain(spec.error(), Exit::wrongUse);
   std::vector<std::string> read = flags.input.inputs;
   read.push_back(flags.picture.cameraFile);
   const Target picture{.flag = "--output", .name = flags.picture.output, .endings = {}};
@@ -31,7 +31,7 @@ Exit runRender(const RenderFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
-  return drawScene(imported->scene, *order, progress);
+  return drawScene(imported->scene, *spec, progress);
 }
 
 void declareRender(CLI::App& command, RenderFlags& flags) {

@@ -93,25 +93,25 @@ Exit runSteadiness(const SteadinessFlags& flags) {
     return complain(gamma.error(), Exit::wrongUse);
   Progress progress;
   bool wrongUse = false;
-  const Result<MeasureOrder> order = measureOrder(flags.measure, progress, wrongUse);
-  if (!order.ok())
-    return complain(order.error(), wrongUse ? Exit::wrongUse : Exit::failed);
+  const Result<MeasureSpec> spec = readMeasureSpec(flags.measure, progress, wrongUse);
+  if (!spec.ok())
+    return complain(spec.error(), wrongUse ? Exit::wrongUse : Exit::failed);
   const Result<render::HeadlessPicture> picture = render::HeadlessPicture::create();
   if (!picture.ok())
     return complain(picture.error(), Exit::failed);
   Json list = Json::array();
   bool passes = true;
   std::size_t done = 0;
-  for (const model::NodeId id : order->structures) {
-    progress.show(double(done++) / double(order->structures.size()), order->scene.find(id)->name);
-    const Result<render::Subject> subject = subjectOf(*order, id);
+  for (const model::NodeId id : spec->structures) {
+    progress.show(double(done++) / double(spec->structures.size()), spec->scene.find(id)->name);
+    const Result<render::Subject> subject = subjectOf(*spec, id);
     if (!subject.ok())
       return complain(subject.error(), Exit::wrongUse);
     Result<MeasuredSteadiness> measured = measure(**picture, *subject, *gamma, flags);
     progress.wipe();
     if (!measured.ok())
       return complain(measured.error(), Exit::failed);
-    measured->group = order->scene.groupPath(id);
+    measured->group = spec->scene.groupPath(id);
     passes = passes && measured->faults.empty();
     if (flags.measure.json)
       list.push_back(steadinessJson(*measured));

@@ -46,7 +46,7 @@ Error unknownSaved(const model::Scene& scene, const std::string& name) {
   return error;
 }
 
-Result<std::size_t> placeOf(const model::Scene& scene, const std::string& name) {
+Result<std::size_t> indexOfView(const model::Scene& scene, const std::string& name) {
   const model::View* view = savedView(scene, name);
   if (!view)
     return unknownSaved(scene, name);
@@ -54,7 +54,7 @@ Result<std::size_t> placeOf(const model::Scene& scene, const std::string& name) 
 }
 
 /// Reads a whole number from 1 upwards, as people count.
-std::optional<std::uint64_t> counted(std::string_view text) {
+std::optional<std::uint64_t> parseOrdinal(std::string_view text) {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || number == 0)
@@ -77,7 +77,7 @@ Status chooseLabels(const model::Scene& scene, const std::string& text, model::V
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
-    const model::AnnotationId id{counted(word).value_or(0)};
+    const model::AnnotationId id{parseOrdinal(word).value_or(0)};
     const auto& all = scene.annotations();
     if (std::none_of(all.begin(), all.end(), [id](const auto& each) { return each.id == id; }))
       return Error{.reason = "no annotation has the number \"" + word + "\"",
@@ -91,22 +91,22 @@ Status chooseLabels(const model::Scene& scene, const std::string& text, model::V
 }
 
 /// Returns the view that the flags describe, of a scene that they leave unchanged.
-Result<model::View> described(const model::Scene& scene, const ViewFlags& flags,
-                              const std::string& name) {
-  const Result<PictureOrder> order = understoodLook(flags.picture);
-  if (!order.ok())
-    return order.error();
-  const model::Scene start = asSaved(scene, *order);
-  const Result<model::Scene> focus = inFocus(start, *order);
+Result<model::View> viewFromFlags(const model::Scene& scene, const ViewFlags& flags,
+                                  const std::string& name) {
+  const Result<PictureSpec> spec = parseFlagsWithoutOutput(flags.picture);
+  if (!spec.ok())
+    return spec.error();
+  const model::Scene start = withSavedView(scene, *spec);
+  const Result<model::Scene> focus = inFocus(start, *spec);
   if (!focus.ok())
     return focus.error();
-  const Result<model::Scene> dressed = styled(*focus, *order);
+  const Result<model::Scene> dressed = styled(*focus, *spec);
   if (!dressed.ok())
     return dressed.error();
-  const Result<model::Scene> cut = cutOpen(*dressed, *order);
+  const Result<model::Scene> cut = cutOpen(*dressed, *spec);
   if (!cut.ok())
     return cut.error();
-  const Result<model::Camera> camera = cameraFor(*cut, *order);
+  const Result<model::Camera> camera = cameraFor(*cut, *spec);
   if (!camera.ok())
     return camera.error();
   model::View view = model::viewOf(*cut, *camera, name);
@@ -122,24 +122,24 @@ void warnOfSide(const std::string& name) {
          model::normalisedName(name) + " view fitted to what is visible");
 }
 
-Outcome added(const model::Scene& scene, const ViewFlags& flags) {
+Outcome addNamedView(const model::Scene& scene, const ViewFlags& flags) {
   if (model::normalisedName(flags.add).empty())
     return Error{.reason = "a view needs a name", .remedy = "Write --add NAME"};
   if (savedView(scene, flags.add))
     return Error{.reason = "a view named \"" + flags.add + "\" is already saved",
                  .remedy = "Take another name, or --update it"};
-  const Result<model::View> view = described(scene, flags, flags.add);
+  const Result<model::View> view = viewFromFlags(scene, flags, flags.add);
   if (!view.ok())
     return view.error();
   warnOfSide(flags.add);
   return model::withView(scene, *view);
 }
 
-Outcome updated(const model::Scene& scene, const ViewFlags& flags) {
-  const Result<std::size_t> place = placeOf(scene, flags.update);
+Outcome updateNamedView(const model::Scene& scene, const ViewFlags& flags) {
+  const Result<std::size_t> place = indexOfView(scene, flags.update);
   if (!place.ok())
     return place.error();
-  const Result<model::View> view = described(scene, flags, flags.update);
+  const Result<model::View> view = viewFromFlags(scene, flags, flags.update);
   if (!view.ok())
     return view.error();
   return model::withViewUpdated(scene, *place, *view);
@@ -147,7 +147,7 @@ Outcome updated(const model::Scene& scene, const ViewFlags& flags) {
 
 /// Renames a saved view. Names may have an '=' in them: of the places where the text could be cut,
 /// the first that leaves a saved view's name before it is taken.
-Outcome renamed(const model::Scene& scene, const std::string& text) {
+Outcome renameView(const model::Scene& scene, const std::string& text) {
   for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
     const model::View* view = savedView(scene, text.substr(0, at));
     if (!view)
@@ -169,14 +169,14 @@ Outcome renamed(const model::Scene& scene, const std::string& text) {
   return unknownSaved(scene, text.substr(0, text.find('=')));
 }
 
-Outcome moved(const model::Scene& scene, const std::string& text) {
+Outcome moveView(const model::Scene& scene, const std::string& text) {
   const std::optional<NamedValue> named = splitNamed(text);
   const std::size_t count = scene.views().size();
-  const auto position = named ? counted(named->value) : std::nullopt;
+  const auto position = named ? parseOrdinal(named->value) : std::nullopt;
   if (!named || !position)
     return Error{.reason = "--move " + text + " gives no position",
                  .remedy = "Write --move NAME=POSITION; 1 is the first"};
-  const Result<std::size_t> place = placeOf(scene, named->name);
+  const Result<std::size_t> place = indexOfView(scene, named->name);
   if (!place.ok())
     return place.error();
   if (*position > count)
@@ -185,23 +185,23 @@ Outcome moved(const model::Scene& scene, const std::string& text) {
   return model::withViewMoved(scene, *place, std::size_t(*position - 1));
 }
 
-Outcome removed(const model::Scene& scene, const std::string& name) {
-  const Result<std::size_t> place = placeOf(scene, name);
+Outcome removeView(const model::Scene& scene, const std::string& name) {
+  const Result<std::size_t> place = indexOfView(scene, name);
   if (!place.ok())
     return place.error();
   return model::withoutView(scene, *place);
 }
 
-Outcome edited(const model::Scene& scene, const ViewFlags& flags) {
+Outcome applyEdit(const model::Scene& scene, const ViewFlags& flags) {
   if (!flags.update.empty())
-    return updated(scene, flags);
+    return updateNamedView(scene, flags);
   if (!flags.rename.empty())
-    return renamed(scene, flags.rename);
+    return renameView(scene, flags.rename);
   if (!flags.remove.empty())
-    return removed(scene, flags.remove);
+    return removeView(scene, flags.remove);
   if (!flags.move.empty())
-    return moved(scene, flags.move);
-  return added(scene, flags);
+    return moveView(scene, flags.move);
+  return addNamedView(scene, flags);
 }
 
 Json jsonView(const model::Scene& scene, const model::View& view) {
@@ -262,7 +262,7 @@ Exit edit(const ViewFlags& flags) {
   Result<model::SceneDocument> document = openedScene(flags.scene);
   if (!document.ok())
     return complain(document.error(), Exit::failed);
-  Outcome outcome = edited(document->scene, flags);
+  Outcome outcome = applyEdit(document->scene, flags);
   if (!outcome.ok())
     return complain(outcome.error(), Exit::wrongUse);
   if (!outcome->changed && flags.output.empty())

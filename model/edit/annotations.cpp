@@ -8,7 +8,7 @@
 namespace sline::model {
 
 namespace {
-bool sound(const Scene& scene, const Annotation& annotation) {
+bool isSound(const Scene& scene, const Annotation& annotation) {
   return !annotationFault(annotation) &&
          std::all_of(annotation.anchors.begin(), annotation.anchors.end(),
                      [&scene](const Anchor& anchor) { return scene.placeOf(anchor).has_value(); });
@@ -53,7 +53,7 @@ const Annotation* findAnnotation(const Scene& scene, AnnotationId id) {
 }
 
 Edited withAnnotation(const Scene& scene, const Annotation& annotation) {
-  if (!sound(scene, annotation))
+  if (!isSound(scene, annotation))
     return {scene, false};
   Scene after = scene;
   after.appendAnnotation(annotation);
@@ -62,7 +62,7 @@ Edited withAnnotation(const Scene& scene, const Annotation& annotation) {
 
 Edited withAnnotationMade(const Scene& scene, const Annotation& annotation,
                           std::optional<std::size_t> view) {
-  if (!sound(scene, annotation))
+  if (!isSound(scene, annotation))
     return {scene, false};
   std::vector<View> views = scene.views();
   Scene after = scene;
@@ -75,7 +75,7 @@ Edited withAnnotationMade(const Scene& scene, const Annotation& annotation,
 }
 
 Edited withAnnotationChanged(const Scene& scene, AnnotationId id, const Annotation& annotation) {
-  if (!sound(scene, annotation))
+  if (!isSound(scene, annotation))
     return {scene, false};
   std::vector<Annotation> annotations = scene.annotations();
   for (Annotation& old : annotations)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/edit/look.h"
 
-#include "model/edit/styled_nodes.h"
+#include "model/edit/style_edits.h"
 
 namespace sline::model {
 

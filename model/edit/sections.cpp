@@ -8,7 +8,7 @@ namespace sline::model {
 
 namespace {
 
-bool sound(const Scene& scene, const Section& section) {
+bool isSound(const Scene& scene, const Section& section) {
   return !planeFault(section.plane) && (section.scope == rootId || scene.find(section.scope));
 }
 
@@ -40,7 +40,7 @@ Section anatomicalSection(const Scene& scene, NodeId scope, AnatomicalView kept,
 }
 
 Edited withSection(const Scene& scene, const Section& section) {
-  if (!sound(scene, section))
+  if (!isSound(scene, section))
     return {scene, false};
   Scene after = scene;
   after.appendSection(section);
@@ -48,7 +48,7 @@ Edited withSection(const Scene& scene, const Section& section) {
 }
 
 Edited withSectionChanged(const Scene& scene, SectionId id, const Section& section) {
-  if (!sound(scene, section))
+  if (!isSound(scene, section))
     return {scene, false};
   std::vector<Section> sections = scene.sections();
   for (Section& old : sections)

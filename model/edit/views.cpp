@@ -35,8 +35,8 @@ Edited withViews(const Scene& scene, std::vector<View> views) {
   return edited;
 }
 
-ShownScene shown(const Scene& scene, const View& view) {
-  ShownScene result{scene, {}};
+AppliedView withViewApplied(const Scene& scene, const View& view) {
+  AppliedView result{scene, {}};
   if (view.sections)
     result.scene.setSections(*view.sections);
   if (view.annotations)

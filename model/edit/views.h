@@ -11,18 +11,18 @@
 
 namespace sline::model {
 
-struct ShownScene {
+struct AppliedView {
   Scene scene;
   std::vector<NodeId> absent;  ///< nodes that the view mentions but the scene lacks
 };
 
 /// Returns the scene as the view shows it: with its sections, looks and annotations as far as it
 /// has any; everything else stays, and so do nodes that came after the view.
-ShownScene shown(const Scene& scene, const View& view);
+AppliedView withViewApplied(const Scene& scene, const View& view);
 
-/// Returns the looks of all nodes, from which `shown` restores the picture: structures with their
-/// inherited fields answered (except an ink without a colour of its own), groups with their
-/// visibility.
+/// Returns the looks of all nodes, from which `withViewApplied` restores the picture: structures
+/// with their inherited fields answered (except an ink without a colour of its own), groups with
+/// their visibility.
 std::vector<Look> looksOf(const Scene& scene);
 
 /// Returns how many nodes and annotations the view mentions that the scene lacks.

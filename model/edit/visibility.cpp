@@ -11,7 +11,7 @@ namespace sline::model {
 
 namespace {
 
-Edited edited(const Scene& before, Scene&& after) {
+Edited editOf(const Scene& before, Scene&& after) {
   const bool changed = !(after == before);
   return {std::move(after), changed};
 }
@@ -42,7 +42,7 @@ std::vector<NodeId> groupsAbove(const Scene& scene, NodeId id) {
 }
 
 /// Shows the hidden groups above a node, but not their other contents.
-Scene opened(Scene scene, NodeId id) {
+Scene withGroupsOpened(Scene scene, NodeId id) {
   NodeId path = id;
   std::vector<NodeId> others;
   bool hidden = false;
@@ -61,14 +61,14 @@ Scene opened(Scene scene, NodeId id) {
   return hidden ? withVisible(scene, groups, true) : scene;
 }
 
-Scene shown(Scene scene, NodeId id) {
+Scene revealed(Scene scene, NodeId id) {
   if (!scene.find(id))
     return scene;
-  scene = opened(std::move(scene), id);
+  scene = withGroupsOpened(std::move(scene), id);
   const NodeId itself[] = {id};
   if (saysHidden(scene, id)) {
     scene = withVisible(scene, itself, true);
-    if (shownOf(scene, id) != Shown::none)
+    if (visibilityOf(scene, id) != Visibility::none)
       return scene;
   }
   if (!scene.find(id)->isGroup())
@@ -99,17 +99,17 @@ bool aloneHides(const Scene& scene, NodeId id) {
 
 }  // namespace
 
-Shown shownOf(const Scene& scene, NodeId id) {
+Visibility visibilityOf(const Scene& scene, NodeId id) {
   const std::vector<NodeId> structures = scene.structuresBelow(id);
   const auto visible = std::count_if(structures.begin(), structures.end(),
                                      [&](NodeId s) { return scene.resolve(s).visible; });
   if (visible == 0)
-    return Shown::none;
-  return std::size_t(visible) == structures.size() ? Shown::all : Shown::some;
+    return Visibility::none;
+  return std::size_t(visible) == structures.size() ? Visibility::all : Visibility::some;
 }
 
 Edited withHidden(const Scene& scene, std::span<const NodeId> ids) {
-  return edited(scene, withVisible(scene, ids, false));
+  return editOf(scene, withVisible(scene, ids, false));
 }
 
 Edited withShown(const Scene& scene, std::span<const NodeId> ids) {
@@ -119,8 +119,8 @@ Edited withShown(const Scene& scene, std::span<const NodeId> ids) {
                [&scene](NodeId id) { return aloneHides(scene, id); });
   Scene after = withVisible(scene, alone, true);
   for (const NodeId id : ids)
-    after = shown(std::move(after), id);
-  return edited(scene, std::move(after));
+    after = revealed(std::move(after), id);
+  return editOf(scene, std::move(after));
 }
 
 Edited withOthersHidden(const Scene& scene, std::span<const NodeId> ids) {
@@ -137,7 +137,7 @@ Edited withOthersHidden(const Scene& scene, std::span<const NodeId> ids) {
   }
   if (top.empty())
     return {scene, false};
-  return edited(scene, withVisible(scene, others, false));
+  return editOf(scene, withVisible(scene, others, false));
 }
 
 Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids) {

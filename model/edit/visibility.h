@@ -9,8 +9,8 @@
 namespace sline::model {
 
 /// Says how much of a structure, or of the structures in a group, is shown.
-enum class Shown { none, some, all };
-Shown shownOf(const Scene& scene, NodeId id);
+enum class Visibility { none, some, all };
+Visibility visibilityOf(const Scene& scene, NodeId id);
 
 /// Hides the nodes; the nodes below them remember their own state.
 Edited withHidden(const Scene& scene, std::span<const NodeId> ids);

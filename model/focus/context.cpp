@@ -32,7 +32,7 @@ float ramp(float low, float high, float x) {
 }
 
 /// Returns how clear of the targets a structure is: filled and in front of them it would hide them.
-float clear(const Relation& r) {
+float clearness(const Relation& r) {
   return 1.0f - glm::smoothstep(0.05f, 0.5f, r.hides);
 }
 
@@ -45,7 +45,7 @@ Growth feederGrowth(const Relation& r) {
           .highGamma = 3.9f - less,
           .lowPen = 0.8f,
           .highPen = 1.0f,
-          .covering = 0.6f + 0.4f * clear(r)};
+          .covering = 0.6f + 0.4f * clearness(r)};
 }
 
 Growth neighbourGrowth(const Relation& r) {
@@ -55,7 +55,7 @@ Growth neighbourGrowth(const Relation& r) {
           .highGamma = glm::mix(2.4f, 1.2f, r.hides),
           .lowPen = 0.3f,
           .highPen = 0.85f,
-          .covering = 0.2f + 0.7f * clear(r)};
+          .covering = 0.2f + 0.7f * clearness(r)};
 }
 
 Growth shellGrowth(const Relation& r) {
@@ -76,7 +76,7 @@ Growth backdropGrowth(const Relation& r) {
           .highGamma = 1.4f,
           .lowPen = 0.25f,
           .highPen = 0.55f,
-          .covering = 0.1f + 0.7f * clear(r)};
+          .covering = 0.1f + 0.7f * clearness(r)};
 }
 
 Growth growthOf(const Relation& r) {

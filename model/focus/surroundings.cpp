@@ -98,13 +98,13 @@ Surroundings::Surroundings(std::span<const Party> parties, const std::optional<C
   m_centre = glm::vec3(sum / double(m_samples.size()));
   measureExtents();
   if (camera)
-    lookFrom(*camera);
+    castFromCamera(*camera);
   else
-    lookAround();
+    castFromAllSides();
 }
 
-void Surroundings::look(std::size_t side, const SurfaceSample& sample, const glm::vec3& direction,
-                        float farthest) {
+void Surroundings::castSight(std::size_t side, const SurfaceSample& sample,
+                             const glm::vec3& direction, float farthest) {
   const float facing = glm::dot(sample.normal, direction);
   if (!(facing > 0.0f))
     return;
@@ -116,19 +116,19 @@ void Surroundings::look(std::size_t side, const SurfaceSample& sample, const glm
   m_shown[side] += double(facing);
 }
 
-void Surroundings::lookAround() {
+void Surroundings::castFromAllSides() {
   m_shown.assign(sides().size(), 0.0);
   for (std::size_t side = 0; side < sides().size(); ++side)
     for (const SurfaceSample& sample : m_samples)
-      look(side, sample, sides()[side], endless);
+      castSight(side, sample, sides()[side], endless);
 }
 
-void Surroundings::lookFrom(const Camera& camera) {
+void Surroundings::castFromCamera(const Camera& camera) {
   m_shown.assign(1, 0.0);
   const bool eye = camera.projection == Projection::perspective;
   for (const SurfaceSample& sample : m_samples)
-    look(0, sample, towardsEye(camera, sample.place),
-         eye ? glm::length(camera.eye - sample.place) : endless);
+    castSight(0, sample, towardsEye(camera, sample.place),
+              eye ? glm::length(camera.eye - sample.place) : endless);
 }
 
 void Surroundings::measureExtents() {

@@ -59,10 +59,10 @@ class Surroundings {
     float weight = 0.0f;  ///< how large the surface there appears from that side
     std::size_t side = 0;
   };
-  void lookAround();
-  void lookFrom(const Camera& camera);
-  void look(std::size_t side, const SurfaceSample& sample, const glm::vec3& direction,
-            float farthest);
+  void castFromAllSides();
+  void castFromCamera(const Camera& camera);
+  void castSight(std::size_t side, const SurfaceSample& sample, const glm::vec3& direction,
+                 float farthest);
   void measureExtents();
   float hiding(const Party& party) const;
   float outsideness(const Party& party) const;

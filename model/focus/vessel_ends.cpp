@@ -30,7 +30,7 @@ class Unions {
   std::vector<std::uint32_t> m_parent;
 };
 
-struct Part {
+struct Component {
   double area = 0.0;
   bool comesNear = false;
   std::map<std::uint32_t, double> pieces;  ///< area of each piece, by one of its vertices
@@ -54,11 +54,11 @@ Cut cutNear(const Mesh& mesh, const std::function<bool(const glm::vec3&)>& near)
       if (!gone[t[k]] && !gone[t[(k + 1) % 3]])
         rest.join(t[k], t[(k + 1) % 3]);
   const Components whole = connectedComponents(mesh);
-  std::vector<Part> parts(whole.count);
+  std::vector<Component> parts(whole.count);
   for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
     const Triangle& t = mesh.triangles()[i];
     const double area = areaOf(mesh, t);
-    Part& part = parts[whole.ofTriangle[i]];
+    Component& part = parts[whole.ofTriangle[i]];
     part.area += area;
     for (const std::uint32_t v : t) {
       part.comesNear = part.comesNear || gone[v];
@@ -70,7 +70,7 @@ Cut cutNear(const Mesh& mesh, const std::function<bool(const glm::vec3&)>& near)
   Cut cut;
   double area = 0.0;
   double left = 0.0;
-  for (const Part& part : parts) {
+  for (const Component& part : parts) {
     std::size_t pieces = 0;
     area += part.area;
     for (const auto& [vertex, size] : part.pieces) {

@@ -11,7 +11,7 @@ namespace sline::model {
 namespace {
 
 /// Holds one mesh's tree while it is in use.
-struct Place {
+struct TreeSlot {
   std::mutex making;
   std::weak_ptr<const Bvh> tree;
 };
@@ -19,13 +19,13 @@ struct Place {
 /// Knows the meshes without holding them.
 class Register {
  public:
-  std::shared_ptr<Place> placeOf(const MeshPtr& mesh) {
+  std::shared_ptr<TreeSlot> slotOf(const MeshPtr& mesh) {
     const std::lock_guard lock(m_mutex);
     const auto known = m_places.find(mesh);
     if (known != m_places.end())
       return known->second;
     std::erase_if(m_places, [](const auto& entry) { return entry.first.expired(); });
-    return m_places.emplace(mesh, std::make_shared<Place>()).first->second;
+    return m_places.emplace(mesh, std::make_shared<TreeSlot>()).first->second;
   }
   std::size_t count() {
     const std::lock_guard lock(m_mutex);
@@ -36,7 +36,7 @@ class Register {
 
  private:
   std::mutex m_mutex;
-  std::map<std::weak_ptr<const Mesh>, std::shared_ptr<Place>, std::owner_less<>> m_places;
+  std::map<std::weak_ptr<const Mesh>, std::shared_ptr<TreeSlot>, std::owner_less<>> m_places;
 };
 
 Register& trees() {
@@ -47,7 +47,7 @@ Register& trees() {
 }  // namespace
 
 BvhPtr treeOf(const MeshPtr& mesh) {
-  const std::shared_ptr<Place> place = trees().placeOf(mesh);
+  const std::shared_ptr<TreeSlot> place = trees().slotOf(mesh);
   const std::lock_guard lock(place->making);
   BvhPtr tree = place->tree.lock();
   if (!tree) {

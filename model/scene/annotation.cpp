@@ -10,7 +10,7 @@ namespace {
 /// Measured in heights of the picture.
 constexpr float farthestOffset = 100.0f;
 
-bool sound(const Anchor& anchor) {
+bool isSound(const Anchor& anchor) {
   if (const auto* place = std::get_if<glm::vec3>(&anchor))
     return std::isfinite(place->x) && std::isfinite(place->y) && std::isfinite(place->z);
   const auto& [second, third] = std::get<SurfacePoint>(anchor).weights;
@@ -39,7 +39,7 @@ glm::vec3 placeOn(const Mesh& mesh, const SurfacePoint& point) {
 std::optional<std::string_view> annotationFault(const Annotation& annotation) {
   if (annotation.anchors.size() != anchorCount(annotation.kind))
     return "a distance has two places, any other annotation one";
-  if (!std::all_of(annotation.anchors.begin(), annotation.anchors.end(), sound))
+  if (!std::all_of(annotation.anchors.begin(), annotation.anchors.end(), isSound))
     return "its place is no point in space, and none in a triangle";
   if (annotation.offset && !(std::abs(annotation.offset->x) <= farthestOffset &&
                              std::abs(annotation.offset->y) <= farthestOffset))

@@ -42,8 +42,8 @@ const Node* Scene::find(NodeId id) const {
   return place == m_places.end() || place->id != id.value ? nullptr : &m_nodes[place->index];
 }
 
-std::vector<Scene::Place>::const_iterator Scene::placeBefore(std::uint64_t id) const {
-  return std::lower_bound(m_places.begin(), m_places.end(), Place{id, 0});
+std::vector<Scene::NodeIndex>::const_iterator Scene::placeBefore(std::uint64_t id) const {
+  return std::lower_bound(m_places.begin(), m_places.end(), NodeIndex{id, 0});
 }
 
 void Scene::index() {

@@ -158,16 +158,16 @@ class Scene {
 
  private:
   /// Holds where a node is; places are sorted by id.
-  struct Place {
+  struct NodeIndex {
     std::uint64_t id = 0;
     std::size_t index = 0;  ///< index in m_nodes
-    auto operator<=>(const Place&) const = default;
+    auto operator<=>(const NodeIndex&) const = default;
   };
-  std::vector<Place>::const_iterator placeBefore(std::uint64_t id) const;
+  std::vector<NodeIndex>::const_iterator placeBefore(std::uint64_t id) const;
   void index();
 
   std::vector<Node> m_nodes;
-  std::vector<Place> m_places;
+  std::vector<NodeIndex> m_places;
   std::vector<View> m_views;
   std::vector<Section> m_sections;
   std::vector<Annotation> m_annotations;

@@ -260,7 +260,7 @@ View SceneReader::view(const JsonValue& value) const {
 
 /// Checks the tree order: each node is new, and lies below the node before it or one of that node's
 /// groups.
-class TreeOrder {
+class TreeOrderCheck {
  public:
   void add(const Node& node, const JsonValue& value) {
     while (!m_open.empty() && m_open.back() != node.parent)
@@ -288,7 +288,7 @@ Scene SceneReader::scene(const JsonValue& root) {
     if (const auto value = object.take(key); value && value->text() != only)
       value->fail("\"" + std::string(only) + "\" is expected here");
   std::vector<Node> nodes;
-  TreeOrder order;
+  TreeOrderCheck order;
   const JsonValue nodeList = object.need("nodes");
   if (nodeList.json().size() > mostNodes)
     nodeList.fail("there are more than " + std::to_string(mostNodes) + " nodes");

@@ -93,12 +93,12 @@ glm::vec4 Lamina::control(int row, int column) const {
   return m_controls[std::size_t(row + 1) * width + std::size_t(column + 1)];
 }
 
-Lamina::Place Lamina::at(float u, float v) const {
+Lamina::PatchPoint Lamina::at(float u, float v) const {
   const int column = std::clamp(int(std::floor(u)), 0, m_columns - 2);
   const int row = std::clamp(int(std::floor(v)), 0, m_rows - 2);
   const SplineWeights wu = splineWeightsAt(u - float(column));
   const SplineWeights wv = splineWeightsAt(v - float(row));
-  Place place{};
+  PatchPoint place{};
   for (int r = 0; r < 4; ++r) {
     glm::vec4 value(0.0f);
     glm::vec4 slope(0.0f);
@@ -176,7 +176,7 @@ float Lamina::distance(const glm::vec3& p) const {
   // This is Gauss-Newton within the sheet; a coordinate at the rim stays there while p pulls
   // outward.
   for (int step = 0; step < 3; ++step) {
-    const Place place = at(s.u, s.v);
+    const PatchPoint place = at(s.u, s.v);
     const glm::vec3 away = p - glm::vec3(place.value);
     const glm::vec3 du(place.alongU);
     const glm::vec3 dv(place.alongV);

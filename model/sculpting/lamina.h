@@ -28,7 +28,7 @@ class Lamina {
   const Box& bounds() const { return m_bounds; }
 
  private:
-  struct Place {
+  struct PatchPoint {
     glm::vec4 value;  ///< position and half thickness
     glm::vec4 alongU;
     glm::vec4 alongV;
@@ -45,7 +45,7 @@ class Lamina {
     std::size_t end;
   };
   /// Returns the place at (u, v): u runs along rows (0 … columns − 1), v from row to row.
-  Place at(float u, float v) const;
+  PatchPoint at(float u, float v) const;
   glm::vec4 control(int row, int column) const;
   void addSamples();
   Sample nearestSample(const glm::vec3& p) const;

@@ -124,7 +124,7 @@ SweptRing Swept::ring(float along) const {
   return {at.position, front, glm::cross(tangent, front), at.radius};
 }
 
-float Swept::distanceToOthers(const glm::vec3& p, const SweptPlace& at, float reach) const {
+float Swept::distanceToOthers(const glm::vec3& p, const SweptCoordinates& at, float reach) const {
   const float own = 3.5f * at.radius;
   float least = reach;
   for (const Run& run : m_runs) {
@@ -138,7 +138,7 @@ float Swept::distanceToOthers(const glm::vec3& p, const SweptPlace& at, float re
   return least;
 }
 
-float Swept::beyond(float along, const glm::vec3& p, const SweptPlace& at) const {
+float Swept::beyond(float along, const glm::vec3& p, const SweptCoordinates& at) const {
   // Farther along, the tube may bend back through the plane of the cut.
   if (std::abs(at.along - along) > 2.0f * at.radius)
     return at.along - along;
@@ -206,7 +206,7 @@ Swept::Sample Swept::onCurve(float s, Slopes& slopes) const {
           blend(&Sample::along, w),    blend(&Sample::widths, w), blend(&Sample::front, w)};
 }
 
-SweptPlace Swept::place(const glm::vec3& p) const {
+SweptCoordinates Swept::place(const glm::vec3& p) const {
   const float toBox = distanceToBox(m_bounds, p);
   if (toBox > farFromRuns)
     return {.distance = toBox};
@@ -236,7 +236,7 @@ SweptPlace Swept::place(const glm::vec3& p) const {
   const glm::vec3 side = glm::cross(tangent, front);
   const glm::vec3 offset = p - foot.position;
   const glm::vec3 local(glm::dot(offset, side), glm::dot(offset, front), glm::dot(offset, tangent));
-  SweptPlace place;
+  SweptCoordinates place;
   place.along = foot.along;
   place.widths = foot.widths;
   place.angle = std::atan2(local.x, local.y);

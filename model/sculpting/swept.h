@@ -20,7 +20,7 @@ struct SweptPoint {
 };
 
 /// Holds the place of a point relative to the nearest place on the centre line.
-struct SweptPlace {
+struct SweptCoordinates {
   float along = 0.0f;     ///< mm along the centre line
   float widths = 0.0f;    ///< the same length, counted in half widths passed
   float angle = 0.0f;     ///< angle around the centre line; 0 on the side of `front`, radians
@@ -44,12 +44,12 @@ class Swept {
 
   /// Returns the signed distance to the wall; from far away a lower bound.
   float distance(const glm::vec3& p) const { return place(p).distance; }
-  SweptPlace place(const glm::vec3& p) const;
+  SweptCoordinates place(const glm::vec3& p) const;
 
   SweptRing ring(float along) const;
   /// Returns about the distance from the point to the walls of stretches of the tube other than the
   /// point's own, at most `reach` mm.
-  float distanceToOthers(const glm::vec3& p, const SweptPlace& at, float reach) const;
+  float distanceToOthers(const glm::vec3& p, const SweptCoordinates& at, float reach) const;
 
   float length() const { return m_samples.back().along; }
   const Box& bounds() const { return m_bounds; }
@@ -59,7 +59,7 @@ class Swept {
   float alongNearest(const glm::vec3& p) const;
   /// Returns how far the point lies past the cut square to the centre line at `along`, mm; `at` is
   /// its place.
-  float beyond(float along, const glm::vec3& p, const SweptPlace& at) const;
+  float beyond(float along, const glm::vec3& p, const SweptCoordinates& at) const;
 
  private:
   struct Sample {

@@ -60,21 +60,21 @@ Leader leaderOf(const Column& column, const glm::vec2& place, const LabelBox& bo
 
 /// Tells whether the leaders cross or one runs through the other's box, from a place behind the
 /// column.
-bool inTheWay(const ColumnPlace& a, const ColumnPlace& b) {
-  const auto through = [](const ColumnPlace& one, const ColumnPlace& other) {
+bool inTheWay(const ColumnPlacement& a, const ColumnPlacement& b) {
+  const auto through = [](const ColumnPlacement& one, const ColumnPlacement& other) {
     return one.leader.size() == 2 && runsThrough(one.leader, other.box.grown(clearance));
   };
   return cross(a.leader, b.leader) || through(a, b) || through(b, a);
 }
 
-bool leadersCross(const ColumnPlace& a, const ColumnPlace& b) {
+bool leadersCross(const ColumnPlacement& a, const ColumnPlacement& b) {
   return cross(a.leader, b.leader);
 }
 
 /// Returns the first two places for which `stand` is true, neighbours first.
 template <typename Stand>
-std::optional<std::pair<std::size_t, std::size_t>> firstPair(const std::vector<ColumnPlace>& places,
-                                                             Stand&& stand) {
+std::optional<std::pair<std::size_t, std::size_t>> firstPair(
+    const std::vector<ColumnPlacement>& places, Stand&& stand) {
   for (std::size_t apart = 1; apart < places.size(); ++apart)
     for (std::size_t i = 0; i + apart < places.size(); ++i)
       if (stand(places[i], places[i + apart]))
@@ -83,12 +83,12 @@ std::optional<std::pair<std::size_t, std::size_t>> firstPair(const std::vector<C
 }
 
 /// Returns the leader of that place with that bend.
-Leader bent(const Column& column, const ColumnPlace& place, const Bend& bend) {
+Leader bent(const Column& column, const ColumnPlacement& place, const Bend& bend) {
   return leaderOf(column, place.leader.front(), place.box, bend);
 }
 
 /// Bends either of two leaders that cross, so that they cross neither each other nor any other.
-bool bendPair(const Column& column, std::vector<ColumnPlace>& places, std::size_t i,
+bool bendPair(const Column& column, std::vector<ColumnPlacement>& places, std::size_t i,
               std::size_t j) {
   const auto free = [&](const Leader& leader, std::size_t self, std::size_t other) {
     for (std::size_t k = 0; k < places.size(); ++k)
@@ -118,7 +118,7 @@ bool bendPair(const Column& column, std::vector<ColumnPlace>& places, std::size_
 /// Orders the items so that each box from the top belongs to the place for which no other lies
 /// above the line between them: then no later leader crosses that one.
 std::vector<ColumnItem> byTangents(const Column& column, std::vector<ColumnItem> items) {
-  const std::vector<ColumnPlace> places = placesIn(column, items);
+  const std::vector<ColumnPlacement> places = placesIn(column, items);
   for (std::size_t i = 0; i < items.size(); ++i) {
     const glm::vec2 port = places[i].leader[1];
     const auto slope = [&](const ColumnItem& item) {
@@ -301,12 +301,12 @@ bool fitIn(const Column& column, const std::vector<ColumnItem>& items) {
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
-    const std::vector<ColumnPlace>& places) {
+    const std::vector<ColumnPlacement>& places) {
   return firstPair(places, inTheWay);
 }
 
-bool bendApart(const Column& column, std::vector<ColumnPlace>& places) {
-  std::vector<ColumnPlace> tried = places;
+bool bendApart(const Column& column, std::vector<ColumnPlacement>& places) {
+  std::vector<ColumnPlacement> tried = places;
   for (std::size_t rounds = 0; rounds <= tried.size(); ++rounds) {
     const auto crossing = firstCrossing(tried);
     if (!crossing) {
@@ -323,10 +323,10 @@ float heightOf(const std::vector<ColumnItem>& items, float gap) {
   return heightWith(items, gap);
 }
 
-std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<ColumnItem>& items) {
+std::vector<ColumnPlacement> placesIn(const Column& column, const std::vector<ColumnItem>& items) {
   const Sharing sharing(column, items);
   Settler settler;
-  std::vector<ColumnPlace> places;
+  std::vector<ColumnPlacement> places;
   places.reserve(items.size());
   for (std::size_t s = 0; s < sharing.spans(); ++s) {
     const std::span<const ColumnItem> in = sharing.in(s);
@@ -352,8 +352,8 @@ void uncross(const Column& column, std::vector<ColumnItem>& items) {
     items = byTangents(column, items);
 }
 
-std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& item,
-                                      const std::vector<ColumnPlace>& others, float reach) {
+std::optional<ColumnPlacement> placeAmong(const Column& column, const ColumnItem& item,
+                                          const std::vector<ColumnPlacement>& others, float reach) {
   const float half = 0.5f * item.box.y;
   const std::vector<Span> spans = freeSpans(column);
   std::vector<float> heights{item.wanted};
@@ -361,7 +361,7 @@ std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& it
     heights.push_back(span.low + half);
     heights.push_back(span.high - half);
   }
-  for (const ColumnPlace& other : others) {
+  for (const ColumnPlacement& other : others) {
     heights.push_back(other.box.low.y - column.gap - half);
     heights.push_back(other.box.high.y + column.gap + half);
   }
@@ -377,8 +377,8 @@ std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& it
     if (std::abs(height - item.wanted) > reach || !free(height))
       continue;
     const glm::vec2 corner(column.left ? column.edge - item.box.x : column.edge, height - half);
-    ColumnPlace place{{corner, corner + item.box}, {}};
-    if (std::any_of(others.begin(), others.end(), [&](const ColumnPlace& other) {
+    ColumnPlacement place{{corner, corner + item.box}, {}};
+    if (std::any_of(others.begin(), others.end(), [&](const ColumnPlacement& other) {
           return place.box.low.y < other.box.high.y + column.gap - rounding &&
                  other.box.low.y < place.box.high.y + column.gap - rounding;
         }))
@@ -386,7 +386,7 @@ std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& it
     for (const Bend& bend : bends) {
       place.leader = leaderOf(column, item.place, place.box, bend);
       if (std::none_of(others.begin(), others.end(),
-                       [&](const ColumnPlace& other) { return inTheWay(place, other); }))
+                       [&](const ColumnPlacement& other) { return inTheWay(place, other); }))
         return place;
     }
   }
@@ -394,18 +394,18 @@ std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& it
 }
 
 bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem>& items,
-            std::vector<ColumnPlace>& places, Push push) {
+            std::vector<ColumnPlacement>& places, Push push) {
   for (std::size_t k = 0; k < items.size(); ++k)
     items[k].wanted = places[k].box.middle().y;
   std::optional<std::vector<ColumnItem>> best;
-  std::vector<ColumnPlace> bestPlaces;
+  std::vector<ColumnPlacement> bestPlaces;
   float least = std::numeric_limits<float>::infinity();
   for (std::size_t at = 0; at <= items.size(); ++at) {
     std::vector<ColumnItem> tried = items;
     tried.insert(tried.begin() + std::ptrdiff_t(at), item);
     if (!fitIn(column, tried))
       continue;
-    std::vector<ColumnPlace> found = placesIn(column, tried);
+    std::vector<ColumnPlacement> found = placesIn(column, tried);
     float moved = 0.0f;
     bool gentle = true;
     for (std::size_t k = 0; k < tried.size(); ++k) {
@@ -429,7 +429,7 @@ bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem
 bool makesWay(const Column& column, const ColumnItem& item, std::vector<ColumnItem> others,
               std::size_t without) {
   others.erase(others.begin() + std::ptrdiff_t(without));
-  std::vector<ColumnPlace> places = placesIn(column, others);
+  std::vector<ColumnPlacement> places = placesIn(column, others);
   return placeAmong(column, item, places, columnReach) ||
          pushIn(column, item, others, places, Push::any);
 }

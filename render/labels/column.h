@@ -58,7 +58,7 @@ std::vector<Span> freeSpans(const Column& column);
 /// Tells whether the items, in that order, find room in the free spans.
 bool fitIn(const Column& column, const std::vector<ColumnItem>& items);
 
-struct ColumnPlace {
+struct ColumnPlacement {
   LabelBox box;
   Leader leader;
 };
@@ -69,16 +69,16 @@ float heightOf(const std::vector<ColumnItem>& items, float gap = columnGap);
 /// Places boxes in the order of the items from the top, each as near its wanted height as the
 /// others allow: in each free span the sum of squares is the least (by pooling adjacent violators).
 /// They must fit.
-std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<ColumnItem>& items);
+std::vector<ColumnPlacement> placesIn(const Column& column, const std::vector<ColumnItem>& items);
 
 /// Returns two items of which the leaders cross, or one's leader runs through the other's box.
 /// Neighbours come first, as exchanging them moves least.
 std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
-    const std::vector<ColumnPlace>& places);
+    const std::vector<ColumnPlacement>& places);
 
 /// Bends leaders, as few and as little as it finds necessary, until no two cross; boxes stay. It
 /// returns false, and changes nothing, where that is impossible.
-bool bendApart(const Column& column, std::vector<ColumnPlace>& places);
+bool bendApart(const Column& column, std::vector<ColumnPlacement>& places);
 
 /// Exchanges items until no two leaders cross, as few as it finds necessary. Exchanging two that
 /// cross makes leaders shorter, so that it comes to an end (Bekos et al., lemma on type-s leaders);
@@ -88,8 +88,8 @@ void uncross(const Column& column, std::vector<ColumnItem>& items);
 /// Returns where a further box finds room beside those that stay, nearest to its wanted height,
 /// with a leader that crosses none of theirs; nothing where there is no such place within `reach`
 /// of it.
-std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& item,
-                                      const std::vector<ColumnPlace>& others, float reach);
+std::optional<ColumnPlacement> placeAmong(const Column& column, const ColumnItem& item,
+                                          const std::vector<ColumnPlacement>& others, float reach);
 
 /// Tells how others may be pushed; `gentle`: so that none of them jumps.
 enum class Push { gentle, any };
@@ -97,7 +97,7 @@ enum class Push { gentle, any };
 /// Puts the item between the others where they have to move least for it, without crossing leaders.
 /// Where that is impossible it returns false and changes nothing but the wanted heights.
 bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem>& items,
-            std::vector<ColumnPlace>& places, Push push);
+            std::vector<ColumnPlacement>& places, Push push);
 
 /// Tells whether there would be a place for the item without that one of the others.
 bool makesWay(const Column& column, const ColumnItem& item, std::vector<ColumnItem> others,

@@ -98,7 +98,7 @@ class Layouter {
   /// Places items so that those that were there before stay, except for those that must move;
   /// returns false where that fails.
   bool placeSteadily(LabelPost post, const std::vector<ColumnItem>& items);
-  void put(const ColumnItem& one, LabelPost post, const ColumnPlace& place);
+  void put(const ColumnItem& one, LabelPost post, const ColumnPlacement& place);
   void placeBeside(std::size_t i);
   bool fits(std::size_t i, const LabelBox& box) const;
   std::optional<std::size_t> firstLoser() const;
@@ -332,7 +332,7 @@ bool Layouter::misplaced(std::size_t i) const {
          });
 }
 
-void Layouter::put(const ColumnItem& one, LabelPost post, const ColumnPlace& place) {
+void Layouter::put(const ColumnItem& one, LabelPost post, const ColumnPlacement& place) {
   const LabelItem& whose = item(one.item);
   m_placed[one.item] = PlacedLabel{whose.id, post, place.box, place.leader, whose.hidden};
 }
@@ -355,7 +355,7 @@ void Layouter::placeColumn(LabelPost post) {
   if (!fitIn(airy, items))
     airy.gap = columnGap;
   uncross(airy, items);
-  const std::vector<ColumnPlace> places = placesIn(airy, items);
+  const std::vector<ColumnPlacement> places = placesIn(airy, items);
   for (std::size_t k = 0; k < items.size(); ++k)
     put(items[k], post, places[k]);
 }

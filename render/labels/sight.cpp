@@ -36,21 +36,21 @@ const Sights::Body* Sights::find(model::NodeId id) const {
   return found == m_bodies.end() ? nullptr : &*found;
 }
 
-std::optional<Sights::Seen> Sights::meet(const Body& body, const model::Ray& ray) const {
+std::optional<Sights::SightHit> Sights::meet(const Body& body, const model::Ray& ray) const {
   if (!model::reaches(model::keptPart(ray, body.planes), body.node->mesh->bounds()))
     return std::nullopt;
   const std::optional<model::CutHit> met =
       model::nearestKept(m_trees.of(body.node->mesh), ray, body.planes);
-  return met ? std::optional(Seen{body.node->id, met->hit, met->cutFace}) : std::nullopt;
+  return met ? std::optional(SightHit{body.node->id, met->hit, met->cutFace}) : std::nullopt;
 }
 
-std::optional<Sights::Seen> Sights::nearest(const model::Ray& ray) const {
-  std::optional<Seen> best;
+std::optional<Sights::SightHit> Sights::nearest(const model::Ray& ray) const {
+  std::optional<SightHit> best;
   model::Ray rest = ray;
   for (const Body& body : m_bodies) {
     if (!body.hides)
       continue;
-    if (const std::optional<Seen> seen = meet(body, rest)) {
+    if (const std::optional<SightHit> seen = meet(body, rest)) {
       best = seen;
       rest.farthest = std::min(rest.farthest, seen->hit.t);
     }
@@ -72,8 +72,8 @@ std::vector<model::MeshPtr> Sights::withoutTree() const {
   return meshes;
 }
 
-std::optional<Sights::Seen> Sights::nearestOf(model::NodeId structure,
-                                              const model::Ray& ray) const {
+std::optional<Sights::SightHit> Sights::nearestOf(model::NodeId structure,
+                                                  const model::Ray& ray) const {
   const Body* body = find(structure);
   return body ? meet(*body, ray) : std::nullopt;
 }

@@ -17,15 +17,15 @@ class Sights {
  public:
   Sights(const model::Scene& scene, model::MeshTrees& trees);
 
-  struct Seen {
+  struct SightHit {
     model::NodeId structure;
     model::Hit hit;
     bool cutFace = false;  ///< that of a section, where the hit is the ray's entrance
   };
   /// Returns the nearest structure that hides what is behind it, taking sections into account.
-  std::optional<Seen> nearest(const model::Ray& ray) const;
+  std::optional<SightHit> nearest(const model::Ray& ray) const;
   /// Returns the nearest hit of that structure alone, whether it hides anything or not.
-  std::optional<Seen> nearestOf(model::NodeId structure, const model::Ray& ray) const;
+  std::optional<SightHit> nearestOf(model::NodeId structure, const model::Ray& ray) const;
   /// Tells whether another structure that is drawn is on the ray, whether it hides anything or not.
   bool drawnOver(model::NodeId structure, const model::Ray& ray) const;
   /// Returns the meshes that lack a tree, for which `hidden` would have to wait.
@@ -43,7 +43,7 @@ class Sights {
     bool hides;
   };
   const Body* find(model::NodeId id) const;
-  std::optional<Seen> meet(const Body& body, const model::Ray& ray) const;
+  std::optional<SightHit> meet(const Body& body, const model::Ray& ray) const;
 
   const model::Scene& m_scene;
   model::MeshTrees& m_trees;

@@ -53,9 +53,9 @@ bool SteadyColumn::letIn(const ColumnItem& item) {
     place = placeAmong(m_column, item, m_places, columnReach);
   if (!place)
     return m_moving && pushIn(m_column, item, m_items, m_places, Push::any);
-  const auto above = std::count_if(m_places.begin(), m_places.end(), [&](const ColumnPlace& other) {
-    return other.box.low.y < place->box.low.y;
-  });
+  const auto above = std::count_if(
+      m_places.begin(), m_places.end(),
+      [&](const ColumnPlacement& other) { return other.box.low.y < place->box.low.y; });
   m_items.insert(m_items.begin() + above, item);
   m_places.insert(m_places.begin() + above, *place);
   return true;

@@ -17,8 +17,8 @@ class SteadyColumn {
   bool fill(std::vector<ColumnItem> staying, std::vector<ColumnItem> coming);
 
   const std::vector<ColumnItem>& items() const { return m_items; }
-  const std::vector<ColumnPlace>& places() const { return m_places; }  ///< those of the items
-  const std::vector<std::size_t>& out() const { return m_out; }        ///< ColumnItem::item
+  const std::vector<ColumnPlacement>& places() const { return m_places; }  ///< those of the items
+  const std::vector<std::size_t>& out() const { return m_out; }            ///< ColumnItem::item
 
  private:
   bool rests(const ColumnItem& item) const { return m_moving && item.calm <= restDegrees; }
@@ -34,7 +34,7 @@ class SteadyColumn {
   Column m_column;
   bool m_moving = false;
   std::vector<ColumnItem> m_items;
-  std::vector<ColumnPlace> m_places;
+  std::vector<ColumnPlacement> m_places;
   std::vector<std::size_t> m_out;
   std::vector<std::size_t> m_come;  ///< those that have been let in
 };

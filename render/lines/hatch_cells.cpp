@@ -48,7 +48,7 @@ class Descent {
         if (seen.level + 1.0f > float(level))
           raise(level, seen);
       for (const Candidate& candidate : m_candidates)
-        look(candidate, next);
+        refine(candidate, next);
     }
     return std::move(m_needed);
   }
@@ -86,7 +86,7 @@ class Descent {
     });
   }
 
-  void look(const Candidate& candidate, std::vector<LaidCell>& next) {
+  void refine(const Candidate& candidate, std::vector<LaidCell>& next) {
     const model::Box& reached = candidate.reached;
     const int level = candidate.cell.level;
     if (candidate.level + 1.0f <= float(level) ||

@@ -71,8 +71,8 @@ class Obstacles {
 
 /// Calls test(segment index, middle of the segment, unit normal there, edge length) in parallel.
 template <class Test>
-std::vector<bool> tested(const model::Surface& surface, const std::vector<Segment>& segments,
-                         const Test& test) {
+std::vector<bool> testSegments(const model::Surface& surface, const std::vector<Segment>& segments,
+                               const Test& test) {
   std::vector<char> results(segments.size());
   parallelFor(segments.size(), 64, [&](std::size_t i) {
     const Segment& s = segments[i];
@@ -83,8 +83,8 @@ std::vector<bool> tested(const model::Surface& surface, const std::vector<Segmen
 }
 
 /// Tells whether there is nothing between the eye and the surface at p with unit normal n.
-bool seen(const Obstacles& obstacles, const model::EyePoint& eye, const glm::vec3& p,
-          const glm::vec3& n, float edge) {
+bool isVisible(const Obstacles& obstacles, const model::EyePoint& eye, const glm::vec3& p,
+               const glm::vec3& n, float edge) {
   const glm::vec3 origin = p + liftInEdges * edge * n;
   const float distance =
       eye.atInfinity ? std::numeric_limits<float>::infinity() : glm::distance(eye.value, origin);
@@ -100,8 +100,8 @@ std::vector<bool> visibleSegments(const model::Surface& surface, const model::Bv
                                   std::span<const CutFace> faces) {
   const model::EyePoint eye = eyeOf(camera);
   const Obstacles obstacles(bvh, faces);
-  return tested(surface, segments, [&](const glm::vec3& p, const glm::vec3& n, float edge) {
-    return seen(obstacles, eye, p, n, edge);
+  return testSegments(surface, segments, [&](const glm::vec3& p, const glm::vec3& n, float edge) {
+    return isVisible(obstacles, eye, p, n, edge);
   });
 }
 
@@ -113,7 +113,7 @@ std::vector<bool> visiblePoints(const model::Surface& surface, const model::Bvh&
   std::vector<char> results(hatching.points.size());
   parallelFor(hatching.points.size(), 64, [&](std::size_t i) {
     const HatchPoint& point = hatching.points[i];
-    results[i] = seen(obstacles, eye, point.position, point.normal, surface.meanEdge);
+    results[i] = isVisible(obstacles, eye, point.position, point.normal, surface.meanEdge);
   });
   return {results.begin(), results.end()};
 }
@@ -124,7 +124,7 @@ std::vector<bool> silhouetteSegments(const model::Surface& surface, const model:
                                      std::span<const CutFace> faces) {
   const model::EyePoint eye = eyeOf(camera);
   const Obstacles obstacles(bvh, faces);
-  return tested(surface, contours, [&](const glm::vec3& p, const glm::vec3& n, float edge) {
+  return testSegments(surface, contours, [&](const glm::vec3& p, const glm::vec3& n, float edge) {
     const glm::vec3 beside = p + 2.0f * liftInEdges * edge * n;
     const glm::vec3 direction = directionTo(eye, beside);
     model::Ray ray{.origin = beside, .direction = direction};

@@ -8,7 +8,7 @@
 
 namespace sline::render {
 
-model::Scene alone(const model::Scene& scene, model::NodeId structure) {
+model::Scene isolated(const model::Scene& scene, model::NodeId structure) {
   const model::Node* found = scene.find(structure);
   assert(found && !found->isGroup());
   model::Node node = *found;
@@ -27,13 +27,13 @@ model::Scene Subject::at(Gamma gamma) const {
 }
 
 RampPictures rampPictures(const DrawPicture& draw, const Subject& subject,
-                          std::function<void(Gamma, const Image&)> look) {
+                          std::function<void(Gamma, const Image&)> onPicture) {
   RampPictures pictures;
-  pictures.whole = [draw, &subject, look = std::move(look)](Gamma gamma) {
+  pictures.whole = [draw, &subject, onPicture = std::move(onPicture)](Gamma gamma) {
     Result<Image> image =
         draw(subject.at(gamma), subject.camera, {.width = subject.width, .height = subject.height});
-    if (image.ok() && look)
-      look(gamma, *image);
+    if (image.ok() && onPicture)
+      onPicture(gamma, *image);
     return image;
   };
   pictures.fill = [draw, &subject](Gamma gamma) {

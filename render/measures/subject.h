@@ -25,12 +25,12 @@ struct Subject {
 };
 
 /// Returns a scene that holds this structure alone. The node must be a structure.
-model::Scene alone(const model::Scene& scene, model::NodeId structure);
+model::Scene isolated(const model::Scene& scene, model::NodeId structure);
 
 /// Returns the subject's ramp as `draw` draws it. The subject must live as long as the result; each
-/// picture of the whole structure is also passed to `look`, if there is one.
+/// picture of the whole structure is also passed to `onPicture`, if there is one.
 RampPictures rampPictures(const DrawPicture& draw, const Subject& subject,
-                          std::function<void(Gamma, const Image&)> look = {});
+                          std::function<void(Gamma, const Image&)> onPicture = {});
 
 struct SteadinessSettings {
   Gamma gamma;

@@ -14,17 +14,18 @@ namespace sline::render {
 namespace {
 
 /// Returns the region with the pixels beside it that may be looked at.
-PixelRect looksAside(const Shown& shown, const PictureView& view, const PixelRect& region) {
+PixelRect withStrokeReach(const PreparedStructure& shown, const PictureView& view,
+                          const PixelRect& region) {
   const int around = strokeReach(shown, view);
   return grown(region,
                shown.printedHatching ? std::max(around, printedHatchingReach(view)) : around);
 }
 
-void markSurface(const Shown& shown, const PictureView& view, TileMask& mask) {
+void markSurface(const PreparedStructure& shown, const PictureView& view, TileMask& mask) {
   const bool cull = cullsBack(shown, view);
   for (const model::Cluster& cluster : shown.surface().clusters.items)
     if ((!cull || model::facing(cluster, view.eye()) != model::Facing::back) &&
-        !takenAway(shown, cluster.bounds))
+        !isCutAway(shown, cluster.bounds))
       mask.mark(grown(view.bounds(cluster.bounds), edgeMargin));
 }
 
@@ -62,10 +63,11 @@ void appendRange(const model::Cluster& cluster, std::vector<gpu::DrawRange>& ran
 
 }  // namespace
 
-Coverage coverage(const Shown& shown, const PictureView& view, const PixelRect& region) {
-  const PixelRect within = looksAside(shown, view, region);
+Coverage coverage(const PreparedStructure& shown, const PictureView& view,
+                  const PixelRect& region) {
+  const PixelRect within = withStrokeReach(shown, view, region);
   Coverage found{.area = coveredArea(shown, view, within), .ranges = {}, .visible = {}};
-  if (!cullsBack(shown, view) && !takenAway(shown, shown.mesh->bounds()))
+  if (!cullsBack(shown, view) && !isCutAway(shown, shown.mesh->bounds()))
     forEachSeen(shown, view, within, [&](const model::Cluster& cluster, const PixelRect&) {
       appendRange(cluster, found.ranges);
     });
@@ -74,20 +76,20 @@ Coverage coverage(const Shown& shown, const PictureView& view, const PixelRect& 
 
 void findVisible(Layer& layer, const PictureView& view, const PixelRect& region) {
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
-    const Shown& shown = layer.members[i];
-    if (!cullsBack(shown, view) || takenAway(shown, shown.mesh->bounds()))
+    const PreparedStructure& shown = layer.members[i];
+    if (!cullsBack(shown, view) || isCutAway(shown, shown.mesh->bounds()))
       continue;
     std::vector<std::uint32_t>& visible = layer.coverage[i].visible;
     visible.clear();
-    forEachSeen(shown, view, looksAside(shown, view, region),
+    forEachSeen(shown, view, withStrokeReach(shown, view, region),
                 [&](const model::Cluster& cluster, const PixelRect&) {
                   appendFacing(shown.surface(), cluster, view.eye(), visible);
                 });
   }
 }
 
-std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& view,
-                              const PixelRect& region, const PictureParts& parts) {
+std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const PictureView& view,
+                              const PixelRect& region, const PictureContent& parts) {
   std::vector<Coverage> found(shown.size());
   parallelFor(shown.size(), 1, [&](std::size_t i) { found[i] = coverage(shown[i], view, region); });
   // The layer of all opaque structures comes first: its depths win ties.
@@ -116,7 +118,7 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
   layer.mask = TileMask(region);
   layer.edges.resize(layer.members.size());
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
-    const Shown& member = layer.members[i];
+    const PreparedStructure& member = layer.members[i];
     if ((layer.parts.fills && hasFill(member.style)) || member.printedHatching)
       markSurface(member, view, layer.mask);
     if (layer.parts.fills && hasCaps(member))
@@ -124,9 +126,9 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
     if (layer.parts.fills && showsEdges(member.style))
       layer.edges[i] = edges(member.surface(), view, lines.at(member.id).lines, layer.area);
   }
-  const Shown& first = layer.members.front();
+  const PreparedStructure& first = layer.members.front();
   layer.inked = first.printedHatching;
-  const PictureParts& parts = layer.parts;
+  const PictureContent& parts = layer.parts;
   const bool pens = (parts.lines || parts.hatching) && showsLines(first.style);
   if (!pens && !(parts.lines && first.cut))
     return;

@@ -18,12 +18,12 @@
 namespace sline::render {
 
 /// A structure to draw, with what the GPU holds of it.
-struct Shown : DrawnStructure {
+struct PreparedStructure : DrawnStructure {
   CachedSurface* cached = nullptr;        ///< the same as `prepared`, with the GPU's part
   bool printedHatching = false;           ///< hatched as S prints it
   std::shared_ptr<CappedSurface> capped;  ///< the same as `cut`, with the GPU's part
 
-  bool operator==(const Shown& other) const {
+  bool operator==(const PreparedStructure& other) const {
     return id == other.id && mesh == other.mesh && style == other.style &&
            printedHatching == other.printedHatching && alike(sections, other.sections);
   }
@@ -37,11 +37,12 @@ struct Coverage {
 };
 
 struct Layer {
-  std::vector<Shown> members;  ///< one structure, or by id all that are opaque and without lines
+  std::vector<PreparedStructure>
+      members;  ///< one structure, or by id all that are opaque and without lines
   std::vector<Coverage> coverage;
   PixelRect area;  ///< in pixels of the whole picture
   PixelRect slot;  ///< in the atlas
-  PictureParts parts;
+  PictureContent parts;
   TileMask mask;
   std::vector<Stroke> strokes;
   std::vector<std::vector<Stroke>> edges;  ///< one list per member
@@ -56,13 +57,13 @@ struct Layer {
 };
 
 /// Finds which parts of the surface show within `region`, except for single triangles.
-Coverage coverage(const Shown& shown, const PictureView& view, const PixelRect& region);
+Coverage coverage(const PreparedStructure& shown, const PictureView& view, const PixelRect& region);
 
 /// Returns the layers of the structures (sorted by id) within the region, leaving out those outside
 /// it. Areas and ranges are known, strokes and masks are not yet. Only `parts` of the layers will
 /// show.
-std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& view,
-                              const PixelRect& region, const PictureParts& parts);
+std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const PictureView& view,
+                              const PixelRect& region, const PictureContent& parts);
 /// Finds the triangles that face the eye, as indices, where members have an outside only. As they
 /// are many, only layers about to be drawn need them, and only until they are drawn.
 void findVisible(Layer& layer, const PictureView& view, const PixelRect& region);

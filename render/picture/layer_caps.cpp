@@ -6,11 +6,11 @@
 #include <glm/common.hpp>
 
 #include "render/picture/layer.h"
-#include "render/strokes/section_look.h"
+#include "render/strokes/section_caps.h"
 
 namespace sline::render {
 
-void markCaps(const Shown& shown, const PictureView& view, TileMask& mask) {
+void markCaps(const PreparedStructure& shown, const PictureView& view, TileMask& mask) {
   for (const CutFace& face : shown.cut->faces)
     for (std::size_t i = 0; i + 2 < face.cap.size(); i += 3) {
       const std::array<PictureView::Point, 3> p{
@@ -28,7 +28,7 @@ void markCaps(const Shown& shown, const PictureView& view, TileMask& mask) {
     }
 }
 
-CapDraws capDraws(const Shown& shown, const PictureView& view, Background background,
+CapDraws capDraws(const PreparedStructure& shown, const PictureView& view, Background background,
                   const PixelRect& area, const PixelRect& slot) {
   CapDraws result;
   CappedSurface& cut = *shown.capped;
@@ -39,18 +39,18 @@ CapDraws capDraws(const Shown& shown, const PictureView& view, Background backgr
     if (!cut.caps[i])
       cut.caps[i] = std::make_unique<passes::CapGeometry>(cut.faces[i].cap);
     result.planes[i] = sectionVectors(otherPlanes(*cut.surface, cut.planes, i));
-    const CapLook look = capLook(shown, view, background, i);
+    const CapPaint paint = capPaint(shown, view, background, i);
     result.draws.push_back({.cap = *cut.caps[i],
                             .viewProjection = view.viewProjection(),
                             .pictureSize = view.size(),
                             .layer = area,
                             .slot = slot,
                             .otherSections = result.planes[i],
-                            .colour = look.colour,
-                            .strokeColour = look.strokeColour,
-                            .stripes = look.stripes,
-                            .strokeHalfWidth = look.strokeHalfWidth,
-                            .depthPlane = look.depthPlane});
+                            .colour = paint.colour,
+                            .strokeColour = paint.strokeColour,
+                            .stripes = paint.stripes,
+                            .strokeHalfWidth = paint.strokeHalfWidth,
+                            .depthPlane = paint.depthPlane});
   }
   return result;
 }

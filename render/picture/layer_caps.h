@@ -13,7 +13,7 @@
 
 namespace sline::render {
 
-struct Shown;
+struct PreparedStructure;
 
 /// A cut surface with what the GPU holds of its faces.
 struct CappedSurface : SectionedSurface {
@@ -22,7 +22,7 @@ struct CappedSurface : SectionedSurface {
   std::vector<std::unique_ptr<passes::CapGeometry>> caps;  ///< one per face, once drawn
 };
 
-void markCaps(const Shown& shown, const PictureView& view, TileMask& mask);
+void markCaps(const PreparedStructure& shown, const PictureView& view, TileMask& mask);
 
 /// Holds one draw per face, as `capDraws` returns them; it makes the geometry where it is missing.
 /// `area` and `slot` are the layer's; the sections that clip each face point into `planes`.
@@ -30,7 +30,7 @@ struct CapDraws {
   std::vector<std::vector<glm::vec4>> planes;
   std::vector<passes::CapDraw> draws;
 };
-CapDraws capDraws(const Shown& shown, const PictureView& view, Background background,
+CapDraws capDraws(const PreparedStructure& shown, const PictureView& view, Background background,
                   const PixelRect& area, const PixelRect& slot);
 
 }  // namespace sline::render

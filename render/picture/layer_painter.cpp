@@ -7,7 +7,7 @@
 #include <set>
 
 #include "model/base/parallel.h"
-#include "render/strokes/section_look.h"
+#include "render/strokes/section_caps.h"
 #include "render/strokes/surface_fill.h"
 
 namespace sline::render {
@@ -19,16 +19,16 @@ glm::vec3 keyLight(const PictureInput& input) {
   return input.keyLight ? input.light : glm::vec3(0.0f);
 }
 
-bool needsLines(const PictureInput& input, const Shown& shown) {
+bool needsLines(const PictureInput& input, const PreparedStructure& shown) {
   return ((input.parts.lines || input.parts.hatching) && showsLines(shown.style)) ||
          (input.parts.fills && showsEdges(shown.style)) || (input.parts.lines && shown.cut);
 }
 
-SurfaceFill shownFill(const PictureInput& input, const Shown& shown) {
+SurfaceFill shownFill(const PictureInput& input, const PreparedStructure& shown) {
   return input.parts.fills ? surfaceFill(shown, input.view, input.background) : SurfaceFill{};
 }
 
-bool hatches(const PictureInput& input, const Shown& shown) {
+bool hatches(const PictureInput& input, const PreparedStructure& shown) {
   return input.parts.hatching && !shown.printedHatching && showsHatching(shown.style);
 }
 
@@ -39,7 +39,7 @@ void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
   std::set<CachedSurface*> hatched;
   for (const std::size_t i : changed)
     for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
-      const Shown& shown = layers[i].members[k];
+      const PreparedStructure& shown = layers[i].members[k];
       const float shading = shownFill(input, shown).shading;
       if ((shading > 0.0f && shading < 1.0f) || shown.printedHatching)
         shown.cached->needShape();
@@ -57,22 +57,22 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
                std::span<const std::size_t> changed, std::map<model::NodeId, StructureLines>& lines,
                Stopwatch& stopwatch) {
   struct Absent {
-    const Shown* shown;
+    const PreparedStructure* shown;
     StructureLines* lines;
   };
   std::vector<Absent> absent;
   for (const std::size_t i : changed)
-    for (const Shown& shown : layers[i].members)
+    for (const PreparedStructure& shown : layers[i].members)
       if (needsLines(input, shown))
         if (const auto [it, fresh] = lines.try_emplace(shown.id); fresh)
           absent.push_back({&shown, &it->second});
   parallelFor(absent.size(), 1, [&](std::size_t i) {
-    const Shown& shown = *absent[i].shown;
+    const PreparedStructure& shown = *absent[i].shown;
     absent[i].lines->lines = styledLines(shown.surface(), input.view, shown.style);
   });
   stopwatch.lines();
   parallelFor(absent.size(), 1, [&](std::size_t i) {
-    const Shown& shown = *absent[i].shown;
+    const PreparedStructure& shown = *absent[i].shown;
     StructureLines& drawn = *absent[i].lines;
     if (hatches(input, shown))
       drawn.hatching = styledHatching(*shown.cached->strokes, input.view, shown.style, input.light);
@@ -199,7 +199,7 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
                                  .pictureSize = input.view.size(),
                                  .key = input.view.toPatient(keyLight(input))};
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
-    const Shown& shown = layer.members[i];
+    const PreparedStructure& shown = layer.members[i];
     const std::vector<glm::vec4> sections =
         shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
     passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
@@ -227,7 +227,7 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
 
 void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input,
                             const Layer& layer) const {
-  for (const Shown& shown : layer.members) {
+  for (const PreparedStructure& shown : layer.members) {
     if (!hasCaps(shown))
       continue;
     const CapDraws caps = capDraws(shown, input.view, input.background, layer.area, layer.slot);
@@ -255,7 +255,7 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
 }
 
 passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& layer,
-                                      const Shown& shown) {
+                                      const PreparedStructure& shown) {
   const ContourProbes probes = contourProbes(shown.surface(), input.view, shown.style);
   return {.layer = layer.area,
           .slot = layer.slot,
@@ -277,7 +277,7 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
   std::vector<passes::InkDraw> strokes;
   for (const std::size_t i : changed)
     for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
-      const Shown& shown = layers[i].members[k];
+      const PreparedStructure& shown = layers[i].members[k];
       passes::InkDraw draw = inkDraw(input, layers[i], shown);
       draw.first = all.size();
       draw.count = layers[i].edges[k].size();

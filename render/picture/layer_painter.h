@@ -21,11 +21,11 @@ namespace sline::render {
 /// Holds the input for one picture.
 struct PictureInput {
   const PictureView& view;
-  std::span<const Shown> shown;  ///< sorted by id
+  std::span<const PreparedStructure> shown;  ///< sorted by id
   Background background = Background::white;
   glm::vec3 light{0.0f};
   bool keyLight = false;
-  PictureParts parts;
+  PictureContent parts;
   /// Keeps lines between the regions of one picture, by structure; null to keep none.
   std::map<model::NodeId, StructureLines>* lines = nullptr;
   /// Set from another thread when the picture is no longer wanted; may be null.
@@ -64,7 +64,7 @@ class LayerPainter {
     Background background = Background::white;
     glm::vec3 light{0.0f};
     bool keyLight = false;
-    PictureParts parts;
+    PictureContent parts;
     PixelRect region;
     bool operator==(const Key&) const = default;
   };
@@ -81,7 +81,8 @@ class LayerPainter {
   void drawCaps(gpu::Device& device, const PictureInput& input, const Layer& layer) const;
   void drawSurfaces(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
                     std::span<const std::size_t> changed) const;
-  static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer, const Shown& shown);
+  static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer,
+                                 const PreparedStructure& shown);
   void drawInk(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
                std::span<const std::size_t> changed);
   /// Tells which part of a target is to be blended anew; the rest stays as it is.

@@ -137,7 +137,8 @@ struct Picture::Data {
 
   /// Returns the prepared structures; nothing if `unwanted` asks to stop before all are prepared,
   /// and those that are ready by then are kept.
-  std::optional<std::vector<Shown>> shown(const model::Scene& scene, const Output& output = {});
+  std::optional<std::vector<PreparedStructure>> prepareStructures(const model::Scene& scene,
+                                                                  const Output& output = {});
   int regionSide() const;
   Easel& easel(const Output& output);
   Status paint(const PictureInput& input, const PixelRect& region, Stopwatch& stopwatch,
@@ -146,14 +147,14 @@ struct Picture::Data {
                  const PictureSettings& settings, const Output& output);
 };
 
-std::optional<std::vector<Shown>> Picture::Data::shown(const model::Scene& scene,
-                                                       const Output& output) {
-  std::vector<Shown> visible;
+std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
+    const model::Scene& scene, const Output& output) {
+  std::vector<PreparedStructure> visible;
   for (const model::VisibleStructure& structure : model::visibleStructures(scene)) {
     if (output.unwanted && *output.unwanted)
       return std::nullopt;
     const model::Node& node = *structure.node;
-    Shown& shown = visible.emplace_back();
+    PreparedStructure& shown = visible.emplace_back();
     shown.id = node.id;
     shown.mesh = node.mesh;
     shown.style = structure.style;
@@ -172,7 +173,7 @@ std::optional<std::vector<Shown>> Picture::Data::shown(const model::Scene& scene
     sections.forgetUnused();
   }
   std::sort(visible.begin(), visible.end(),
-            [](const Shown& a, const Shown& b) { return a.id < b.id; });
+            [](const PreparedStructure& a, const PreparedStructure& b) { return a.id < b.id; });
   return visible;
 }
 
@@ -242,14 +243,14 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   if (Status s = checkRequest(camera, settings); !s)
     return s;
   givenUp = false;
-  std::optional<std::vector<Shown>> prepared = shown(scene, output);
+  std::optional<std::vector<PreparedStructure>> prepared = prepareStructures(scene, output);
   if (!prepared) {
     givenUp = true;
     return Unit{};
   }
-  std::vector<Shown>& visible = *prepared;
+  std::vector<PreparedStructure>& visible = *prepared;
   model::Box bounds;
-  for (Shown& s : visible) {
+  for (PreparedStructure& s : visible) {
     s.printedHatching = showsPrintedHatching(s.style, settings);
     bounds.add(s.mesh->bounds());
   }
@@ -302,7 +303,7 @@ Result<std::unique_ptr<Picture>> Picture::create(const PictureOptions& options) 
 }
 
 void Picture::prepare(const model::Scene& scene) {
-  m_data->shown(scene);
+  m_data->prepareStructures(scene);
 }
 
 Result<Image> Picture::render(const model::Scene& scene, const model::Camera& camera,

@@ -21,7 +21,7 @@ float entered(Gamma gamma) {
   return std::clamp(gamma.value() - 2.0f, 0.0f, 1.0f);
 }
 
-passes::HatchingDraw hatchingDraw(const Shown& shown, const PictureView& view,
+passes::HatchingDraw hatchingDraw(const PreparedStructure& shown, const PictureView& view,
                                   const passes::SurfaceDraw& surface) {
   const model::Surface& s = shown.surface();
   const float stride = view.outputUnit();
@@ -89,7 +89,7 @@ Status PrintedHatching::draw(gpu::Device& device, const PictureView& view, const
       .viewProjection = view.viewProjection(), .eye = view.eyeVector(), .pictureSize = view.size()};
   for (const std::size_t i : changed) {
     const Layer& layer = layers[i];
-    const Shown& shown = layer.members.front();
+    const PreparedStructure& shown = layer.members.front();
     if (!shown.printedHatching)
       continue;
     const passes::SurfaceDraw surface{

@@ -21,7 +21,7 @@ int strokeReach(const DrawnStructure& shown, const PictureView& view) {
 PixelRect coveredArea(const DrawnStructure& shown, const PictureView& view,
                       const PixelRect& within) {
   PixelRect area;
-  if (takenAway(shown, shown.mesh->bounds()))
+  if (isCutAway(shown, shown.mesh->bounds()))
     return area;
   forEachSeen(shown, view, within,
               [&](const model::Cluster&, const PixelRect& seen) { area = united(area, seen); });

@@ -5,7 +5,7 @@
 #include "render/lines/lines.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/picture_view.h"
-#include "render/strokes/section_look.h"
+#include "render/strokes/section_caps.h"
 
 namespace sline::render {
 
@@ -28,7 +28,7 @@ void forEachSeen(const DrawnStructure& shown, const PictureView& view, const Pix
   const int around = strokeReach(shown, view);
   for (const model::Cluster& cluster : shown.surface().clusters.items) {
     if ((cull && model::facing(cluster, view.eye()) == model::Facing::back) ||
-        takenAway(shown, cluster.bounds))
+        isCutAway(shown, cluster.bounds))
       continue;
     const PixelRect seen = intersection(grown(view.bounds(cluster.bounds), around), within);
     if (!seen.empty())

@@ -30,11 +30,11 @@ struct Environment {
 enum class HatchingMethod { strokes, asPrinted };
 
 /// Tells which parts of a picture are drawn; measures look at one part alone.
-struct PictureParts {
+struct PictureContent {
   bool lines = true;  ///< contours, suggestive contours
   bool hatching = true;
   bool fills = true;
-  bool operator==(const PictureParts&) const = default;
+  bool operator==(const PictureContent&) const = default;
 };
 
 struct PictureSettings {
@@ -42,7 +42,7 @@ struct PictureSettings {
   int height = 720;
   Environment environment;
   HatchingMethod hatching = HatchingMethod::strokes;
-  PictureParts parts;
+  PictureContent parts;
 };
 
 /// Draws a picture for measures, which need not know how it is drawn.

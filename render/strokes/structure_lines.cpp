@@ -13,7 +13,7 @@
 #include "render/lines/stage_entry.h"
 #include "render/lines/stages.h"
 #include "render/lines/view_fields.h"
-#include "render/strokes/section_look.h"
+#include "render/strokes/section_caps.h"
 
 namespace sline::render {
 

@@ -54,7 +54,7 @@ void forEachPixel(const ScreenTriangle& t, const PixelRect& area, const Draw& dr
     }
 }
 
-bool takenAway(std::span<const glm::vec4> planes, const glm::vec3& p) {
+bool isCutAway(std::span<const glm::vec4> planes, const glm::vec3& p) {
   return std::any_of(planes.begin(), planes.end(), [&p](const glm::vec4& plane) {
     return glm::dot(glm::vec3(plane), p) + plane.w > 0.0f;
   });
@@ -79,7 +79,7 @@ class LayerDrawing {
       planes = sectionVectors(m_shown.cut->planes);
     for (const model::Cluster& cluster : surface.clusters.items) {
       if ((cull && model::facing(cluster, eye) == model::Facing::back) ||
-          render::takenAway(m_shown, cluster.bounds) ||
+          render::isCutAway(m_shown, cluster.bounds) ||
           intersection(grown(m_input.view.bounds(cluster.bounds), 1), m_layer.area).empty())
         continue;
       for (std::uint32_t i = 0; i < cluster.triangleCount; ++i)
@@ -107,9 +107,9 @@ class LayerDrawing {
     if (m_caps.empty())
       return;
     for (std::size_t face = 0; face < m_shown.cut->faces.size(); ++face) {
-      const CapLook look = capLook(m_shown, m_input.view, m_input.background, face);
-      m_layer.colours.push_back(look.colour);
-      m_layer.colours.push_back(look.strokeColour);
+      const CapPaint paint = capPaint(m_shown, m_input.view, m_input.background, face);
+      m_layer.colours.push_back(paint.colour);
+      m_layer.colours.push_back(paint.strokeColour);
     }
     for (std::size_t i = 0; i < m_caps.size(); ++i)
       if (m_caps[i] > 0)
@@ -139,7 +139,7 @@ class LayerDrawing {
         return;
       if (!planes.empty()) {
         const glm::vec3 w = t.inSpace(weights);
-        if (takenAway(planes, w.x * p[0] + w.y * p[1] + w.z * p[2]))
+        if (isCutAway(planes, w.x * p[0] + w.y * p[1] + w.z * p[2]))
           return;
       }
       m_layer.depths[i] = depth;
@@ -150,7 +150,7 @@ class LayerDrawing {
 
   void drawCap(std::size_t face) {
     const CutFace& cut = m_shown.cut->faces[face];
-    const CapLook look = capLook(m_shown, m_input.view, m_input.background, face);
+    const CapPaint paint = capPaint(m_shown, m_input.view, m_input.background, face);
     const std::vector<glm::vec4> others =
         sectionVectors(otherPlanes(*m_shown.cut->surface, m_shown.cut->planes, face));
     const glm::vec2 middle = 0.5f * m_input.view.size();
@@ -165,14 +165,14 @@ class LayerDrawing {
         const std::size_t i = std::size_t(m_layer.index(x, y));
         const glm::vec2 pixel(float(x) + 0.5f, float(y) + 0.5f);
         const float depth =
-            std::clamp(glm::dot(look.depthPlane, glm::vec3(pixel - middle, 1.0f)), 0.0f, 1.0f);
+            std::clamp(glm::dot(paint.depthPlane, glm::vec3(pixel - middle, 1.0f)), 0.0f, 1.0f);
         const glm::vec3 here = place(pixel);
-        if (!(depth < m_layer.depths[i]) || takenAway(others, here))
+        if (!(depth < m_layer.depths[i]) || isCutAway(others, here))
           return;
         m_layer.depths[i] = depth;
         m_triangles[i] = 0;
-        const bool stroke = look.strokeColour.a > 0.0f &&
-                            onStripe(look, here, place(pixel + glm::vec2(1.0f, 0.0f)) - here,
+        const bool stroke = paint.strokeColour.a > 0.0f &&
+                            onStripe(paint, here, place(pixel + glm::vec2(1.0f, 0.0f)) - here,
                                      place(pixel + glm::vec2(0.0f, 1.0f)) - here);
         m_caps[i] = std::uint8_t(1 + 2 * face + (stroke ? 1 : 0));
       });
@@ -181,9 +181,9 @@ class LayerDrawing {
 
   /// Tells whether a place lies on a stripe, as cap.frag.glsl does; `right` and `up` are a pixel's
   /// step.
-  static bool onStripe(const CapLook& look, const glm::vec3& place, const glm::vec3& right,
+  static bool onStripe(const CapPaint& paint, const glm::vec3& place, const glm::vec3& right,
                        const glm::vec3& up) {
-    const glm::vec3 direction(look.stripes);
+    const glm::vec3 direction(paint.stripes);
     const float stripe = glm::dot(direction, place);
     const float perPixel = std::max(
         glm::length(glm::vec2(glm::dot(direction, right), glm::dot(direction, up))), 1e-6f);
@@ -191,9 +191,9 @@ class LayerDrawing {
     const bool odd = std::fmod(std::abs(nearest), 2.0f) > 0.5f;
     // Strokes that have half entered are hairlines, as thinner ones would fall between pixels;
     // before that the picture has them paler than half of the ink.
-    const bool entering = odd && look.stripes.w > 0.45f;
-    const float width =
-        std::max(look.strokeHalfWidth * (odd ? look.stripes.w : 1.0f), entering ? hairline : 0.0f);
+    const bool entering = odd && paint.stripes.w > 0.45f;
+    const float width = std::max(paint.strokeHalfWidth * (odd ? paint.stripes.w : 1.0f),
+                                 entering ? hairline : 0.0f);
     return std::abs(stripe - nearest) / perPixel < width;
   }
 

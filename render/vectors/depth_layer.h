@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/strokes/section_look.h"
+#include "render/strokes/section_caps.h"
 #include "render/strokes/surface_fill.h"
 
 namespace sline::render {

@@ -11,7 +11,7 @@ namespace {
 
 // The opacity at which resolve.frag.glsl stops.
 constexpr float opaque = 0.998f;
-// Of the layers before a point, this many of the nearest count; more than a dozen glazes hide
+// This many of the nearest layers before a point count; more than a dozen glazes hide
 // everything.
 constexpr std::size_t mostLayers = 32;
 

@@ -30,11 +30,11 @@ float eyeDistance(float windowDepth, const glm::vec4& projection) {
   return (projection.y - z * projection.w) / (projection.x - z * projection.z);
 }
 
-class Looker {
+class StrokeSampler {
  public:
-  explicit Looker(const StrokeScene& scene) : m_scene(scene) {}
+  explicit StrokeSampler(const StrokeScene& scene) : m_scene(scene) {}
 
-  Sample look(const Stroke& s, float t) const {
+  Sample sampleAt(const Stroke& s, float t) const {
     const glm::vec2 on = glm::mix(s.a, s.b, t);
     const float depth = glm::mix(s.depthA, s.depthB, t);
     float halfWidth = glm::mix(s.halfWidthA, s.halfWidthB, t) *
@@ -110,12 +110,12 @@ class Looker {
   const StrokeScene& m_scene;
 };
 
-std::vector<Sample> samples(const InkChain& chain, const Looker& looker) {
+std::vector<Sample> samples(const InkChain& chain, const StrokeSampler& sampler) {
   std::vector<Sample> found;
   for (const Stroke& s : chain) {
     const int steps = std::max(1, int(std::ceil(glm::distance(s.a, s.b))));
     for (int i = found.empty() ? 0 : 1; i <= steps; ++i)
-      found.push_back(looker.look(s, float(i) / float(steps)));
+      found.push_back(sampler.sampleAt(s, float(i) / float(steps)));
   }
   return found;
 }
@@ -182,7 +182,7 @@ std::vector<VisibleStroke> withinPage(std::vector<VisibleStroke> strokes, const 
 
 std::vector<VisibleStroke> visibleStrokes(const InkChain& chain, const StrokeScene& scene) {
   std::vector<VisibleStroke> strokes;
-  std::vector<Sample> all = samples(chain, Looker(scene));
+  std::vector<Sample> all = samples(chain, StrokeSampler(scene));
   if (all.size() == 2 && chain.front().a == chain.front().b)
     all.pop_back();  // a dot
   closeGaps(all);

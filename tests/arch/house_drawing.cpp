@@ -28,7 +28,8 @@ constexpr int gap = 14;
 constexpr int margin = 96;
 
 std::string boxOf(const std::string& room) {
-  for (const char* whole : {"app/cli", "model/demo", "model/import", "render/export", "render/passes"})
+  for (const char* whole :
+       {"app/cli", "model/demo", "model/import", "render/export", "render/passes"})
     if (isUnder(room, whole))
       return whole;
   return room;

@@ -110,9 +110,9 @@ void SectionFlagsTest::halfTowardsTheCameraGoes() {
   scene.append(node);
   const model::Camera camera =
       model::anatomicalCamera(AnatomicalView(view), scene.visibleBounds(), 1.5f);
-  SectionsOrder order;
-  order.sections.push_back(*parseSection(section.toStdString()));
-  const Result<model::Scene> cut = sectioned(scene, order, camera);
+  SectionsSpec spec;
+  spec.sections.push_back(*parseSection(section.toStdString()));
+  const Result<model::Scene> cut = sectioned(scene, spec, camera);
   QVERIFY(cut.ok());
   QCOMPARE(cut->sections().size(), std::size_t(1));
   const model::Plane& plane = cut->sections()[0].plane;
@@ -135,11 +135,11 @@ void SectionFlagsTest::groupsAreCutByOnePlane() {
     node.mesh = test::moved(*test::sphere(10.0f, 1), 1.0f, {x, 0, 0});
     scene.append(node);
   }
-  SectionsOrder order;
-  order.sections.push_back(*parseSection("sagittal:left"));
-  order.groups = {"ball 10", "BALL_90"};
-  order.hatched = true;
-  const Result<model::Scene> cut = sectioned(scene, order, {});
+  SectionsSpec spec;
+  spec.sections.push_back(*parseSection("sagittal:left"));
+  spec.groups = {"ball 10", "BALL_90"};
+  spec.hatched = true;
+  const Result<model::Scene> cut = sectioned(scene, spec, {});
   QVERIFY(cut.ok());
   QCOMPARE(cut->sections().size(), std::size_t(2));
   for (const model::Section& section : cut->sections()) {
@@ -147,15 +147,15 @@ void SectionFlagsTest::groupsAreCutByOnePlane() {
     QVERIFY(section.hatched);
   }
   QVERIFY(cut->sectionsOf(scene.nodes()[0].id).empty());
-  order.groups = {"liver"};
-  QVERIFY(!sectioned(scene, order, {}).ok());
+  spec.groups = {"liver"};
+  QVERIFY(!sectioned(scene, spec, {}).ok());
 }
 
 void SectionFlagsTest::flagsWithoutSectionAreRefused() {
-  QVERIFY(cli::understood(SectionFlags{}).ok());
-  QVERIFY(!cli::understood(SectionFlags{.groups = {"liver"}}).ok());
-  QVERIFY(!cli::understood(SectionFlags{.hatched = true}).ok());
-  QVERIFY(cli::understood(SectionFlags{.sections = {"axial"}, .groups = {"liver"}}).ok());
+  QVERIFY(cli::parseFlags(SectionFlags{}).ok());
+  QVERIFY(!cli::parseFlags(SectionFlags{.groups = {"liver"}}).ok());
+  QVERIFY(!cli::parseFlags(SectionFlags{.hatched = true}).ok());
+  QVERIFY(cli::parseFlags(SectionFlags{.sections = {"axial"}, .groups = {"liver"}}).ok());
 }
 
 }  // namespace sline::cli

@@ -97,7 +97,7 @@ void ViewCommandTest::whatTheFlagsSay() {
   const model::View& saved = now.views().front();
   QVERIFY(saved.camera.eye.z > 50.0f);
   QCOMPARE(saved.sections->size(), std::size_t(1));
-  const model::Scene seen = model::shown(now, saved).scene;
+  const model::Scene seen = model::withViewApplied(now, saved).scene;
   const model::ResolvedStyle kidney = seen.resolve(now.named("kidney").front());
   QCOMPARE(kidney.gamma.value(), 4.5f);
   QCOMPARE(kidney.colour, (Colour{16, 32, 48}));

@@ -24,7 +24,7 @@ WatchedApplication& watch() {
 }
 
 /// Returns 40 groups of 25 small structures.
-Result<widgets::Loaded> crowd(const model::ImportProgress&, const std::stop_token&) {
+Result<widgets::LoadedDocument> crowd(const model::ImportProgress&, const std::stop_token&) {
   model::Scene scene;
   for (int g = 0; g < 40; ++g) {
     const model::NodeId group = scene.append({.name = "Group " + std::to_string(g)});
@@ -35,7 +35,7 @@ Result<widgets::Loaded> crowd(const model::ImportProgress&, const std::stop_toke
            .style = {.colour = Colour{200, 160, 120}},
            .mesh = moved(*sphere(3.0f, 2), 1.0f, {8.0f * float(s), 0.0f, 8.0f * float(g)})});
   }
-  return widgets::Loaded{
+  return widgets::LoadedDocument{
       .scene = std::move(scene), .title = QStringLiteral("Crowd"), .remarks = {}};
 }
 

@@ -62,8 +62,8 @@ struct ExportDesk : WindowFixture {
       model::View back{.name = "front- \xE5\xBF\x83"};  // the same name if case does not count
       back.camera.eye = {0.0f, 1000.0f, 0.0f};
       scene.setViews({front, back});
-      return Result<widgets::Loaded>(
-          widgets::Loaded{.scene = std::move(scene), .title = QStringLiteral("Balls")});
+      return Result<widgets::LoadedDocument>(
+          widgets::LoadedDocument{.scene = std::move(scene), .title = QStringLiteral("Balls")});
     });
     if (!settled())
       qFatal("the scene does not come");

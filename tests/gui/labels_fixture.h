@@ -28,8 +28,8 @@ struct Labels : WindowFixture {
       liver = ball("liver", -30.0f);
       bladder = ball("bladder", 30.0f);
       scene.setViews(views);
-      return Result<widgets::Loaded>(
-          widgets::Loaded{.scene = std::move(scene), .title = QStringLiteral("Organs")});
+      return Result<widgets::LoadedDocument>(
+          widgets::LoadedDocument{.scene = std::move(scene), .title = QStringLiteral("Organs")});
     });
     if (!settled())
       qFatal("the scene does not come");

@@ -148,8 +148,8 @@ class LanguageTest : public QObject {
     QVERIFY(model::cameraFrame(f.viewport().camera()).back.y > 0.9f);
     f.control<QAction>("showAll").trigger();
     f.control<QAction>("isolate").trigger();
-    QCOMPARE(model::shownOf(f.session.scene(), f.session.scene().find(id)->parent),
-             model::Shown::some);
+    QCOMPARE(model::visibilityOf(f.session.scene(), f.session.scene().find(id)->parent),
+             model::Visibility::some);
   }
 
   /// The dialog in which the language is chosen follows, also the second time it is opened.

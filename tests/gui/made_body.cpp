@@ -90,11 +90,11 @@ model::Scene wholeBody() {
 }
 
 bool openScene(WindowFixture& f, const model::Scene& scene) {
-  f.session.openMade(
-      "body",
-      [scene](const model::ImportProgress&, const std::stop_token&) -> Result<widgets::Loaded> {
-        return widgets::Loaded{.scene = scene, .title = "body"};
-      });
+  f.session.openMade("body",
+                     [scene](const model::ImportProgress&,
+                             const std::stop_token&) -> Result<widgets::LoadedDocument> {
+                       return widgets::LoadedDocument{.scene = scene, .title = "body"};
+                     });
   return QTest::qWaitFor([&] { return !f.session.busy(); }, 60'000);
 }
 

@@ -30,8 +30,8 @@ struct ProofDesk : WindowFixture {
         node.style.gamma = Gamma::clamped(5.0f);
         scene.append(std::move(node));
       }
-      return Result<widgets::Loaded>(
-          widgets::Loaded{.scene = std::move(scene), .title = QStringLiteral("Balls")});
+      return Result<widgets::LoadedDocument>(
+          widgets::LoadedDocument{.scene = std::move(scene), .title = QStringLiteral("Balls")});
     });
     if (!settled())
       qFatal("the scene does not come");

@@ -27,12 +27,12 @@ class StartPicturesTest : public QObject {
         .id = QStringLiteral("ball"),
         .title = QStringLiteral("Ball"),
         .make = [made](const model::ImportProgress&,
-                       const std::stop_token&) -> Result<widgets::Loaded> {
+                       const std::stop_token&) -> Result<widgets::LoadedDocument> {
           ++*made;
           model::Scene scene;
           scene.append(
               {.name = "ball", .style = {.gamma = Gamma::clamped(5.0f)}, .mesh = sphere(10.0f, 3)});
-          return widgets::Loaded{.scene = std::move(scene), .title = {}, .remarks = {}};
+          return widgets::LoadedDocument{.scene = std::move(scene), .title = {}, .remarks = {}};
         }};
   }
   static QByteArray png(const QSize& size, const QColor& colour) {

@@ -95,13 +95,13 @@ class TreeRowsTest : public QObject {
   void groupsEyeHasThreeStates() {
     WindowFixture f;
     QVERIFY(openScene(f, madeBody()));
-    const auto state = [&] { return model::shownOf(f.session.scene(), id(f, "Organs")); };
+    const auto state = [&] { return model::visibilityOf(f.session.scene(), id(f, "Organs")); };
     click(f, "bladder", StructureTreeModel::eye);
-    QCOMPARE(state(), model::Shown::some);
+    QCOMPARE(state(), model::Visibility::some);
     click(f, "Organs", StructureTreeModel::eye);
-    QCOMPARE(state(), model::Shown::all);
+    QCOMPARE(state(), model::Visibility::all);
     click(f, "Organs", StructureTreeModel::eye);
-    QCOMPARE(state(), model::Shown::none);
+    QCOMPARE(state(), model::Visibility::none);
     QCOMPARE(f.session.history().count(), 3);
   }
 

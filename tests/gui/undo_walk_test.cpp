@@ -170,7 +170,7 @@ model::Edited viewEdit(const model::Scene& scene, Chance& chance) {
   for (model::Look& look : looks)
     look.style.gamma = Gamma::clamped(5.0f * chance.share());
   model::View view{.name = "view", .looks = std::move(looks)};
-  model::Scene shown = model::shown(scene, view).scene;
+  model::Scene shown = model::withViewApplied(scene, view).scene;
   const bool changed = !(shown == scene);
   return {std::move(shown), changed};
 }
@@ -273,8 +273,8 @@ void editSession(Session& session, Chance& chance, int number) {
 bool open(Session& session) {
   session.openMade(
       QStringLiteral("balls"),
-      [](const model::ImportProgress&, const std::stop_token&) -> Result<widgets::Loaded> {
-        return widgets::Loaded{.scene = body(), .title = QStringLiteral("balls")};
+      [](const model::ImportProgress&, const std::stop_token&) -> Result<widgets::LoadedDocument> {
+        return widgets::LoadedDocument{.scene = body(), .title = QStringLiteral("balls")};
       });
   return QTest::qWaitFor([&] { return !session.busy(); });
 }

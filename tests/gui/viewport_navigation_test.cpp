@@ -158,7 +158,7 @@ class ViewportNavigationTest : public QObject {
     auto& cube = f.control<widgets::CubeMark>("orientationCube");
     QVERIFY(cube.isVisible());
     QVERIFY(f.viewport().rect().contains(cube.geometry()));
-    const auto click = [&](const widgets::CubePart& part) {
+    const auto click = [&](const widgets::CubeDirection& part) {
       QTest::mouseClick(&cube, Qt::LeftButton, {}, cube.placeOf(part)->toPoint());
     };
     // From the front the right edge leads to the patient's left.

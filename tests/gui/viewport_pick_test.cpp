@@ -15,7 +15,7 @@ namespace {
 
 /// Returns three balls one behind the other, seen from the front: a skin of lines, an organ, a
 /// tumour.
-Result<widgets::Loaded> balls(const model::ImportProgress&, const std::stop_token&) {
+Result<widgets::LoadedDocument> balls(const model::ImportProgress&, const std::stop_token&) {
   model::Scene scene;
   const auto ball = [&scene](const char* name, float radius, float y, float gamma,
                              model::Fill fill) {
@@ -28,7 +28,7 @@ Result<widgets::Loaded> balls(const model::ImportProgress&, const std::stop_toke
   ball("skin & fat", 60.0f, 0.0f, 1.0f, model::Fill::none);
   ball("<b>organ</b>", 40.0f, 120.0f, 3.0f, model::Fill::paper);
   ball("tumour", 30.0f, 220.0f, 3.0f, model::Fill::paper);
-  return widgets::Loaded{.scene = std::move(scene), .title = QStringLiteral("Balls")};
+  return widgets::LoadedDocument{.scene = std::move(scene), .title = QStringLiteral("Balls")};
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ struct Views : WindowFixture {
       right = scene.append(
           {.name = "right ball", .mesh = moved(*sphere(20, 3), 1.0f, {-30.0f, 0.0f, 0.0f})});
       scene.setViews(views);
-      return Result<widgets::Loaded>(
-          widgets::Loaded{.scene = std::move(scene), .title = QStringLiteral("Balls")});
+      return Result<widgets::LoadedDocument>(
+          widgets::LoadedDocument{.scene = std::move(scene), .title = QStringLiteral("Balls")});
     });
     if (!settled())
       qFatal("the scene does not come");

@@ -174,10 +174,12 @@ void ViewsTest::updated() {
   QCOMPARE(f.steps(), steps + 1);
   const model::View& view = f.scene().views()[0];
   QVERIFY(view.camera == f.viewport().camera());
-  QCOMPARE(model::shown(f.scene(), view).scene.resolve(f.left).gamma.value(), 5.0f);
+  QCOMPARE(model::withViewApplied(f.scene(), view).scene.resolve(f.left).gamma.value(), 5.0f);
   QCOMPARE(f.names(), QString("View 1|View 2|View 3"));
   f.undo();
-  QCOMPARE(model::shown(f.scene(), f.scene().views()[0]).scene.resolve(f.left).gamma.value(), 2.0f);
+  QCOMPARE(
+      model::withViewApplied(f.scene(), f.scene().views()[0]).scene.resolve(f.left).gamma.value(),
+      2.0f);
 }
 
 void ViewsTest::deleted() {

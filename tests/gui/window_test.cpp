@@ -202,7 +202,7 @@ class WindowTest : public QObject {
     QVERIFY(f.session.scene().resolve(id).visible);
     const model::NodeId group = f.session.scene().find(id)->parent;
     QTest::mouseClick(f.tree().viewport(), Qt::LeftButton, {}, eye.center());
-    QCOMPARE(model::shownOf(f.session.scene(), group), model::Shown::some);
+    QCOMPARE(model::visibilityOf(f.session.scene(), group), model::Visibility::some);
   }
 
   void filterFinds() {
@@ -289,8 +289,8 @@ class WindowTest : public QObject {
         model::Scene scene;
         scene.append(
             {.name = "ball", .mesh = sphere(20, 2), .provenance = {.refinementSteps = steps}});
-        return Result<widgets::Loaded>(
-            widgets::Loaded{.scene = std::move(scene), .title = QStringLiteral("Ball")});
+        return Result<widgets::LoadedDocument>(
+            widgets::LoadedDocument{.scene = std::move(scene), .title = QStringLiteral("Ball")});
       });
       QVERIFY(f.settled());
       QVERIFY2(summary.text().endsWith("(refined)") == (steps > 0), qPrintable(summary.text()));

@@ -19,7 +19,7 @@ QString tip(const QString& text) {
 AnnotationList::AnnotationList(Session& session, QObject* parent)
     : QAbstractTableModel(parent), m_session(session) {
   connect(&session, &Session::documentChanged, this, &AnnotationList::documentChange);
-  connect(&session.names(), &ShownNames::changed, this, &AnnotationList::allChanged);
+  connect(&session.names(), &DisplayNames::changed, this, &AnnotationList::allChanged);
 }
 
 void AnnotationList::setLanguage(const std::string& tag) {

@@ -5,7 +5,7 @@
 
 #include "model/scene/markup.h"
 #include "render/lettering/label_texts.h"
-#include "widgets/annotations/label_look.h"
+#include "widgets/annotations/label_preferences.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {

@@ -23,7 +23,7 @@
 #include "widgets/annotations/annotation_list.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/annotations/label_field.h"
-#include "widgets/annotations/label_look.h"
+#include "widgets/annotations/label_preferences.h"
 #include "widgets/annotations/label_views.h"
 #include "widgets/preferences/preference_control.h"
 
@@ -73,10 +73,10 @@ AnnotationsPanel::AnnotationsPanel(Session& session, Preferences& preferences, Q
   layout->addWidget(makeButtons());
   layout->addWidget(m_list, 1);
   layout->addWidget(makeDetails());
-  layout->addWidget(makeLook());
+  layout->addWidget(makePreferencesRow());
   connect(&session, &Session::documentChanged, this, &AnnotationsPanel::showActive);
   connect(&session, &Session::activeAnnotationChanged, this, &AnnotationsPanel::showActive);
-  connect(&session.names(), &ShownNames::changed, this, &AnnotationsPanel::followPreferences);
+  connect(&session.names(), &DisplayNames::changed, this, &AnnotationsPanel::followPreferences);
   connect(&preferences, &Preferences::changed, this, &AnnotationsPanel::followPreferences);
   followPreferences();
 }
@@ -112,7 +112,7 @@ void AnnotationsPanel::addButtons(const std::vector<QAction*>& actions) {
   }
 }
 
-QWidget* AnnotationsPanel::makeLook() {
+QWidget* AnnotationsPanel::makePreferencesRow() {
   const auto control = [this](const char* name, const char* id) {
     QWidget* made = makePreferenceControl(m_preferences, QLatin1String(id));
     made->setObjectName(QLatin1String(name));

@@ -33,7 +33,7 @@ class AnnotationsPanel : public QWidget {
 
  private:
   QWidget* makeButtons();
-  QWidget* makeLook();
+  QWidget* makePreferencesRow();
   void makeList();
   QWidget* makeDetails();
   void makeText();

@@ -40,15 +40,15 @@ QString nameOf(const ExportFile& file) {
 
 }  // namespace
 
-ExportActions::ExportActions(const Parts& parts, QMainWindow& window)
+ExportActions::ExportActions(const Context& context, QMainWindow& window)
     : QObject(&window),
-      m_session(parts.session),
-      m_settings(parts.settings),
-      m_actions(parts.actions),
-      m_message(parts.message),
-      m_viewport(parts.viewport),
+      m_session(context.session),
+      m_settings(context.settings),
+      m_actions(context.actions),
+      m_message(context.message),
+      m_viewport(context.viewport),
       m_window(window),
-      m_copier(new PictureCopier(parts.viewport, this)) {
+      m_copier(new PictureCopier(context.viewport, this)) {
   connect(m_copier, &PictureCopier::copied, this, [this] {
     constexpr int readable = 4000;  // milliseconds
     m_window.statusBar()->showMessage(tr("The picture is on the clipboard"), readable);

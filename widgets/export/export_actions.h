@@ -30,7 +30,7 @@ class WindowActions;
 class ExportActions : public QObject {
   Q_OBJECT
  public:
-  struct Parts {
+  struct Context {
     Session& session;
     QSettings& settings;
     const WindowActions& actions;
@@ -38,7 +38,7 @@ class ExportActions : public QObject {
     Viewport& viewport;
   };
   /// Connects the parts, all of which must outlive it.
-  ExportActions(const Parts& parts, QMainWindow& window);
+  ExportActions(const Context& context, QMainWindow& window);
   ~ExportActions() override;
 
   /// Connects to the window's new actions and bars after they have been replaced.

@@ -39,7 +39,7 @@ QLabel* plainLabel(const char* name) {
 }
 
 /// Colours the text as the window's messages are: amber for what the user should know.
-QString dress(const QPalette& palette) {
+QString messageStyleSheet(const QPalette& palette) {
   const bool dark =
       palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
   return QLatin1String(dark ? "background: #4a3d12; color: #f7ecc9;"
@@ -79,7 +79,7 @@ ExportDialog::ExportDialog(ExportDraft& draft, ExportSource source, Viewport& vi
   columns->setSpacing(18);
   columns->addWidget(makeKinds());
   columns->addWidget(makeOptions());
-  columns->addWidget(makeOutlook(), 1);
+  columns->addWidget(makePreviewColumn(), 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(16, 16, 16, 14);
   layout->setSpacing(12);
@@ -147,25 +147,25 @@ void ExportDialog::addSubject(QVBoxLayout& layout) {
 }
 
 void ExportDialog::addForms(QVBoxLayout& layout) {
-  using render::OptionPart;
-  const std::pair<OptionPart, QString> parts[] = {
-      {OptionPart::kind, tr("For this kind")},
-      {OptionPart::picture, tr("Picture")},
-      {OptionPart::labels, tr("Labels")},
-      {OptionPart::marks, tr("At the picture's edge")},
-      {OptionPart::credit, tr("In the file's details")}};
+  using render::OptionGroup;
+  const std::pair<OptionGroup, QString> parts[] = {
+      {OptionGroup::kind, tr("For this kind")},
+      {OptionGroup::picture, tr("Picture")},
+      {OptionGroup::labels, tr("Labels")},
+      {OptionGroup::marks, tr("At the picture's edge")},
+      {OptionGroup::credit, tr("In the file's details")}};
   const std::vector<const render::ExportOption*> options = render::exportOptions();
   const QStringList languages = labelLanguages(m_source.scene);
   for (const auto& [part, title] : parts) {
     std::vector<const render::ExportOption*> own;
     std::copy_if(options.begin(), options.end(), std::back_inserter(own),
                  [wanted = part](const render::ExportOption* option) {
-                   return option->part == wanted && option->title;
+                   return option->group == wanted && option->title;
                  });
     if (own.empty())
       continue;
-    Part made{.heading = heading(title),
-              .form = new OptionForm(m_draft.order, std::move(own), languages)};
+    OptionSection made{.heading = heading(title),
+                       .form = new OptionForm(m_draft.order, std::move(own), languages)};
     layout.addSpacing(8);
     layout.addWidget(made.heading);
     layout.addWidget(made.form);
@@ -200,7 +200,7 @@ QWidget* ExportDialog::makeOptions() {
   return area;
 }
 
-QWidget* ExportDialog::makeOutlook() {
+QWidget* ExportDialog::makePreviewColumn() {
   auto* column = new QWidget;
   auto* layout = new QVBoxLayout(column);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -278,7 +278,7 @@ void ExportDialog::chooseKind() {
   m_page->setVisible(page);
   for (QWidget* widget : m_subjectWidgets)
     widget->setVisible(showsOneView(m_draft.kind));
-  for (const Part& part : m_parts)
+  for (const OptionSection& part : m_parts)
     part.heading->setVisible(part.form->showFor(*formatOf(m_draft.kind)));
   m_target->setText(QDir::toNativeSeparators(withEndingOf(m_draft.target, m_draft.kind)));
   refresh();
@@ -320,7 +320,7 @@ void ExportDialog::showDoubt() {
     doubt =
         exportRemarks(m_draft, shown().order, paged ? m_preview->notes() : render::ExportNotes());
   }
-  m_doubt->setStyleSheet(dress(palette()));
+  m_doubt->setStyleSheet(messageStyleSheet(palette()));
   m_doubt->setText(doubt);
   m_doubt->setVisible(!doubt.isEmpty());
   m_export->setEnabled(problem.isEmpty());

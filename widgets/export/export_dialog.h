@@ -40,7 +40,7 @@ class ExportDialog : public QDialog {
  private:
   QWidget* makeKinds();
   QWidget* makeOptions();
-  QWidget* makeOutlook();
+  QWidget* makePreviewColumn();
   QWidget* makeTarget();
   QWidget* makeButtons();
   void addSubject(QVBoxLayout& layout);
@@ -70,11 +70,11 @@ class ExportDialog : public QDialog {
   QRadioButton* m_savedViews;
   QCheckBox* m_filled;
   PagePanel* m_page;
-  struct Part {
+  struct OptionSection {
     QLabel* heading = nullptr;
     OptionForm* form = nullptr;
   };
-  std::vector<Part> m_parts;
+  std::vector<OptionSection> m_parts;
   std::vector<QWidget*> m_subjectWidgets;
   QLabel* m_pageHeading = nullptr;
   ExportPreview* m_preview;

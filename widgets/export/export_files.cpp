@@ -27,7 +27,7 @@ glm::vec2 filmPage(const glm::vec2& sizeMm) {
 ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const model::View* view) {
   ExportFile file{.order = draft.order, .filled = draft.filled, .target = {}};
   render::ExportOrder& order = file.order;
-  order.scene = view ? model::shown(source.scene, *view).scene : source.scene;
+  order.scene = view ? model::withViewApplied(source.scene, *view).scene : source.scene;
   order.camera = view ? view->camera : source.camera;
   order.viewName = view ? view->name : viewNameOf(source.camera);
   order.environment.keyLight = source.keyLight;

@@ -19,9 +19,9 @@ PictureCopier::PictureCopier(Viewport& viewport, QObject* parent)
   connect(&viewport, &Viewport::previewed, this, &PictureCopier::took);
 }
 
-void PictureCopier::copy(const ExportSource& source, const render::ExportOrder& look) {
+void PictureCopier::copy(const ExportSource& source, const render::ExportOrder& order) {
   ExportDraft draft;
-  draft.order = look;
+  draft.order = order;
   draft.order.environment.background = m_viewport.background();
   draft.order.page = {render::millimetresPerInch / dpi *
                           glm::vec2(float(m_viewport.width()), float(m_viewport.height())),

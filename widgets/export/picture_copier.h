@@ -16,8 +16,8 @@ class PictureCopier : public QObject {
  public:
   explicit PictureCopier(Viewport& viewport, QObject* parent = nullptr);
 
-  /// Copies the picture soon; `look` gives the look of labels and marks.
-  void copy(const ExportSource& source, const render::ExportOrder& look);
+  /// Copies the picture soon; `order` gives the look of labels and marks.
+  void copy(const ExportSource& source, const render::ExportOrder& order);
 
  signals:
   void copied();

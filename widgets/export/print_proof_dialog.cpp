@@ -71,7 +71,7 @@ QImage seenAs(const QImage& picture, render::Vision vision) {
   image.rgba.resize(row * std::size_t(straight.height()));
   for (int y = 0; y < straight.height(); ++y)
     std::memcpy(&image.rgba[std::size_t(y) * row], straight.constScanLine(y), row);
-  image = render::seen(image, vision);
+  image = render::simulateVision(image, vision);
   return QImage(image.rgba.data(), image.width, image.height, qsizetype(row),
                 QImage::Format_RGBA8888)
       .copy();
@@ -79,7 +79,7 @@ QImage seenAs(const QImage& picture, render::Vision vision) {
 
 }  // namespace
 
-PrintProofDialog::PrintProofDialog(render::ExportOrder order, const ShownNames& names,
+PrintProofDialog::PrintProofDialog(render::ExportOrder order, const DisplayNames& names,
                                    Viewport& viewport, QWidget* parent)
     : QDialog(parent),
       m_order(std::move(order)),
@@ -99,7 +99,7 @@ PrintProofDialog::PrintProofDialog(render::ExportOrder order, const ShownNames& 
   auto* columns = new QHBoxLayout;
   columns->setSpacing(18);
   columns->addWidget(makeFindings(), 1);
-  columns->addWidget(makeOutlook());
+  columns->addWidget(makePreviewColumn());
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(16, 16, 16, 14);
   layout->addLayout(columns, 1);
@@ -111,7 +111,7 @@ PrintProofDialog::PrintProofDialog(render::ExportOrder order, const ShownNames& 
             m_pictures[std::size_t(number % 2)] = image;
             showPicture();
           });
-  look();
+  startProof();
   resize(1000, 620);
 }
 
@@ -130,7 +130,7 @@ QWidget* PrintProofDialog::makeFindings() {
   m_told->setWordWrap(true);
   m_all->setObjectName(QStringLiteral("proofAll"));
   m_all->setToolTip(tr("Which may be meant: both kidneys have one colour"));
-  connect(m_all, &QCheckBox::toggled, this, &PrintProofDialog::look);
+  connect(m_all, &QCheckBox::toggled, this, &PrintProofDialog::startProof);
   layout->addWidget(m_told);
   layout->addWidget(m_pairs, 3);
   layout->addWidget(m_all);
@@ -138,7 +138,7 @@ QWidget* PrintProofDialog::makeFindings() {
   return column;
 }
 
-QWidget* PrintProofDialog::makeOutlook() {
+QWidget* PrintProofDialog::makePreviewColumn() {
   auto* column = new QWidget;
   auto* layout = new QVBoxLayout(column);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -175,7 +175,7 @@ QWidget* PrintProofDialog::makeButtons() {
   return buttons;
 }
 
-void PrintProofDialog::look() {
+void PrintProofDialog::startProof() {
   ++m_asked;
   m_proof.reset();
   m_pictures = {};

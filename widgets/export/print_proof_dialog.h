@@ -8,7 +8,7 @@
 
 #include "render/measures/proof/print_proof.h"
 #include "widgets/session/background_queue.h"
-#include "widgets/session/shown_names.h"
+#include "widgets/session/display_names.h"
 #include "widgets/viewport/viewport.h"
 
 class QCheckBox;
@@ -25,7 +25,7 @@ class PrintProofDialog : public QDialog {
   Q_OBJECT
  public:
   /// Examines the order's picture; names and viewport must outlive the dialog.
-  PrintProofDialog(render::ExportOrder order, const ShownNames& names, Viewport& viewport,
+  PrintProofDialog(render::ExportOrder order, const DisplayNames& names, Viewport& viewport,
                    QWidget* parent = nullptr);
   ~PrintProofDialog() override;
 
@@ -38,9 +38,9 @@ class PrintProofDialog : public QDialog {
 
  private:
   QWidget* makeFindings();
-  QWidget* makeOutlook();
+  QWidget* makePreviewColumn();
   QWidget* makeButtons();
-  void look();
+  void startProof();
   void took(const Result<render::PrintProof>& proof);
   void showFindings();
   void showProposals();
@@ -48,7 +48,7 @@ class PrintProofDialog : public QDialog {
   void showPicture();
 
   const render::ExportOrder m_order;
-  const ShownNames& m_names;
+  const DisplayNames& m_names;
   QPointer<Viewport> m_viewport;
   QLabel* m_told;
   QTreeWidget* m_pairs;

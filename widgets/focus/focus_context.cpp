@@ -38,7 +38,7 @@ void FocusContext::focusOn(NodeIds targets) {
     analyse(targets, m_state.analysis && m_state.analysis->fromCamera, tr("Focus"));
 }
 
-void FocusContext::lookFrom(bool camera) {
+void FocusContext::setFromCamera(bool camera) {
   if (m_state.analysis)
     analyse(m_state.targets, camera, camera ? tr("Focus from this view") : tr("Focus all round"));
 }

@@ -40,7 +40,7 @@ class FocusContext : public QObject {
   void focusOn(NodeIds targets);
   /// Analyses the current focus again: what hides it from where the camera is now, or from all
   /// round.
-  void lookFrom(bool camera);
+  void setFromCamera(bool camera);
   void setRoles(const NodeIds& structures, model::ContextRole role);
   void setHiddenToo(bool too);
 

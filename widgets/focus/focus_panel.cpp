@@ -162,7 +162,8 @@ void FocusPanel::connectControls() {
   connect(m_amount, &AmountSlider::dragFinished, &m_focus, &FocusContext::finishDrag);
   connect(m_amount, &AmountSlider::dragCancelled, &m_focus, &FocusContext::cancelDrag);
   connect(m_amount, &AmountSlider::stepped, &m_focus, &FocusContext::stepTo);
-  connect(m_sides, &QButtonGroup::idClicked, this, [this](int id) { m_focus.lookFrom(id == 1); });
+  connect(m_sides, &QButtonGroup::idClicked, this,
+          [this](int id) { m_focus.setFromCamera(id == 1); });
   connect(m_roles, &QTreeWidget::itemSelectionChanged, this, &FocusPanel::showChosenRole);
   connect(m_role, &QComboBox::activated, this, [this](int index) {
     m_focus.setRoles(chosen(), model::ContextRole(m_role->itemData(index).toInt()));
@@ -171,7 +172,7 @@ void FocusPanel::connectControls() {
   connect(&m_focus, &FocusContext::changed, this, &FocusPanel::refresh);
   connect(&m_focus, &FocusContext::busyChanged, this, &FocusPanel::showTitle);
   connect(&m_session, &Session::selectionChanged, this, &FocusPanel::showTitle);
-  connect(&m_session.names(), &ShownNames::changed, this, &FocusPanel::refresh);
+  connect(&m_session.names(), &DisplayNames::changed, this, &FocusPanel::refresh);
   connect(&m_session, &Session::documentChanged, this,
           [this](const Document& before, const Document& now) {
             if (before.scene.nodes() != now.scene.nodes())

@@ -22,7 +22,7 @@ QString hidesText(const model::Relation& relation) {
   return tr("hides up to %1 % of it").arg(qRound(100.0f * relation.hides));
 }
 
-QString awayText(const model::Relation& relation) {
+QString distanceText(const model::Relation& relation) {
   if (!std::isfinite(relation.gapMm))
     return tr("Cut away");
   const double mm = double(relation.gapMm);
@@ -40,12 +40,12 @@ QString firstClause(Session& session, const model::Relation& relation) {
     case RoleReason::touches:
       return tr("Lies against it");
     case RoleReason::hides:
-      return tr("Lies outside, %1").arg(awayText(relation));
+      return tr("Lies outside, %1").arg(distanceText(relation));
     case RoleReason::near:
     case RoleReason::far:
       break;
   }
-  return awayText(relation);
+  return distanceText(relation);
 }
 
 }  // namespace

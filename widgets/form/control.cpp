@@ -14,13 +14,13 @@ namespace {
 
 using Take = std::function<void(const QVariant&)>;
 
-QWidget* made(const Field& field, const SwitchField&, const Take& take) {
+QWidget* makeEditor(const Field& field, const SwitchField&, const Take& take) {
   auto* box = new QCheckBox(field.text);
   QObject::connect(box, &QCheckBox::toggled, box, [take](bool on) { take(on); });
   return box;
 }
 
-QWidget* made(const Field&, const ChoiceField& kind, const Take& take) {
+QWidget* makeEditor(const Field&, const ChoiceField& kind, const Take& take) {
   auto* box = new QComboBox;
   for (const Choice& choice : kind.choices)
     box->addItem(choice.text, choice.id);
@@ -29,7 +29,7 @@ QWidget* made(const Field&, const ChoiceField& kind, const Take& take) {
   return box;
 }
 
-QWidget* made(const Field&, const NumberField& kind, const Take& take) {
+QWidget* makeEditor(const Field&, const NumberField& kind, const Take& take) {
   auto* box = new QDoubleSpinBox;
   box->setRange(kind.low, kind.high);
   box->setDecimals(kind.decimals);
@@ -43,7 +43,7 @@ QWidget* made(const Field&, const NumberField& kind, const Take& take) {
   return box;
 }
 
-QWidget* made(const Field&, const TextField& kind, const Take& take) {
+QWidget* makeEditor(const Field&, const TextField& kind, const Take& take) {
   if (kind.lines > 1) {
     auto* box = new QPlainTextEdit;
     box->setTabChangesFocus(true);
@@ -85,7 +85,7 @@ void show(QWidget& control, const TextField& kind, const QVariant& value) {
 QWidget* makeControl(const Field& field, const std::function<void(const QVariant&)>& take,
                      QWidget* parent) {
   QWidget* control =
-      std::visit([&](const auto& kind) { return made(field, kind, take); }, field.kind);
+      std::visit([&](const auto& kind) { return makeEditor(field, kind, take); }, field.kind);
   control->setParent(parent);
   control->setObjectName(field.id);
   control->setToolTip(field.tip);

@@ -219,7 +219,7 @@ void GammaPanel::connectControls() {
     showFill();
   });
   connect(&m_session, &Session::selectionChanged, this, &GammaPanel::refresh);
-  connect(&m_session.names(), &ShownNames::changed, this, &GammaPanel::refresh);
+  connect(&m_session.names(), &DisplayNames::changed, this, &GammaPanel::refresh);
   connect(&m_session, &Session::documentChanged, this, &GammaPanel::refresh);
 }
 

@@ -17,7 +17,7 @@ float number(const T& value) {
 }
 
 template <class T>
-T made(float value) {
+T fromNumber(float value) {
   if constexpr (std::is_same_v<T, float>)
     return value;
   else
@@ -36,7 +36,7 @@ StyleNumber with(StyleNumber row) {
   };
   row.look = [](float value) {
     model::Style style;
-    style.*Field.own = made<Value>(value);
+    style.*Field.own = fromNumber<Value>(value);
     return style;
   };
   return row;

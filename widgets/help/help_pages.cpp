@@ -16,11 +16,11 @@ namespace sline::widgets {
 namespace {
 
 /// Maps an objectName to its page.
-struct Place {
+struct WidgetPage {
   const char* widget;
   const char* page;
 };
-constexpr Place places[] = {
+constexpr WidgetPage places[] = {
     {"structuresPanel", "tree"},      {"propertiesDialog", "tree"},
     {"gammaPanel", "gamma"},          {"savePresetDialog", "gamma"},
     {"managePresetsDialog", "gamma"}, {"focusPanel", "focus"},
@@ -86,7 +86,7 @@ QString helpPageOf(const QWidget* widget) {
     const QString said = widget->property(helpPageProperty).toString();
     if (!said.isEmpty())
       return said;
-    for (const Place& place : places)
+    for (const WidgetPage& place : places)
       if (widget->objectName() == QLatin1String(place.widget))
         return QLatin1String(place.page);
   }

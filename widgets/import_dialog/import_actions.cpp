@@ -33,13 +33,13 @@ bool onlyScenes(const std::vector<std::filesystem::path>& paths) {
 
 }  // namespace
 
-ImportActions::ImportActions(const Parts& parts, QWidget& window)
+ImportActions::ImportActions(const Context& context, QWidget& window)
     : QObject(&window),
-      m_session(parts.session),
-      m_settings(parts.settings),
-      m_preferences(parts.preferences),
-      m_actions(parts.actions),
-      m_message(parts.message),
+      m_session(context.session),
+      m_settings(context.settings),
+      m_preferences(context.preferences),
+      m_actions(context.actions),
+      m_message(context.message),
       m_window(window) {
   connectActions();
   connect(&m_session, &Session::documentChanged, this, &ImportActions::updateActions);
@@ -107,10 +107,10 @@ void ImportActions::carryOut(const model::ImportPlan& plan, bool intoScene) {
                                                              const std::stop_token&) {
     Result<model::Imported> imported = model::carryOut(plan, progress);
     if (!imported.ok())
-      return Result<Loaded>(imported.error());
-    Loaded loaded = loadedFrom(std::move(*imported), plan.inputs);
+      return Result<LoadedDocument>(imported.error());
+    LoadedDocument loaded = loadedDocument(std::move(*imported), plan.inputs);
     loaded.added = intoScene;
-    return Result<Loaded>(std::move(loaded));
+    return Result<LoadedDocument>(std::move(loaded));
   });
 }
 

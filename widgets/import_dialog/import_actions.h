@@ -21,7 +21,7 @@ class WindowActions;
 class ImportActions : public QObject {
   Q_OBJECT
  public:
-  struct Parts {
+  struct Context {
     Session& session;
     QSettings& settings;
     Preferences& preferences;
@@ -33,7 +33,7 @@ class ImportActions : public QObject {
 
   /// Connects the parts, all of which must outlive it. It must be made after the message bar
   /// listens to the session, so that its offer is added to what the bar says.
-  ImportActions(const Parts& parts, QWidget& window);
+  ImportActions(const Context& context, QWidget& window);
 
   /// Sets the guard that asks about unsaved changes before another document takes their place.
   void setGuard(Guard guard) { m_guard = std::move(guard); }

@@ -43,7 +43,7 @@ QString nameOf(const std::vector<std::filesystem::path>& inputs) {
 
 /// Colours the text as the window's messages are: red for failures, amber for what the user should
 /// know.
-QString dress(const QPalette& palette, bool failed) {
+QString messageStyleSheet(const QPalette& palette, bool failed) {
   const bool dark =
       palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
   const char* colours = failed ? (dark ? "background: #54241f; color: #f6d9d5;"
@@ -225,7 +225,7 @@ void ImportDialog::showPlan() {
     doubts << sideDoubt(plan, m_draft.figures()) << sizeDoubt(plan, m_draft.figures());
     doubts.removeAll(QString());
   }
-  m_doubt->setStyleSheet(dress(palette(), !m_failure.isEmpty()));
+  m_doubt->setStyleSheet(messageStyleSheet(palette(), !m_failure.isEmpty()));
   m_doubt->setText(doubts.join(QLatin1Char('\n')));
   m_doubt->setVisible(!doubts.isEmpty());
 }

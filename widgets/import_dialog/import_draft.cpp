@@ -86,10 +86,10 @@ void ImportDraft::start() {
                                                      const std::stop_token&) {
         Result<model::ImportPlan> plan = model::planAgain(request, progress);
         if (!plan)
-          return Result<Loaded>(plan.error());
+          return Result<LoadedDocument>(plan.error());
         result->figures = std::make_shared<const PlanFigures>(figuresOf(*plan, *before));
         result->plan = std::move(*plan);
-        return Result<Loaded>(Loaded{});
+        return Result<LoadedDocument>(LoadedDocument{});
       },
       this);
   connect(m_job, &SceneJob::progressed, this, &ImportDraft::progressed);

@@ -19,7 +19,7 @@ void add(StructureFigures& to, const StructureFigures& more) {
 }
 
 void compareSides(const model::ImportPlan& plan, PlanFigures& figures) {
-  std::vector<model::NamedPlace> places;
+  std::vector<model::NamedPosition> places;
   std::vector<model::NodeId> ids;
   for (const auto& [id, part] : plan.parts) {
     const model::Node& node = *plan.scene.find(id);
@@ -29,7 +29,7 @@ void compareSides(const model::ImportPlan& plan, PlanFigures& figures) {
     places.push_back({node.name, figures.nodes[id.value].box.centre().x});
     ids.push_back(id);
   }
-  for (const std::size_t i : model::onTheOtherSide(places)) {
+  for (const std::size_t i : model::namedForOtherSide(places)) {
     figures.otherSide.push_back(ids[i]);
     figures.nodes[ids[i].value].otherSide = true;
   }

@@ -27,7 +27,7 @@ PlanTreeModel::PlanTreeModel(ImportDraft& draft, QObject* parent)
 }
 
 void PlanTreeModel::reset() {
-  std::unordered_map<std::uint64_t, Place> places;
+  std::unordered_map<std::uint64_t, Entry> places;
   places[model::rootId.value] = {};
   const std::vector<model::Node>& nodes = m_draft.plan().scene.nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -36,12 +36,12 @@ class PlanTreeModel : public QAbstractItemModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  private:
-  struct Place {
+  struct Entry {
     model::NodeId parent;
     int row = 0;
     std::size_t node = 0;  ///< in Scene::nodes
     std::vector<model::NodeId> children = {};
-    bool operator==(const Place&) const = default;
+    bool operator==(const Entry&) const = default;
   };
   const model::Node* nodeOf(model::NodeId id) const;
   void reset();
@@ -52,7 +52,7 @@ class PlanTreeModel : public QAbstractItemModel {
   QVariant decoration(const model::Node& node) const;
 
   ImportDraft& m_draft;
-  std::unordered_map<std::uint64_t, Place> m_places;
+  std::unordered_map<std::uint64_t, Entry> m_places;
   std::unordered_map<std::uint64_t, Qt::CheckState> m_checks;  ///< computed after each choice
 };
 

@@ -11,7 +11,7 @@ namespace sline::widgets {
 SectionList::SectionList(Session& session, QObject* parent)
     : QAbstractTableModel(parent), m_session(session) {
   connect(&session, &Session::documentChanged, this, &SectionList::documentChange);
-  connect(&session.names(), &ShownNames::changed, this, [this] {
+  connect(&session.names(), &DisplayNames::changed, this, [this] {
     if (rowCount() > 0)
       emit dataChanged(index(0, scope), index(rowCount() - 1, scope));
   });

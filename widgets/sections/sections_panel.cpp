@@ -46,7 +46,7 @@ SectionsPanel::SectionsPanel(Session& session, QWidget* parent)
   connect(&session, &Session::documentChanged, this, &SectionsPanel::showActive);
   connect(&session, &Session::activeSectionChanged, this, &SectionsPanel::showActive);
   connect(&session, &Session::selectionChanged, this, &SectionsPanel::showActive);
-  connect(&session.names(), &ShownNames::changed, this, &SectionsPanel::showActive);
+  connect(&session.names(), &DisplayNames::changed, this, &SectionsPanel::showActive);
   showActive();
 }
 

@@ -20,7 +20,7 @@ Autosaver::Autosaver(Session& session, std::filesystem::path folder, QObject* pa
       m_copy(std::make_shared<Copy>()) {
   connect(&session, &Session::documentChanged, this, &Autosaver::documentChange);
   connect(&session, &Session::fileChanged, this, &Autosaver::fileChange);
-  connect(&m_timer, &QTimer::timeout, this, &Autosaver::look);
+  connect(&m_timer, &QTimer::timeout, this, &Autosaver::keepIfDue);
 }
 
 Autosaver::~Autosaver() = default;
@@ -63,7 +63,7 @@ void Autosaver::discard() {
   });
 }
 
-void Autosaver::look() {
+void Autosaver::keepIfDue() {
   if (!m_session.modified()) {
     m_timer.stop();
     m_clock.kept();

@@ -38,7 +38,7 @@ class Autosaver : public QObject {
   struct Copy;
   void documentChange(const Document& before, const Document& now);
   void fileChange();
-  void look();
+  void keepIfDue();
   void keep();
   void finish(const Status& status);
 

@@ -13,11 +13,11 @@ DemoScene demoScene(const QString& title, model::DemoName name, model::Sex sex) 
   const std::string_view id = model::demoNames[std::size_t(name)];
   const std::string_view sexId = model::sexName(sex);
   const auto make = [title, name, sex](const model::ImportProgress&,
-                                       const std::stop_token& stop) -> Result<Loaded> {
+                                       const std::stop_token& stop) -> Result<LoadedDocument> {
     std::optional<model::Scene> scene = model::demo(name, sex, model::userCacheFolder(), stop);
     if (!scene)
       return Error{.reason = "modelling was cancelled"};
-    return Loaded{.scene = std::move(*scene), .title = title, .remarks = {}};
+    return LoadedDocument{.scene = std::move(*scene), .title = title, .remarks = {}};
   };
   return {.id = QStringLiteral("%1-%2").arg(QLatin1String(id.data(), qsizetype(id.size())),
                                             QLatin1String(sexId.data(), qsizetype(sexId.size()))),

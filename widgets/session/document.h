@@ -23,7 +23,7 @@ struct Document {
 };
 
 /// A scene that is being loaded, and what its reader had to leave out or mend.
-struct Loaded {
+struct LoadedDocument {
   model::Scene scene;
   QString title;
   QStringList remarks;
@@ -39,6 +39,7 @@ struct Loaded {
 QString titleOf(const std::vector<std::filesystem::path>& paths);
 
 /// Returns what was imported from the paths, ready to become a document.
-Loaded loadedFrom(model::Imported imported, const std::vector<std::filesystem::path>& paths);
+LoadedDocument loadedDocument(model::Imported imported,
+                              const std::vector<std::filesystem::path>& paths);
 
 }  // namespace sline::widgets

@@ -14,7 +14,7 @@ SceneJob::SceneJob(SceneMaker maker, QObject* parent)
 Status SceneJob::make(const Progress& progress) {
   return caught(
       [&]() -> Status {
-        Result<Loaded> result = m_maker(
+        Result<LoadedDocument> result = m_maker(
             [&](float done, const std::string& what) { return progress(double(done), what); },
             stopToken());
         if (!result.ok())
@@ -22,7 +22,7 @@ Status SceneJob::make(const Progress& progress) {
         // A result that was made meanwhile is no longer wanted.
         if (stopped())
           return Error{.reason = "cancelled"};
-        m_loaded = std::make_unique<Loaded>(std::move(*result));
+        m_loaded = std::make_unique<LoadedDocument>(std::move(*result));
         return Unit{};
       },
       {.memory = "Close other programs or open fewer files",

@@ -14,7 +14,7 @@ namespace sline::widgets {
 /// Makes a scene; calls the progress now and then and stops where that returns false, or as soon as
 /// a stop is requested. Its result is discarded then.
 using SceneMaker =
-    std::function<Result<Loaded>(const model::ImportProgress&, const std::stop_token&)>;
+    std::function<Result<LoadedDocument>(const model::ImportProgress&, const std::stop_token&)>;
 
 class SceneJob : public BackgroundJob {
   Q_OBJECT
@@ -23,13 +23,13 @@ class SceneJob : public BackgroundJob {
   ~SceneJob() override { end(); }
 
  signals:
-  void made(const sline::widgets::Loaded& loaded);
+  void made(const sline::widgets::LoadedDocument& loaded);
 
  private:
   Status make(const Progress& progress);
 
   SceneMaker m_maker;
-  std::unique_ptr<Loaded> m_loaded;  ///< belongs to the thread until the job is done
+  std::unique_ptr<LoadedDocument> m_loaded;  ///< belongs to the thread until the job is done
 };
 
 }  // namespace sline::widgets

@@ -8,7 +8,7 @@
 
 namespace sline::widgets {
 
-struct SceneSaver::Order {
+struct SceneSaver::SaveTask {
   std::filesystem::path path;
   As as = As::document;
   int opening = 0;
@@ -61,45 +61,45 @@ Error notSaved(const std::filesystem::path& file, const std::string& reason) {
 SceneSaver::SceneSaver(Session& session, QObject* parent) : QObject(parent), m_session(session) {}
 
 void SceneSaver::save(const std::filesystem::path& file, As as, const Companions& companions) {
-  Order order{.path = file,
-              .as = as,
-              .opening = m_session.document().opening,
-              .file = m_session.file(),
-              .companions = companions};
-  order.file.saved = m_session.sceneBeforePreview();
+  SaveTask task{.path = file,
+                .as = as,
+                .opening = m_session.document().opening,
+                .file = m_session.file(),
+                .companions = companions};
+  task.file.saved = m_session.sceneBeforePreview();
   emit started(QString::fromStdString(file.filename().string()));
-  m_queue.add([this, order = std::move(order)](const std::stop_token&) -> BackgroundQueue::Sequel {
+  m_queue.add([this, task = std::move(task)](const std::stop_token&) -> BackgroundQueue::Sequel {
     Outcome outcome;
     try {
-      outcome = carryOut(order);
+      outcome = carryOut(task);
     } catch (const std::exception& failure) {
       outcome.error =
-          notSaved(order.path, std::string("it could not be written: ") + failure.what());
+          notSaved(task.path, std::string("it could not be written: ") + failure.what());
     }
-    return [this, order, outcome] { finish(order, outcome); };
+    return [this, task, outcome] { finish(task, outcome); };
   });
 }
 
-SceneSaver::Outcome SceneSaver::carryOut(const Order& order) {
-  Outcome outcome{.error = {}, .file = order.file};
+SceneSaver::Outcome SceneSaver::carryOut(const SaveTask& task) {
+  Outcome outcome{.error = {}, .file = task.file};
   DocumentFile& file = outcome.file;
-  if (!order.companions.picture.isNull())
-    file.thumbnail = pngOf(order.companions.picture);
-  if (order.companions.member)
-    file.others = withMember(file.others, *order.companions.member);
-  Written& before = m_written[order.path];
-  if (!file.lock || !isLockOf(*file.lock, order.path))
+  if (!task.companions.picture.isNull())
+    file.thumbnail = pngOf(task.companions.picture);
+  if (task.companions.member)
+    file.others = withMember(file.others, *task.companions.member);
+  Written& before = m_written[task.path];
+  if (!file.lock || !isLockOf(*file.lock, task.path))
     file.lock = before.lock.lock();
   if (!file.lock) {
-    Result<model::FileLock> lock = model::FileLock::acquire(order.path);
+    Result<model::FileLock> lock = model::FileLock::acquire(task.path);
     if (!lock.ok()) {
       outcome.error = lock.error();
       return outcome;
     }
     file.lock = std::make_shared<const model::FileLock>(std::move(*lock));
-  } else if (const auto now = stampOf(order.path);
-             now && now != order.file.stamp && now != before.stamp) {
-    outcome.error = notSaved(order.path, "another program has changed it since it was opened");
+  } else if (const auto now = stampOf(task.path);
+             now && now != task.file.stamp && now != before.stamp) {
+    outcome.error = notSaved(task.path, "another program has changed it since it was opened");
     return outcome;
   }
   model::SceneDocument document{.scene = *file.saved};
@@ -111,21 +111,21 @@ SceneSaver::Outcome SceneSaver::carryOut(const Order& order) {
     outcome.error = written.error();
     return outcome;
   }
-  file.path = order.path;
+  file.path = task.path;
   file.writable = Writable::yes;
   file.reason.clear();
-  file.stamp = stampOf(order.path);
+  file.stamp = stampOf(task.path);
   before = {file.stamp, file.lock};
   return outcome;
 }
 
-void SceneSaver::finish(const Order& order, const Outcome& outcome) {
+void SceneSaver::finish(const SaveTask& task, const Outcome& outcome) {
   if (outcome.error) {
     emit failed(*outcome.error);
   } else {
-    if (order.as == As::document)
-      m_session.noteSaved(order.opening, outcome.file);
-    emit saved(order.path, order.as);
+    if (task.as == As::document)
+      m_session.noteSaved(task.opening, outcome.file);
+    emit saved(task.path, task.as);
   }
   if (!busy())
     emit ended();

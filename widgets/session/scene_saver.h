@@ -40,10 +40,10 @@ class SceneSaver : public QObject {
   void ended();
 
  private:
-  struct Order;
+  struct SaveTask;
   struct Outcome;
-  Outcome carryOut(const Order& order);
-  void finish(const Order& order, const Outcome& outcome);
+  Outcome carryOut(const SaveTask& task);
+  void finish(const SaveTask& task, const Outcome& outcome);
 
   Session& m_session;
   /// Holds the last stamp of a file that this object has written, and the lock that it took for

@@ -58,13 +58,13 @@ QStringList remarksOf(const model::ImportReport& report) {
   return remarks;
 }
 
-Result<Loaded> loadedFrom(Result<ReadDocument> read, const QString& title) {
+Result<LoadedDocument> loadedDocument(Result<ReadDocument> read, const QString& title) {
   if (!read.ok())
     return read.error();
-  return Loaded{.scene = std::move(read->scene),
-                .title = title,
-                .remarks = {},
-                .file = std::move(read->file)};
+  return LoadedDocument{.scene = std::move(read->scene),
+                        .title = title,
+                        .remarks = {},
+                        .file = std::move(read->file)};
 }
 
 QStringList remarksOf(const model::Reloaded& reloaded) {
@@ -113,11 +113,12 @@ QString titleOf(const std::vector<std::filesystem::path>& paths) {
                           : Session::tr("%1 and %n more", nullptr, int(paths.size()) - 1).arg(name);
 }
 
-Loaded loadedFrom(model::Imported imported, const std::vector<std::filesystem::path>& paths) {
-  Loaded loaded{.scene = std::move(imported.scene),
-                .title = titleOf(paths),
-                .remarks = remarksOf(imported.report),
-                .paths = paths};
+LoadedDocument loadedDocument(model::Imported imported,
+                              const std::vector<std::filesystem::path>& paths) {
+  LoadedDocument loaded{.scene = std::move(imported.scene),
+                        .title = titleOf(paths),
+                        .remarks = remarksOf(imported.report),
+                        .paths = paths};
   if (!imported.others.empty())
     loaded.file = DocumentFile{.others = std::make_shared<const std::vector<model::ZipMember>>(
                                    std::move(imported.others))};
@@ -281,13 +282,13 @@ std::vector<std::filesystem::path> Session::sources() const {
   return found == m_sources.end() ? std::vector<std::filesystem::path>() : found->second;
 }
 
-void Session::renew(const Loaded& loaded) {
+void Session::renew(const LoadedDocument& loaded) {
   apply(tr("Reload from source"),
         {model::withNewMeshes(sceneBeforePreview(), *loaded.renewed), !loaded.renewed->empty()});
   emit remarked(loaded.remarks);
 }
 
-void Session::add(const Loaded& loaded) {
+void Session::add(const LoadedDocument& loaded) {
   cancelPreview();
   model::Scene together = m_document.scene;
   std::vector<model::NodeId> fresh;
@@ -307,12 +308,12 @@ void Session::reloadSources() {
                                  const model::ImportProgress& progress, const std::stop_token&) {
     const auto goesOn = [&progress] { return progress(0.0f, {}); };
     model::Reloaded reloaded = model::reload(scene, placesOf(places), {.goesOn = goesOn});
-    return Result<Loaded>(
-        Loaded{.remarks = remarksOf(reloaded), .renewed = std::move(reloaded.meshes)});
+    return Result<LoadedDocument>(
+        LoadedDocument{.remarks = remarksOf(reloaded), .renewed = std::move(reloaded.meshes)});
   });
 }
 
-void Session::open(const Loaded& loaded) {
+void Session::open(const LoadedDocument& loaded) {
   cancelPreview();
   m_sources[m_openings + 1] = loaded.paths;
   DocumentFile file = loaded.file.value_or(DocumentFile());
@@ -347,7 +348,7 @@ void Session::closeDocument() {
     push(tr("Close %1").arg(title()), {}, {});
 }
 
-void Session::goBack(const Loaded& loaded) {
+void Session::goBack(const LoadedDocument& loaded) {
   cancelPreview();
   if (m_document.opening != loaded.reverts)
     return;  // undo went to another document meanwhile
@@ -364,15 +365,15 @@ void Session::openPaths(std::vector<std::filesystem::path> paths) {
   startJob(title, [paths = std::move(paths), title, lock = file().lock](
                       const model::ImportProgress& progress, const std::stop_token&) {
     if (paths.size() == 1 && model::isSceneFile(paths.front())) {
-      Result<Loaded> loaded = loadedFrom(readDocument(paths.front(), lock), title);
+      Result<LoadedDocument> loaded = loadedDocument(readDocument(paths.front(), lock), title);
       if (loaded.ok())
         loaded->paths = paths;
       return loaded;
     }
     auto imported = model::importInputs(paths, {}, progress);
     if (!imported)
-      return Result<Loaded>(imported.error());
-    return Result<Loaded>(loadedFrom(std::move(*imported), paths));
+      return Result<LoadedDocument>(imported.error());
+    return Result<LoadedDocument>(loadedDocument(std::move(*imported), paths));
   });
 }
 
@@ -380,7 +381,7 @@ void Session::openRecovered(const model::Recoverable& found) {
   const QString title = QString::fromStdString(found.source.title);
   startJob(title, [found, title, lock = file().lock](const model::ImportProgress&,
                                                      const std::stop_token&) {
-    return loadedFrom(readRecovered(found, lock), title);
+    return loadedDocument(readRecovered(found, lock), title);
   });
 }
 
@@ -389,7 +390,7 @@ void Session::revert() {
     return;
   startJob(title(), [path = file().path, lock = file().lock, opening = m_document.opening](
                         const model::ImportProgress&, const std::stop_token&) {
-    Result<Loaded> loaded = loadedFrom(readDocument(path, lock), {});
+    Result<LoadedDocument> loaded = loadedDocument(readDocument(path, lock), {});
     if (loaded.ok())
       loaded->reverts = opening;
     return loaded;
@@ -408,7 +409,7 @@ void Session::startJob(const QString& title, SceneMaker maker) {
             if (job == m_job)
               emit jobProgressed(done, what);
           });
-  connect(m_job, &SceneJob::made, this, [this, job = m_job](const Loaded& loaded) {
+  connect(m_job, &SceneJob::made, this, [this, job = m_job](const LoadedDocument& loaded) {
     if (job != m_job)
       return;
     endJob();

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "model/edit/edited.h"
+#include "widgets/session/display_names.h"
 #include "widgets/session/document.h"
 #include "widgets/session/scene_job.h"
-#include "widgets/session/shown_names.h"
 
 namespace sline::widgets {
 
@@ -49,7 +49,7 @@ class Session : public QObject {
   const model::Scene& sceneBeforePreview() const;
 
   /// Returns the names of structures on screen, which are not part of the document.
-  ShownNames& names() { return m_names; }
+  DisplayNames& names() { return m_names; }
   /// Returns the scene file of the document.
   const DocumentFile& file() const;
   /// Returns the file's name if there is a file, otherwise the document's title.
@@ -119,10 +119,10 @@ class Session : public QObject {
   friend class DocumentStep;
   void set(Document document);
   void push(const QString& name, Document after, const QString& series);
-  void open(const Loaded& loaded);
-  void renew(const Loaded& loaded);
-  void add(const Loaded& loaded);
-  void goBack(const Loaded& loaded);
+  void open(const LoadedDocument& loaded);
+  void renew(const LoadedDocument& loaded);
+  void add(const LoadedDocument& loaded);
+  void goBack(const LoadedDocument& loaded);
   void addOpening(Document document, DocumentFile file);
   /// Moves the lock, because locks are held for what is open, not for what undo could bring back.
   void moveLock(int from, int to);
@@ -134,7 +134,7 @@ class Session : public QObject {
   QUndoStack m_history;
   std::optional<Document> m_beforePreview;
   NodeIds m_selection;
-  ShownNames m_names;
+  DisplayNames m_names;
   std::optional<model::SectionId> m_activeSection;
   std::optional<model::AnnotationId> m_activeAnnotation;
   SceneJob* m_job = nullptr;

@@ -39,8 +39,8 @@ void CardGrid::setMostRows(int rows) {
   updateGeometry();
 }
 
-CardGrid::Places CardGrid::placesFor(int width) const {
-  Places places;
+CardGrid::Arrangement CardGrid::arrangementFor(int width) const {
+  Arrangement places;
   places.columns = std::max(1, (width + gap) / (ThumbnailCard::smallestWidth + gap));
   const int each = std::clamp((width - gap * (places.columns - 1)) / places.columns,
                               std::min(width, ThumbnailCard::smallestWidth), largestCardWidth);
@@ -55,7 +55,7 @@ CardGrid::Places CardGrid::placesFor(int width) const {
 }
 
 int CardGrid::heightForWidth(int width) const {
-  const Places places = placesFor(width);
+  const Arrangement places = arrangementFor(width);
   const int rows = (places.shown + places.columns - 1) / places.columns;
   return rows * places.card.height() + std::max(0, rows - 1) * gap;
 }
@@ -77,7 +77,7 @@ void CardGrid::resizeEvent(QResizeEvent* event) {
 }
 
 void CardGrid::place() {
-  const Places places = placesFor(width());
+  const Arrangement places = arrangementFor(width());
   for (int i = 0; i < int(m_cards.size()); ++i) {
     const QPoint at(i % places.columns * (places.card.width() + gap),
                     i / places.columns * (places.card.height() + gap));

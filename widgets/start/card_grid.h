@@ -28,12 +28,12 @@ class CardGrid : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  struct Places {
+  struct Arrangement {
     int columns = 1;
     int shown = 0;
     QSize card;
   };
-  Places placesFor(int width) const;
+  Arrangement arrangementFor(int width) const;
   void place();
 
   std::vector<ThumbnailCard*> m_cards;

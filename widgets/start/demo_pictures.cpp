@@ -27,7 +27,7 @@ QString nameOf(const DemoScene& demo) {
   return QStringLiteral("demo-%1-%2").arg(demo.id, QCoreApplication::applicationVersion());
 }
 
-QImage drawn(const model::Scene& scene) {
+QImage drawDemo(const model::Scene& scene) {
   const auto picture = render::Picture::create();
   if (!picture.ok())
     return {};
@@ -48,8 +48,8 @@ QImage drawn(const model::Scene& scene) {
 
 /// Returns the picture; null where drawing was stopped, or where there is no OpenGL to draw it
 /// with.
-QImage drawn(const DemoScene& demo, QOffscreenSurface& surface, const std::stop_token& stop) {
-  const Result<Loaded> made =
+QImage drawDemo(const DemoScene& demo, QOffscreenSurface& surface, const std::stop_token& stop) {
+  const Result<LoadedDocument> made =
       demo.make([&stop](float, const std::string&) { return !stop.stop_requested(); }, stop);
   if (!made.ok() || stop.stop_requested())
     return {};
@@ -57,7 +57,7 @@ QImage drawn(const DemoScene& demo, QOffscreenSurface& surface, const std::stop_
   context.setFormat(surface.format());
   if (!context.create() || !context.makeCurrent(&surface))
     return {};
-  QImage picture = drawn(made->scene);
+  QImage picture = drawDemo(made->scene);
   context.doneCurrent();
   return picture;
 }
@@ -84,10 +84,10 @@ void DemoPictures::ask(const std::vector<DemoScene>& demos, Missing missing) {
     m_surface->create();
   }
   for (const DemoScene& demo : demos)
-    look(demo);
+    findOrDraw(demo);
 }
 
-void DemoPictures::look(const DemoScene& demo) {
+void DemoPictures::findOrDraw(const DemoScene& demo) {
   m_queue.add([this, demo, cache = m_cache](const std::stop_token&) -> BackgroundQueue::Sequel {
     const QImage picture = cache.find(nameOf(demo));
     if (picture.isNull())
@@ -101,7 +101,7 @@ void DemoPictures::draw(const DemoScene& demo) {
     return;
   m_queue.add(
       [this, demo, cache = m_cache](const std::stop_token& stop) -> BackgroundQueue::Sequel {
-        const QImage picture = sline::widgets::drawn(demo, *m_surface, stop);
+        const QImage picture = sline::widgets::drawDemo(demo, *m_surface, stop);
         if (picture.isNull())
           return {};
         cache.keep(nameOf(demo), picture);

@@ -32,7 +32,7 @@ class DemoPictures : public QObject {
   void drawn(const QString& id, const QImage& picture);
 
  private:
-  void look(const DemoScene& demo);
+  void findOrDraw(const DemoScene& demo);
   void draw(const DemoScene& demo);
 
   PictureCache m_cache;

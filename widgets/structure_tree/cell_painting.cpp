@@ -49,11 +49,12 @@ Gamma GammaCell::gammaAt(double x) const {
   return Gamma::clamped(float(std::round(gamma * 20.0) / 20.0));
 }
 
-void paintEye(QPainter& painter, const QRectF& cell, model::Shown shown, const QPalette& palette) {
+void paintEye(QPainter& painter, const QRectF& cell, model::Visibility shown,
+              const QPalette& palette) {
   const QColor ink = palette.color(QPalette::Text);
   const QPointF centre = cell.center() + QPointF(0.5, 0.5);
   constexpr double size = 7.0;
-  const bool hidden = shown == model::Shown::none;
+  const bool hidden = shown == model::Visibility::none;
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(faded(ink, hidden ? 0.3 : 0.75), 1.2));
   painter.drawPath(eyeOutline(centre, size));
@@ -61,36 +62,36 @@ void paintEye(QPainter& painter, const QRectF& cell, model::Shown shown, const Q
     painter.drawLine(centre + QPointF(-6.0, 5.0), centre + QPointF(6.0, -5.0));
     return;
   }
-  if (shown == model::Shown::all) {
+  if (shown == model::Visibility::all) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(faded(ink, 0.75));
   }
   painter.drawEllipse(centre, 2.4, 2.4);
 }
 
-void paintSwatch(QPainter& painter, const QRectF& cell, const SwatchLook& look,
+void paintSwatch(QPainter& painter, const QRectF& cell, const SwatchState& state,
                  const QPalette& palette) {
-  const double side = look.own ? 13.0 : 9.0;
+  const double side = state.own ? 13.0 : 9.0;
   QRectF square(0.0, 0.0, side, side);
   square.moveCenter(QRectF(cell.toAlignedRect()).center());
   QPainterPath outline;
-  outline.addRoundedRect(square, look.own ? 3.0 : 2.0, look.own ? 3.0 : 2.0);
-  const auto count = double(std::max<std::size_t>(look.colours.size(), 1));
+  outline.addRoundedRect(square, state.own ? 3.0 : 2.0, state.own ? 3.0 : 2.0);
+  const auto count = double(std::max<std::size_t>(state.colours.size(), 1));
   const double width = square.width() / count;
   QRectF lower = square;
   lower.setTop(square.center().y());
   QPainterPath faint;
-  if (look.opacity < 1.0f)
+  if (state.opacity < 1.0f)
     faint.addRect(lower);
-  for (std::size_t i = 0; i < look.colours.size(); ++i) {
+  for (std::size_t i = 0; i < state.colours.size(); ++i) {
     QPainterPath part;
     part.addRect(square.left() + width * double(i), square.top(), width, square.height());
     part = outline.intersected(part);
-    painter.fillPath(part.subtracted(faint), look.colours[i]);
-    painter.fillPath(part.intersected(faint), faded(look.colours[i], double(look.opacity)));
+    painter.fillPath(part.subtracted(faint), state.colours[i]);
+    painter.fillPath(part.intersected(faint), faded(state.colours[i], double(state.opacity)));
   }
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(faded(palette.color(QPalette::Text), look.own ? 0.45 : 0.2), 1.0));
+  painter.setPen(QPen(faded(palette.color(QPalette::Text), state.own ? 0.45 : 0.2), 1.0));
   painter.drawPath(outline);
 }
 
@@ -137,12 +138,12 @@ void paintDropMark(QPainter& painter, const QRectF& mark, bool into, const QPale
   painter.drawLine(QPointF(mark.left() + 2.0 * ring + 1.0, y), QPointF(mark.right() - 2.0, y));
 }
 
-void paintGamma(QPainter& painter, const GammaCell& cell, const GammaLook& look,
+void paintGamma(QPainter& painter, const GammaCell& cell, const GammaState& state,
                 const QPalette& palette) {
-  const QColor text = palette.color(look.selected ? QPalette::HighlightedText : QPalette::Text);
-  const QColor accent =
-      look.selected ? palette.color(QPalette::HighlightedText) : palette.color(QPalette::Highlight);
-  const bool one = look.range.low == look.range.high;
+  const QColor text = palette.color(state.selected ? QPalette::HighlightedText : QPalette::Text);
+  const QColor accent = state.selected ? palette.color(QPalette::HighlightedText)
+                                       : palette.color(QPalette::Highlight);
+  const bool one = state.range.low == state.range.high;
   const QRectF groove = cell.groove();
   painter.setPen(Qt::NoPen);
   painter.setBrush(faded(text, 0.22));
@@ -152,21 +153,21 @@ void paintGamma(QPainter& painter, const GammaCell& cell, const GammaLook& look,
                             groove.height() + 6.0));
   // A thin grey bar shows a value from above, a full one the node's own; several that differ show
   // their range.
-  const double from = one ? groove.left() : cell.xOf(look.range.low);
-  const double to = cell.xOf(look.range.high);
-  painter.setBrush(look.own ? accent : faded(accent, 0.4));
+  const double from = one ? groove.left() : cell.xOf(state.range.low);
+  const double to = cell.xOf(state.range.high);
+  painter.setBrush(state.own ? accent : faded(accent, 0.4));
   painter.drawRoundedRect(QRectF(from, groove.top(), std::max(to - from, 0.0), groove.height()),
                           1.5, 1.5);
-  if (one && !look.locked) {
+  if (one && !state.locked) {
     const QPointF at(to, groove.center().y());
-    painter.setPen(QPen(look.own ? accent : faded(text, 0.5), 1.4));
+    painter.setPen(QPen(state.own ? accent : faded(text, 0.5), 1.4));
     painter.setBrush(
-        look.own ? accent : palette.color(look.selected ? QPalette::Highlight : QPalette::Base));
+        state.own ? accent : palette.color(state.selected ? QPalette::Highlight : QPalette::Base));
     painter.drawEllipse(at, handleRadius - 0.7, handleRadius - 0.7);
   }
-  painter.setPen(faded(text, look.own ? 1.0 : 0.55));
+  painter.setPen(faded(text, state.own ? 1.0 : 0.55));
   painter.drawText(cell.number(), Qt::AlignRight | Qt::AlignVCenter,
-                   one ? gammaText(look.range.low) : QStringLiteral("…"));
+                   one ? gammaText(state.range.low) : QStringLiteral("…"));
 }
 
 }  // namespace sline::widgets

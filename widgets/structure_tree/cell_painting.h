@@ -24,13 +24,14 @@ struct GammaCell {
   Gamma gammaAt(double x) const;
 };
 
-void paintEye(QPainter& painter, const QRectF& cell, model::Shown shown, const QPalette& palette);
-struct SwatchLook {
+void paintEye(QPainter& painter, const QRectF& cell, model::Visibility shown,
+              const QPalette& palette);
+struct SwatchState {
   std::vector<QColor> colours;  ///< one, or a few side by side
   float opacity = 1.0f;         ///< below 1 the lower half is as faint
   bool own = false;             ///< smaller where it comes from the group above
 };
-void paintSwatch(QPainter& painter, const QRectF& cell, const SwatchLook& look,
+void paintSwatch(QPainter& painter, const QRectF& cell, const SwatchState& state,
                  const QPalette& palette);
 /// Paints a padlock, faint where the group above is locked. Paints nothing for an open row, or an
 /// open padlock while the mouse is over it.
@@ -39,13 +40,13 @@ void paintLock(QPainter& painter, const QRectF& cell, RowLock lock, bool underMo
 /// Paints where dragged rows would go: a line, or a frame around the group that would take them.
 void paintDropMark(QPainter& painter, const QRectF& mark, bool into, const QPalette& palette);
 
-struct GammaLook {
+struct GammaState {
   model::GammaRange range;
   bool own = false;
   bool selected = false;  ///< the row is selected, so the colours must contrast with the highlight
   bool locked = false;    ///< no handle: there is nothing to drag
 };
-void paintGamma(QPainter& painter, const GammaCell& cell, const GammaLook& look,
+void paintGamma(QPainter& painter, const GammaCell& cell, const GammaState& state,
                 const QPalette& palette);
 
 }  // namespace sline::widgets

@@ -44,10 +44,10 @@ void add(Tally& tally, const model::ResolvedStyle& style) {
   widen(tally.ofVisible, gamma);
 }
 
-model::Shown shownOf(const Tally& tally) {
+model::Visibility visibilityOf(const Tally& tally) {
   if (tally.visible == 0)
-    return model::Shown::none;
-  return tally.visible == tally.structures ? model::Shown::all : model::Shown::some;
+    return model::Visibility::none;
+  return tally.visible == tally.structures ? model::Visibility::all : model::Visibility::some;
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ RowStates rowStatesOf(const model::Scene& scene) {
     const auto above = states.find(node.parent.value);
     const bool lockedAbove = above != states.end() && above->second.lock != RowLock::open;
     const Gamma own = styles[i].gamma;
-    states[node.id.value] = {.shown = shownOf(tally),
+    states[node.id.value] = {.shown = visibilityOf(tally),
                              .colours = std::move(tally.colours),
                              .gamma = tally.ofVisible
                                           ? *tally.ofVisible

@@ -17,7 +17,7 @@ enum class RowLock { open, above, own };
 
 /// Holds everything that a row shows except its name.
 struct RowState {
-  model::Shown shown = model::Shown::none;   ///< as model::shownOf
+  model::Visibility shown = model::Visibility::none;  ///< as model::visibilityOf
   std::vector<Colour> colours;               ///< the first few of the structures there, each once
   model::GammaRange gamma;                   ///< as model::gammaRangeOf
   Opacity opacity = Opacity::clamped(1.0f);  ///< of the faintest structure there

@@ -28,8 +28,8 @@ void StructureDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
                               const QModelIndex& index) const {
   QStyleOptionViewItem look = option;
   initStyleOption(&look, index);
-  const auto shown = model::Shown(index.data(Model::shownRole).toInt());
-  if (index.column() == Model::name && shown == model::Shown::none)
+  const auto shown = model::Visibility(index.data(Model::shownRole).toInt());
+  if (index.column() == Model::name && shown == model::Visibility::none)
     look.palette.setColor(QPalette::Text, look.palette.color(QPalette::Disabled, QPalette::Text));
   // The row has one highlight; a frame around a single cell has no meaning here.
   look.state &= ~QStyle::State_HasFocus;

@@ -35,7 +35,7 @@ void toggleShown(Session& session, const NodeIds& ids) {
     return;
   const model::Scene& scene = session.scene();
   const bool all = std::all_of(ids.begin(), ids.end(), [&](model::NodeId id) {
-    return model::shownOf(scene, id) == model::Shown::all;
+    return model::visibilityOf(scene, id) == model::Visibility::all;
   });
   if (all)
     session.apply(tr("Hide"), model::withHidden(scene, ids));

@@ -36,7 +36,7 @@ QString withReason(const QString& text, const std::string& reason) {
                         : QStringLiteral("%1 (%2)").arg(text, QString::fromStdString(reason));
 }
 
-QString saidBy(const QString& text, bool own) {
+QString withOrigin(const QString& text, bool own) {
   return own ? tr("%1, its own").arg(text) : tr("%1, inherited").arg(text);
 }
 
@@ -96,17 +96,18 @@ void addLooks(std::vector<Property>& rows, const model::Scene& scene, const mode
                              .arg(style.colour.red, 2, 16, QLatin1Char('0'))
                              .arg(style.colour.green, 2, 16, QLatin1Char('0'))
                              .arg(style.colour.blue, 2, 16, QLatin1Char('0'));
+  rows.push_back({QStringLiteral("gamma"), tr("Γ"),
+                  withOrigin(gammaText(style.gamma), own.gamma.has_value())});
   rows.push_back(
-      {QStringLiteral("gamma"), tr("Γ"), saidBy(gammaText(style.gamma), own.gamma.has_value())});
-  rows.push_back({QStringLiteral("colour"), tr("Colour"), saidBy(colour, own.colour.has_value())});
+      {QStringLiteral("colour"), tr("Colour"), withOrigin(colour, own.colour.has_value())});
   rows.push_back({QStringLiteral("opacity"), tr("Opacity"),
-                  saidBy(tr("%1 %").arg(number(100.0 * double(style.opacity.value()), 0)),
-                         own.opacity.has_value())});
+                  withOrigin(tr("%1 %").arg(number(100.0 * double(style.opacity.value()), 0)),
+                             own.opacity.has_value())});
   rows.push_back({QStringLiteral("fill"), tr("Between the lines"),
-                  saidBy(fillName(style.fill), own.fill.has_value())});
+                  withOrigin(fillName(style.fill), own.fill.has_value())});
   rows.push_back(
       {QStringLiteral("pen"), tr("Line width"),
-       saidBy(tr("%1 ×").arg(number(double(style.penWeight), 2)), own.penWeight.has_value())});
+       withOrigin(tr("%1 ×").arg(number(double(style.penWeight), 2)), own.penWeight.has_value())});
   rows.push_back({QStringLiteral("shown"), tr("Shown"), style.visible ? tr("yes") : tr("no")});
   rows.push_back({QStringLiteral("locked"), tr("Locked"),
                   node.locked               ? tr("yes")

@@ -198,12 +198,12 @@ model::NodeId StructureTreeModel::idOf(const QModelIndex& index) const {
 }
 
 QModelIndex StructureTreeModel::indexOf(model::NodeId id) const {
-  const TreeShape::Place* at = id == model::rootId ? nullptr : m_shape.find(id);
+  const TreeShape::Entry* at = id == model::rootId ? nullptr : m_shape.find(id);
   return at ? createIndex(at->row, name, quintptr(id.value)) : QModelIndex();
 }
 
 QModelIndex StructureTreeModel::index(int row, int column, const QModelIndex& parent) const {
-  const TreeShape::Place* group = m_shape.find(idOf(parent));
+  const TreeShape::Entry* group = m_shape.find(idOf(parent));
   if (!group || row < 0 || row >= int(group->children.size()) || column < 0 || column >= columns ||
       (parent.isValid() && parent.column() != 0 && parent.column() != name))
     return {};
@@ -211,7 +211,7 @@ QModelIndex StructureTreeModel::index(int row, int column, const QModelIndex& pa
 }
 
 QModelIndex StructureTreeModel::parent(const QModelIndex& index) const {
-  const TreeShape::Place* at = index.isValid() ? m_shape.find(idOf(index)) : nullptr;
+  const TreeShape::Entry* at = index.isValid() ? m_shape.find(idOf(index)) : nullptr;
   if (!at || at->parent == model::rootId)
     return {};
   // Qt's views ask for children of the first column only.
@@ -221,7 +221,7 @@ QModelIndex StructureTreeModel::parent(const QModelIndex& index) const {
 int StructureTreeModel::rowCount(const QModelIndex& parent) const {
   if (parent.isValid() && parent.column() != 0)
     return 0;
-  const TreeShape::Place* group = m_shape.find(idOf(parent));
+  const TreeShape::Entry* group = m_shape.find(idOf(parent));
   return group ? int(group->children.size()) : 0;
 }
 
@@ -304,11 +304,11 @@ QString StructureTreeModel::describe(const QModelIndex& index) const {
   switch (index.column()) {
     case eye:
       switch (state(node.id).shown) {
-        case model::Shown::none:
+        case model::Visibility::none:
           return tr("Hidden");
-        case model::Shown::some:
+        case model::Visibility::some:
           return tr("Partly shown");
-        case model::Shown::all:
+        case model::Visibility::all:
           return tr("Shown");
       }
       return {};

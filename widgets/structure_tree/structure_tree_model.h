@@ -18,7 +18,7 @@ class StructureTreeModel : public QAbstractItemModel {
  public:
   enum Column { eye, swatch, name, gamma, lock, columns };
   enum Role {
-    shownRole = Qt::UserRole,  ///< model::Shown as int
+    shownRole = Qt::UserRole,  ///< model::Visibility as int
     coloursRole,               ///< QVariantList: up to three colours of the structures there
     opacityRole,               ///< float: of the faintest
     lowGammaRole,              ///< float: smallest Γ of the structures there

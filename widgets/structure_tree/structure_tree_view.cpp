@@ -327,7 +327,7 @@ void StructureTreeView::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-void StructureTreeView::showDrop(std::optional<DropPlace> place) {
+void StructureTreeView::showDrop(std::optional<DropTarget> place) {
   m_drop = place;
   viewport()->update();
 }
@@ -335,7 +335,7 @@ void StructureTreeView::showDrop(std::optional<DropPlace> place) {
 void StructureTreeView::dragMoveEvent(QDragMoveEvent* event) {
   QTreeView::dragMoveEvent(event);  // scrolls at the edges, opens groups
   const auto ids = nodesFromMime(m_session, *event->mimeData());
-  showDrop(ids ? dropPlace(*this, *m_model, m_session.scene(), *ids, event->position().toPoint())
+  showDrop(ids ? dropTarget(*this, *m_model, m_session.scene(), *ids, event->position().toPoint())
                : std::nullopt);
   if (m_drop) {
     event->setDropAction(Qt::MoveAction);
@@ -353,7 +353,7 @@ void StructureTreeView::dragLeaveEvent(QDragLeaveEvent* event) {
 void StructureTreeView::dropEvent(QDropEvent* event) {
   const auto ids = nodesFromMime(m_session, *event->mimeData());
   const auto place =
-      ids ? dropPlace(*this, *m_model, m_session.scene(), *ids, event->position().toPoint())
+      ids ? dropTarget(*this, *m_model, m_session.scene(), *ids, event->position().toPoint())
           : std::nullopt;
   showDrop(std::nullopt);
   setState(NoState);

@@ -8,7 +8,7 @@
 
 #include "model/edit/node_sets.h"
 #include "widgets/gamma/look_drag.h"
-#include "widgets/structure_tree/drop_place.h"
+#include "widgets/structure_tree/drop_target.h"
 #include "widgets/structure_tree/structure_names.h"
 #include "widgets/structure_tree/switch_sweep.h"
 
@@ -65,7 +65,7 @@ class StructureTreeView : public QTreeView {
   bool resetControl(const QModelIndex& index);
   void dragGamma(const QPointF& at);
   void sweepTo(const QPointF& at);
-  void showDrop(std::optional<DropPlace> place);
+  void showDrop(std::optional<DropTarget> place);
   void toSession();
   void fromSession();
   /// Remembers the state before the rows are rearranged, so that open groups are open again
@@ -80,7 +80,7 @@ class StructureTreeView : public QTreeView {
   model::NodeId m_dragged;
   SwitchSweep m_sweep;
   double m_sweptTo = 0.0;
-  std::optional<DropPlace> m_drop;
+  std::optional<DropTarget> m_drop;
   model::NodeSet m_closed;   ///< groups that the user closed
   bool m_arranging = false;  ///< groups open and close by themselves
   bool m_following = false;  ///< the session's selection is followed, not the user's

@@ -13,7 +13,7 @@ void SwitchSweep::begin(Switch what, model::NodeId pressed, NodeIds ids) {
   const model::Scene& scene = m_session.scene();
   m_what = what;
   m_ids = std::move(ids);
-  m_on = what == Switch::eye ? model::shownOf(scene, pressed) != model::Shown::all
+  m_on = what == Switch::eye ? model::visibilityOf(scene, pressed) != model::Visibility::all
                              : !scene.find(pressed)->locked;
   show();
 }

@@ -21,7 +21,7 @@ TreeShape::TreeShape(const model::Scene& scene, const model::NodeSet* shown) {
   }
 }
 
-const TreeShape::Place* TreeShape::find(NodeId id) const {
+const TreeShape::Entry* TreeShape::find(NodeId id) const {
   const auto found = m_places.find(id.value);
   return found == m_places.end() ? nullptr : &found->second;
 }
@@ -39,7 +39,7 @@ bool TreeShape::isBelow(NodeId id, NodeId ancestor) const {
 bool TreeShape::sameAs(const TreeShape& other) const {
   return m_places.size() == other.m_places.size() &&
          std::all_of(m_places.begin(), m_places.end(), [&other](const auto& entry) {
-           const Place* there = other.find(NodeId{entry.first});
+           const Entry* there = other.find(NodeId{entry.first});
            return there && there->children == entry.second.children;
          });
 }
@@ -141,7 +141,7 @@ class Difference {
     const std::vector<NodeId>& wanted = m_to.find(group)->children;
     int row = 0;
     for (std::size_t i = 0; i < wanted.size();) {
-      const TreeShape::Place* there = m_now.find(wanted[i]);
+      const TreeShape::Entry* there = m_now.find(wanted[i]);
       if (there) {
         if (there->parent == group)
           row = there->row + 1;
@@ -171,12 +171,12 @@ class Difference {
         ++i;
         continue;
       }
-      const TreeShape::Place from = *m_now.find(wanted[i]);
+      const TreeShape::Entry from = *m_now.find(wanted[i]);
       RowStep step{
           .kind = RowStep::Kind::move, .parent = from.parent, .first = from.row, .target = group};
       const NodeId before = i == 0 ? rootId : wanted[i - 1];
       for (; i < wanted.size() && !stays[i]; ++i) {
-        const TreeShape::Place& next = *m_now.find(wanted[i]);
+        const TreeShape::Entry& next = *m_now.find(wanted[i]);
         if (next.parent != from.parent || next.row != from.row + int(step.ids.size()))
           break;
         m_failed = m_failed || m_now.isBelow(group, wanted[i]);

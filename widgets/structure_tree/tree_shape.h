@@ -25,7 +25,7 @@ struct RowStep {
 
 class TreeShape {
  public:
-  struct Place {
+  struct Entry {
     model::NodeId parent;
     int row = 0;
     std::vector<model::NodeId> children;
@@ -34,7 +34,7 @@ class TreeShape {
   /// Makes the shape of all nodes, or of those to be shown, which include the groups above each.
   explicit TreeShape(const model::Scene& scene, const model::NodeSet* shown = nullptr);
   /// Returns the node's place, null for a node without a row; the root has a place of its own.
-  const Place* find(model::NodeId id) const;
+  const Entry* find(model::NodeId id) const;
   std::size_t rows() const { return m_places.size() - 1; }
   bool isBelow(model::NodeId id, model::NodeId ancestor) const;
   bool sameAs(const TreeShape& other) const;
@@ -42,11 +42,11 @@ class TreeShape {
   void apply(const RowStep& step);
 
  private:
-  Place& at(model::NodeId id) { return m_places.at(id.value); }
+  Entry& at(model::NodeId id) { return m_places.at(id.value); }
   void renumber(model::NodeId parent, int from);
   void forget(model::NodeId id);
 
-  std::unordered_map<std::uint64_t, Place> m_places;
+  std::unordered_map<std::uint64_t, Entry> m_places;
 };
 
 /// Returns the steps; none where more than `most` would be needed, or a group came to stand below

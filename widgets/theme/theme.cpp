@@ -72,7 +72,7 @@ class VisibleBoxes : public QProxyStyle {
   }
 };
 
-void dress(QApplication& application, Theme theme) {
+void applyTheme(QApplication& application, Theme theme) {
   QApplication::setPalette(paletteOf(theme));
   // Tool tips take their palette from the style, so they need a style sheet.
   application.setStyleSheet(
@@ -105,9 +105,9 @@ ThemeFollower::ThemeFollower(QApplication& application, Preferences& preferences
   QApplication::setStyle(new VisibleBoxes);
   const auto follow = [&application, &preferences, system] {
     const QString theme = preferences.choice(QStringLiteral("appearance/theme"));
-    dress(application, theme == QLatin1String("dark")    ? Theme::dark
-                       : theme == QLatin1String("light") ? Theme::light
-                                                         : system);
+    applyTheme(application, theme == QLatin1String("dark")    ? Theme::dark
+                            : theme == QLatin1String("light") ? Theme::light
+                                                              : system);
   };
   follow();
   QObject::connect(&preferences, &Preferences::changed, &preferences, [follow](const QString& id) {

@@ -57,12 +57,12 @@ void CubeMark::setDark(bool dark) {
   update();
 }
 
-std::optional<CubePart> CubeMark::partAt(const QPointF& at) const {
+std::optional<CubeDirection> CubeMark::directionAt(const QPointF& at) const {
   const QPointF way = at - QRectF(rect()).center();
-  return cubePartAt(m_faces, {float(way.x()), float(way.y())});
+  return cubeDirectionAt(m_faces, {float(way.x()), float(way.y())});
 }
 
-std::optional<QPointF> CubeMark::placeOf(const CubePart& part) const {
+std::optional<QPointF> CubeMark::placeOf(const CubeDirection& part) const {
   const auto patches = cubePatches(m_faces, part);
   if (patches.empty())
     return std::nullopt;
@@ -70,7 +70,7 @@ std::optional<QPointF> CubeMark::placeOf(const CubePart& part) const {
   return QRectF(rect()).center() + (outline[0] + outline[2]) / 2.0;
 }
 
-void CubeMark::mark(std::optional<CubePart> part) {
+void CubeMark::mark(std::optional<CubeDirection> part) {
   if (part == m_marked)
     return;
   m_marked = part;
@@ -79,7 +79,7 @@ void CubeMark::mark(std::optional<CubePart> part) {
 }
 
 void CubeMark::mousePressEvent(QMouseEvent* event) {
-  m_pressed = partAt(event->position());
+  m_pressed = directionAt(event->position());
   m_from = event->position();
   m_turning = false;
   if (!m_pressed || event->button() != Qt::LeftButton) {
@@ -90,7 +90,7 @@ void CubeMark::mousePressEvent(QMouseEvent* event) {
 
 void CubeMark::mouseMoveEvent(QMouseEvent* event) {
   if (!m_pressed) {
-    mark(event->buttons() == Qt::NoButton ? partAt(event->position()) : std::nullopt);
+    mark(event->buttons() == Qt::NoButton ? directionAt(event->position()) : std::nullopt);
     event->setAccepted(m_marked.has_value());
     return;
   }
@@ -111,8 +111,8 @@ void CubeMark::mouseReleaseEvent(QMouseEvent* event) {
   }
   if (m_turning)
     emit turnEnded(true);
-  else if (partAt(event->position()) == m_pressed)
-    emit lookWanted(*m_pressed);
+  else if (directionAt(event->position()) == m_pressed)
+    emit viewRequested(*m_pressed);
   m_pressed.reset();
   m_turning = false;
 }

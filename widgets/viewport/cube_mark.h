@@ -17,12 +17,12 @@ class CubeMark : public QWidget {
   void setDark(bool dark);
   QSize sizeHint() const override;
   /// Returns the pixel in the middle of a part that is seen; for tests.
-  std::optional<QPointF> placeOf(const CubePart& part) const;
+  std::optional<QPointF> placeOf(const CubeDirection& part) const;
   /// Cancels a drag that is under way; returns false where there is none.
   bool cancel();
 
  signals:
-  void lookWanted(const sline::widgets::CubePart& from);
+  void viewRequested(const sline::widgets::CubeDirection& from);
   /// Tells the pixels since the drag's beginning; the first is (0, 0).
   void turned(const glm::vec2& way);
   /// Tells that the drag ends; `kept` is false if its effect is to be undone.
@@ -39,15 +39,15 @@ class CubeMark : public QWidget {
  private:
   float half() const;
   void name();
-  std::optional<CubePart> partAt(const QPointF& at) const;
-  void mark(std::optional<CubePart> part);
+  std::optional<CubeDirection> directionAt(const QPointF& at) const;
+  void mark(std::optional<CubeDirection> part);
   void paintFace(QPainter& painter, const CubeFace& face) const;
 
   model::Camera m_camera;
   std::vector<CubeFace> m_faces;
   bool m_dark = false;
-  std::optional<CubePart> m_marked;
-  std::optional<CubePart> m_pressed;
+  std::optional<CubeDirection> m_marked;
+  std::optional<CubeDirection> m_pressed;
   QPointF m_from;
   bool m_turning = false;
 };

@@ -73,7 +73,7 @@ std::vector<CubeFace> cubeFaces(const model::Camera& camera, float half) {
 }
 
 std::vector<std::array<glm::vec2, 4>> cubePatches(const std::vector<CubeFace>& faces,
-                                                  const CubePart& part) {
+                                                  const CubeDirection& part) {
   std::vector<std::array<glm::vec2, 4>> patches;
   const auto along = [&](const glm::ivec3& d) {
     return part.x * d.x + part.y * d.y + part.z * d.z;
@@ -90,7 +90,8 @@ std::vector<std::array<glm::vec2, 4>> cubePatches(const std::vector<CubeFace>& f
   return patches;
 }
 
-std::optional<CubePart> cubePartAt(const std::vector<CubeFace>& faces, const glm::vec2& pixel) {
+std::optional<CubeDirection> cubeDirectionAt(const std::vector<CubeFace>& faces,
+                                             const glm::vec2& pixel) {
   for (const CubeFace& face : faces) {
     const glm::vec2 way = pixel - face.centre;
     const float area = face.right.x * face.up.y - face.right.y * face.up.x;
@@ -107,7 +108,7 @@ std::optional<CubePart> cubePartAt(const std::vector<CubeFace>& faces, const glm
   return std::nullopt;
 }
 
-glm::vec3 upwardsFrom(const CubePart& part) {
+glm::vec3 upwardsFrom(const CubeDirection& part) {
   return part.x == 0 && part.y == 0 ? glm::vec3(0.0f, -1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
 }
 

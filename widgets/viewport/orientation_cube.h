@@ -15,13 +15,13 @@ namespace sline::widgets {
 
 /// A face, an edge or a corner, by the direction (LPS) in which it lies: each coordinate is −1, 0
 /// or 1, and not all are 0.
-using CubePart = glm::ivec3;
+using CubeDirection = glm::ivec3;
 
 /// A face as it is seen. Its letter is read upright where `right` leads to the right and `up`
 /// upwards.
 struct CubeFace {
   char letter = 'A';
-  CubePart part{0};
+  CubeDirection part{0};
   glm::vec2 centre{0.0f};
   glm::vec2 right{0.0f};  ///< from the middle to the right edge
   glm::vec2 up{0.0f};     ///< from the middle to the upper edge
@@ -33,11 +33,12 @@ struct CubeFace {
 std::vector<CubeFace> cubeFaces(const model::Camera& camera, float half);
 /// Returns the outline of a part on the faces that show it.
 std::vector<std::array<glm::vec2, 4>> cubePatches(const std::vector<CubeFace>& faces,
-                                                  const CubePart& part);
+                                                  const CubeDirection& part);
 /// Returns the part of the cube that is at a pixel; absent beside the cube.
-std::optional<CubePart> cubePartAt(const std::vector<CubeFace>& faces, const glm::vec2& pixel);
+std::optional<CubeDirection> cubeDirectionAt(const std::vector<CubeFace>& faces,
+                                             const glm::vec2& pixel);
 /// Returns the direction that points upwards in the picture for a view of that part: the head, and
 /// from straight above or below the front of the body.
-glm::vec3 upwardsFrom(const CubePart& part);
+glm::vec3 upwardsFrom(const CubeDirection& part);
 
 }  // namespace sline::widgets

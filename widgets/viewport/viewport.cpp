@@ -66,7 +66,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(m_labels, &PictureLabels::wishChanged, this, [this] { refresh(); });
   connect(m_labels, &PictureLabels::makingChanged, this, &Viewport::showCursor);
   connect(&session, &Session::documentChanged, this, &Viewport::documentChange);
-  connect(&m_marks->cube(), &CubeMark::lookWanted, this, &Viewport::lookFrom);
+  connect(&m_marks->cube(), &CubeMark::viewRequested, this, &Viewport::viewFrom);
   connect(&m_marks->cube(), &CubeMark::turned, this, &Viewport::turnByCube);
   connect(&m_marks->cube(), &CubeMark::turnEnded, this, [this](bool kept) {
     if (!kept)
@@ -357,7 +357,7 @@ void Viewport::showFrom(model::AnatomicalView view) {
   flyTo(cameraFrom(scene, view, aspectBesideLabels(there)));
 }
 
-void Viewport::lookFrom(const CubePart& from) {
+void Viewport::viewFrom(const CubeDirection& from) {
   flyTo(turnedTo(m_camera, m_pivot, glm::vec3(from), upwardsFrom(from)));
 }
 

@@ -55,7 +55,7 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   const model::Scene& shownScene() const;
   void showFrom(model::AnatomicalView view);
   /// Turns around the pivot until that side of the orientation cube faces the eye.
-  void lookFrom(const CubePart& from);
+  void viewFrom(const CubeDirection& from);
   /// Fits all that is visible without turning the camera, and makes its middle the pivot.
   void fitAll();
   /// Does the same as `fitAll`, but for what is visible at or below the nodes.

@@ -240,7 +240,7 @@ void Viewport::click(const QPointF& at, ClickFor purpose) {
 
 void Viewport::clicked(const Picks& picks, const QPoint& at, ClickFor purpose) {
   const std::optional<Pick> pick =
-      purpose == ClickFor::deeper ? deeper(picks.all, m_session.selection()) : picks.seen;
+      purpose == ClickFor::deeper ? nextDeeper(picks.all, m_session.selection()) : picks.seen;
   const model::Node* node = pick ? m_session.scene().find(pick->id) : nullptr;
   if (m_instead && purpose != ClickFor::pivot)
     return;

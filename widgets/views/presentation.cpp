@@ -130,7 +130,7 @@ void Presentation::show(int index) {
   const model::View& view = views[std::size_t(m_at)];
   nameView(view);
   const model::Scene before = m_viewport.shownScene();
-  model::Scene after = model::shown(m_session.scene(), view).scene;
+  model::Scene after = model::withViewApplied(m_session.scene(), view).scene;
   m_viewport.travelTo(view.camera, before, after);
   m_viewport.showInstead(std::move(after));
 }

@@ -15,15 +15,15 @@
 
 namespace sline::widgets {
 
-TourActions::TourActions(const Parts& parts, QObject* parent)
+TourActions::TourActions(const Context& context, QObject* parent)
     : QObject(parent),
-      m_session(parts.session),
-      m_add(parts.actions[QStringLiteral("addView")]),
-      m_present(parts.actions[QStringLiteral("present")]),
-      m_tour(parts.tour),
-      m_presentation(new Presentation(parts.window, parts.session, parts.viewport, this)),
-      m_panel(parts.panel),
-      m_dock(parts.dock) {
+      m_session(context.session),
+      m_add(context.actions[QStringLiteral("addView")]),
+      m_present(context.actions[QStringLiteral("present")]),
+      m_tour(context.tour),
+      m_presentation(new Presentation(context.window, context.session, context.viewport, this)),
+      m_panel(context.panel),
+      m_dock(context.dock) {
   m_dock.installEventFilter(this);
   m_dock.setVisible(m_tour.count() > 0);
   connect(m_dock.toggleViewAction(), &QAction::triggered, this, [this](bool on) { m_wanted = on; });
@@ -31,7 +31,7 @@ TourActions::TourActions(const Parts& parts, QObject* parent)
   connect(&m_present, &QAction::triggered, this,
           [this] { m_presentation->begin(std::max(0, m_panel.current())); });
   connect(&m_session, &Session::documentChanged, this, &TourActions::documentChange);
-  parts.viewport.labels().setCurrentView([panel = QPointer(&m_panel)] {
+  context.viewport.labels().setCurrentView([panel = QPointer(&m_panel)] {
     const int current = panel ? panel->current() : -1;
     return current < 0 ? std::nullopt : std::optional(std::size_t(current));
   });

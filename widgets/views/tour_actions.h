@@ -23,7 +23,7 @@ class ViewTour;
 class TourActions : public QObject {
   Q_OBJECT
  public:
-  struct Parts {
+  struct Context {
     QMainWindow& window;
     Session& session;
     Viewport& viewport;
@@ -32,7 +32,7 @@ class TourActions : public QObject {
     QDockWidget& dock;
     ViewsPanel& panel;
   };
-  TourActions(const Parts& parts, QObject* parent);
+  TourActions(const Context& context, QObject* parent);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -63,7 +63,7 @@ void ViewPictures::want(std::vector<int> rows, QSize size, double ratio) {
 ViewPictures::Key ViewPictures::keyOf(int row) const {
   const model::Scene& scene = m_session.scene();
   const model::View& view = scene.views()[std::size_t(row)];
-  return {.scene = seenAlone(model::shown(scene, view).scene),
+  return {.scene = seenAlone(model::withViewApplied(scene, view).scene),
           .camera = view.camera,
           .environment = m_viewport.environment(),
           .size = m_size};

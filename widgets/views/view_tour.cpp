@@ -23,7 +23,7 @@ void ViewTour::goTo(int index) {
   const model::Camera camera = view->camera;
   const QString step = tr("View “%1”").arg(shownName(*view));
   const model::Scene before = m_session.scene();
-  model::Scene after = model::shown(before, *view).scene;
+  model::Scene after = model::withViewApplied(before, *view).scene;
   const bool changed = !(after == before);
   // The flight begins first, so that no picture shows the new looks before the transition.
   m_viewport.travelTo(camera, before, after);

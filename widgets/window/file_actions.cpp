@@ -28,18 +28,18 @@ constexpr const char* autosaveKey = "files/autosaveSeconds";
 
 }  // namespace
 
-FileActions::FileActions(const Parts& parts, QMainWindow& window)
+FileActions::FileActions(const Context& context, QMainWindow& window)
     : QObject(&window),
-      m_session(parts.session),
-      m_settings(parts.settings),
-      m_preferences(parts.preferences),
-      m_actions(parts.actions),
-      m_message(parts.message),
-      m_viewport(parts.viewport),
+      m_session(context.session),
+      m_settings(context.settings),
+      m_preferences(context.preferences),
+      m_actions(context.actions),
+      m_message(context.message),
+      m_viewport(context.viewport),
       m_window(window),
-      m_recent(parts.settings),
-      m_saver(parts.session),
-      m_autosaver(parts.session, model::userAutosaveFolder()) {
+      m_recent(context.settings),
+      m_saver(context.session),
+      m_autosaver(context.session, model::userAutosaveFolder()) {
   connectActions();
   connectSaver();
   connect(&m_session, &Session::fileChanged, this, &FileActions::fileChange);

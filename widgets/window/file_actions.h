@@ -32,7 +32,7 @@ using PathsHandler = std::function<void(const QStringList&)>;
 class FileActions : public QObject {
   Q_OBJECT
  public:
-  struct Parts {
+  struct Context {
     Session& session;
     QSettings& settings;
     Preferences& preferences;
@@ -41,7 +41,7 @@ class FileActions : public QObject {
     Viewport& viewport;
   };
   /// Connects the parts, all of which must outlive it.
-  FileActions(const Parts& parts, QMainWindow& window);
+  FileActions(const Context& context, QMainWindow& window);
 
   /// Connects to the window's new actions and menus after they have been replaced.
   void controlsRemade();

@@ -41,11 +41,11 @@
 #include "widgets/views/views_panel.h"
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/controls_dialog.h"
-#include "widgets/window/controls_memory.h"
 #include "widgets/window/file_actions.h"
+#include "widgets/window/interface_state.h"
 #include "widgets/window/panel_table.h"
-#include "widgets/window/picture_habits.h"
 #include "widgets/window/picture_menu.h"
+#include "widgets/window/picture_preferences.h"
 
 namespace sline::widgets {
 
@@ -168,7 +168,7 @@ void MainWindow::makeControls() {
 }
 
 void MainWindow::remakeControls() {
-  const ControlsMemory memory(*this);
+  const InterfaceState memory(*this);
   // Objects that outlive the controls must not stay connected to the old ones.
   for (QObject* source :
        {static_cast<QObject*>(&m_session), static_cast<QObject*>(&m_preferences),
@@ -198,7 +198,7 @@ void MainWindow::nameStructures() {
         {.shown = [this](const QString& name) { return m_session.names().shown(name); },
          .alsoCalled = [this](const QString& name) { return m_session.names().alsoCalled(name); }});
   };
-  connect(&m_session.names(), &ShownNames::changed, m_parts, tellTree);
+  connect(&m_session.names(), &DisplayNames::changed, m_parts, tellTree);
   tellTree();
 }
 
@@ -262,8 +262,8 @@ void MainWindow::makeMenus() {
                     .actions = m_actions,
                     .shown = menus[QStringLiteral("labelModeMenu")]},
                    m_parts);
-  new PictureHabits(*m_viewport, m_preferences, m_actions, menus[QStringLiteral("backgroundMenu")],
-                    m_parts);
+  new PicturePreferences(*m_viewport, m_preferences, m_actions,
+                         menus[QStringLiteral("backgroundMenu")], m_parts);
   new PictureMenu(m_session, *m_viewport, *m_sections, *m_menus, m_parts);
   for (QDockWidget* panel : findChildren<QDockWidget*>())
     menus[QStringLiteral("panelMenu")].addAction(panel->toggleViewAction());

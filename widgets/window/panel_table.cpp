@@ -22,39 +22,39 @@ namespace sline::widgets {
 
 namespace {
 
-QWidget* makeGamma(const PanelPlace& place) {
-  auto* panel = new GammaPanel(place.session, place.settings);
-  QObject::connect(panel, &GammaPanel::focusWanted, &place.actions[QStringLiteral("focus")],
+QWidget* makeGamma(const PanelContext& context) {
+  auto* panel = new GammaPanel(context.session, context.settings);
+  QObject::connect(panel, &GammaPanel::focusWanted, &context.actions[QStringLiteral("focus")],
                    &QAction::trigger);
-  drawStages(place.session, place.viewport, panel->stages());
+  drawStages(context.session, context.viewport, panel->stages());
   return panel;
 }
 
-QWidget* makeFocus(const PanelPlace& place) {
-  auto* panel = new FocusPanel(place.session, place.focus);
-  QObject::connect(panel, &FocusPanel::focusWanted, &place.actions[QStringLiteral("focus")],
+QWidget* makeFocus(const PanelContext& context) {
+  auto* panel = new FocusPanel(context.session, context.focus);
+  QObject::connect(panel, &FocusPanel::focusWanted, &context.actions[QStringLiteral("focus")],
                    &QAction::trigger);
   return panel;
 }
 
-QWidget* makeHistory(const PanelPlace& place) {
-  auto* history = new QUndoView(&place.session.history());
+QWidget* makeHistory(const PanelContext& context) {
+  auto* history = new QUndoView(&context.session.history());
   history->setObjectName(QStringLiteral("history"));
   history->setAccessibleName(MainWindow::tr("History"));
   history->setEmptyLabel(MainWindow::tr("As opened"));
   return history;
 }
 
-QWidget* makeViews(const PanelPlace& place) {
-  auto* panel = new ViewsPanel(place.session, place.viewport, place.tour);
-  panel->addButtons(place.actions[QStringLiteral("addView")],
-                    place.actions[QStringLiteral("present")]);
+QWidget* makeViews(const PanelContext& context) {
+  auto* panel = new ViewsPanel(context.session, context.viewport, context.tour);
+  panel->addButtons(context.actions[QStringLiteral("addView")],
+                    context.actions[QStringLiteral("present")]);
   return panel;
 }
 
-QWidget* makeLabels(const PanelPlace& place) {
-  auto* panel = new AnnotationsPanel(place.session, place.preferences);
-  panel->addButtons(labelMakers(place.actions));
+QWidget* makeLabels(const PanelContext& context) {
+  auto* panel = new AnnotationsPanel(context.session, context.preferences);
+  panel->addButtons(labelMakers(context.actions));
   return panel;
 }
 
@@ -80,22 +80,22 @@ std::vector<PanelRow> panelRows() {
   // structures.
   return {
       {"structuresPanel", MainWindow::tr("Structures"), left, "", true,
-       [](const PanelPlace& place) { return new StructureTree(place.session); }},
+       [](const PanelContext& context) { return new StructureTree(context.session); }},
       {"gammaPanel", MainWindow::tr("Line Style"), right, "", true, makeGamma},
       {"focusPanel", MainWindow::tr("Focus and Context"), right, "", true, makeFocus},
       {"sectionsPanel", MainWindow::tr("Sections"), right, "focusPanel", true,
-       [](const PanelPlace& place) { return new SectionsPanel(place.session); }},
+       [](const PanelContext& context) { return new SectionsPanel(context.session); }},
       {"historyPanel", MainWindow::tr("History"), right, "focusPanel", false, makeHistory},
       {"viewsPanel", TourActions::tr("Views"), Qt::BottomDockWidgetArea, "", true, makeViews},
       {"annotationsPanel", LabelActions::tr("Labels"), left, "structuresPanel", true, makeLabels}};
 }
 
-void addPanels(QMainWindow& window, const PanelPlace& place) {
+void addPanels(QMainWindow& window, const PanelContext& context) {
   // The views lie below the picture alone, because the panels at the sides need their height.
   window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   for (const PanelRow& row : panelRows()) {
-    QDockWidget* dock = dockOf(row, row.make(place));
+    QDockWidget* dock = dockOf(row, row.make(context));
     window.addDockWidget(row.area, dock);
     if (*row.beside) {
       auto* front = window.findChild<QDockWidget*>(QLatin1String(row.beside));

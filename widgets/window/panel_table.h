@@ -21,7 +21,7 @@ class ViewTour;
 class WindowActions;
 
 /// Holds what a panel may need of the window.
-struct PanelPlace {
+struct PanelContext {
   Session& session;
   QSettings& settings;
   Preferences& preferences;
@@ -37,13 +37,13 @@ struct PanelRow {
   Qt::DockWidgetArea area;
   const char* beside;  ///< the panel behind which it is a tab; empty if it stands alone
   bool shown;          ///< until the user shows or hides it
-  std::function<QWidget*(const PanelPlace&)> make;
+  std::function<QWidget*(const PanelContext&)> make;
 };
 
 /// Returns the panels in the order in which they stand.
 std::vector<PanelRow> panelRows();
 
 /// Gives the window a dock for each row.
-void addPanels(QMainWindow& window, const PanelPlace& place);
+void addPanels(QMainWindow& window, const PanelContext& context);
 
 }  // namespace sline::widgets

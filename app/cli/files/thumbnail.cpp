@@ -11,7 +11,7 @@ namespace {
 constexpr int side = 256;
 constexpr int samples = 2;  // across a pixel
 
-Result<std::string> drawn(const model::Scene& scene) {
+Result<std::string> drawThumbnail(const model::Scene& scene) {
   const auto picture = render::HeadlessPicture::create();
   if (!picture.ok())
     return picture.error();
@@ -26,7 +26,7 @@ Result<std::string> drawn(const model::Scene& scene) {
 }  // namespace
 
 std::string thumbnailOf(const model::Scene& scene) {
-  Result<std::string> png = drawn(scene);
+  Result<std::string> png = drawThumbnail(scene);
   if (png.ok())
     return std::move(*png);
   warn("the scene file gets no thumbnail: " + png.error().text());

@@ -21,8 +21,7 @@ void declareFilm(CLI::App& command, FilmFlags& flags) {
       ->type_name("NAME");
 }
 
-Status understoodSweep(const FilmFlags& flags, const model::Scene& scene,
-                       render::FilmOptions& options) {
+Status parseSweep(const FilmFlags& flags, const model::Scene& scene, render::FilmOptions& options) {
   if (flags.swept.empty())
     return Unit{};
   if (options.motion != render::Motion::gammaSweep)

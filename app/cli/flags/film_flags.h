@@ -26,8 +26,7 @@ struct FilmFlags {
 
 void declareFilm(CLI::App& command, FilmFlags& flags);
 /// Looks up the structures of a Γ sweep in the scene. An error counts as wrong use.
-Status understoodSweep(const FilmFlags& flags, const model::Scene& scene,
-                       render::FilmOptions& options);
+Status parseSweep(const FilmFlags& flags, const model::Scene& scene, render::FilmOptions& options);
 /// Adds `--video FILE` as one of the kinds that have a flag of their own; fails if that kind has a
 /// target already.
 Status addFilmTarget(const FilmFlags& flags, std::map<std::string, std::string>& targets);

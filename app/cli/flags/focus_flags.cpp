@@ -24,28 +24,28 @@ std::vector<std::string> split(const model::Scene& scene, const std::string& tex
 
 }  // namespace
 
-Result<FocusOrder> understood(const FocusFlags& flags) {
-  FocusOrder order;
-  order.names = flags.names;
+Result<FocusSpec> parseFlags(const FocusFlags& flags) {
+  FocusSpec spec;
+  spec.names = flags.names;
   const auto amount = model::ContextAmount::from(float(flags.context));
   if (!amount)
     return Error{.reason = "--context is out of range", .remedy = "Give 0 to 1"};
-  order.context = *amount;
+  spec.context = *amount;
   if (flags.from != "around" && flags.from != "camera")
     return Error{.reason = "--context-from " + flags.from + " is unknown",
                  .remedy = "Give --context-from around or --context-from camera"};
-  order.fromCamera = flags.from == "camera";
-  if (flags.names.empty() && (flags.contextGiven || !order.fromCamera))
+  spec.fromCamera = flags.from == "camera";
+  if (flags.names.empty() && (flags.contextGiven || !spec.fromCamera))
     return Error{.reason = "context is given without a focus", .remedy = "Add --focus NAME"};
-  return order;
+  return spec;
 }
 
-Result<model::Scene> focused(const model::Scene& scene, const FocusOrder& order,
+Result<model::Scene> focused(const model::Scene& scene, const FocusSpec& spec,
                              const model::Scene& cut, const model::Camera& camera) {
-  if (order.names.empty())
+  if (spec.names.empty())
     return scene;
   std::vector<model::NodeId> targets;
-  for (const std::string& text : order.names)
+  for (const std::string& text : spec.names)
     for (const std::string& name : split(scene, text)) {
       const auto ids = nodesNamed(scene, name);
       if (!ids.ok())
@@ -54,14 +54,14 @@ Result<model::Scene> focused(const model::Scene& scene, const FocusOrder& order,
     }
   model::FormIndex forms;
   model::FocusQuestion question{.targets = targets};
-  if (order.fromCamera)
+  if (spec.fromCamera)
     question.camera = camera;
   const auto analysis = model::analysed(cut, question, forms);
   if (!analysis) {
     warn("nothing is left of what --focus names");
     return scene;
   }
-  return model::withFocusAndContext(scene, *analysis, order.context).scene;
+  return model::withFocusAndContext(scene, *analysis, spec.context).scene;
 }
 
 }  // namespace sline::cli

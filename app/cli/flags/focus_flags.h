@@ -19,17 +19,17 @@ struct FocusFlags {
   std::string from = "camera";
 };
 
-struct FocusOrder {
+struct FocusSpec {
   std::vector<std::string> names;  ///< empty: no focus
   model::ContextAmount context;
   bool fromCamera = false;
 };
 
 /// Reads the flags. An error counts as wrong use, here and in `focused`.
-Result<FocusOrder> understood(const FocusFlags& flags);
+Result<FocusSpec> parseFlags(const FocusFlags& flags);
 /// Returns the scene with the focus that was ordered, as seen by `camera` if the order says so.
 /// `cut` is the same scene with its sections: what they take away hides nothing.
-Result<model::Scene> focused(const model::Scene& scene, const FocusOrder& order,
+Result<model::Scene> focused(const model::Scene& scene, const FocusSpec& spec,
                              const model::Scene& cut, const model::Camera& camera);
 
 }  // namespace sline::cli

@@ -17,7 +17,7 @@ namespace {
 std::vector<const render::ExportOption*> markOptions() {
   std::vector<const render::ExportOption*> marks;
   for (const render::ExportOption* option : render::pictureOptions())
-    if (option->part == render::OptionPart::marks)
+    if (option->group == render::OptionGroup::marks)
       marks.push_back(option);
   return marks;
 }
@@ -53,7 +53,7 @@ Result<render::ExportMarks> parseMarks(const std::string& text) {
 
 void declareLabels(CLI::App& command, LabelFlags& flags) {
   for (const render::ExportOption* option : render::pictureOptions())
-    if (option->part == render::OptionPart::labels)
+    if (option->group == render::OptionGroup::labels)
       flags.options.declare(command, *option);
   command
       .add_option("--marks", flags.marks,
@@ -64,53 +64,53 @@ void declareLabels(CLI::App& command, LabelFlags& flags) {
       ->capture_default_str();
 }
 
-Result<LabelOrder> understood(const LabelFlags& flags) {
+Result<LabelSpec> parseFlags(const LabelFlags& flags) {
   const Result<render::ExportMarks> marks = parseMarks(flags.marks);
   if (!marks.ok())
     return marks.error();
   render::ExportOrder order;
   if (const Status fine = flags.options.applyTo(order); !fine.ok())
     return fine.error();
-  LabelOrder labels;
+  LabelSpec labels;
   labels.marks = *marks;
   labels.style = order.labels;
   return labels;
 }
 
-Status prepareLabels(LabelOrder& order, const model::Scene& scene, const glm::vec2& pageMm) {
-  if (order.bare())
+Status prepareLabels(LabelSpec& spec, const model::Scene& scene, const glm::vec2& pageMm) {
+  if (spec.bare())
     return Unit{};
   Result<std::unique_ptr<render::Typesetting>> made = render::Typesetting::create();
   if (!made.ok())
     return made.error();
-  order.typesetting = std::move(*made);
+  spec.typesetting = std::move(*made);
   render::ExportOrder job;
   job.scene = scene;
-  if (const auto view = model::anatomicalViewNamed(model::normalisedName(order.viewName)))
+  if (const auto view = model::anatomicalViewNamed(model::normalisedName(spec.viewName)))
     job.camera = model::anatomicalCamera(*view, scene.visibleBounds(), pageMm.x / pageMm.y);
   job.page.sizeMm = pageMm;
-  job.labels = order.style;
-  job.marks = order.marks;
-  order.sides = render::sidesOfPlate(job, *order.typesetting);
+  job.labels = spec.style;
+  job.marks = spec.marks;
+  spec.sides = render::sidesOfPlate(job, *spec.typesetting);
   return Unit{};
 }
 
 void drawLabels(render::Image& image, const model::Scene& scene, const model::Camera& camera,
-                const LabelOrder& order, render::Background background) {
-  if (!order.typesetting)
+                const LabelSpec& spec, render::Background background) {
+  if (!spec.typesetting)
     return;
   render::ExportOrder job;
   job.scene = scene;
   job.camera = camera;
-  job.viewName = order.viewName;
+  job.viewName = spec.viewName;
   job.page.sizeMm.y = render::usualHeightMm;
   job.environment.background = background;
-  job.labels = order.style;
-  job.marks = order.marks;
-  const render::LabelReport report = render::drawPlate(image, job, *order.typesetting);
+  job.labels = spec.style;
+  job.marks = spec.marks;
+  const render::LabelReport report = render::drawPlate(image, job, *spec.typesetting);
   for (const std::string& text : report.leftOut)
     warn("there is no room for the label \"" + onOneLine(text) + "\"");
-  if (order.style.mode == render::LabelMode::numbers)
+  if (spec.style.mode == render::LabelMode::numbers)
     printKey(report);
 }
 

@@ -19,7 +19,7 @@ struct LabelFlags {
 };
 
 /// Holds the flags as understood; the typesetting is made before anything is drawn.
-struct LabelOrder {
+struct LabelSpec {
   render::LabelStyle style{.mode = render::LabelMode::off, .language = {}};
   render::ExportMarks marks = render::ExportMarks::none();
   std::string viewName;  ///< of the camera; may be empty
@@ -34,13 +34,13 @@ struct LabelOrder {
 /// Declares the flags on a sub-command.
 void declareLabels(CLI::App& command, LabelFlags& flags);
 /// Reads the flags. An error counts as wrong use.
-Result<LabelOrder> understood(const LabelFlags& flags);
+Result<LabelSpec> parseFlags(const LabelFlags& flags);
 /// Makes the order ready for the scene, given as it is drawn, on a page of that size.
-Status prepareLabels(LabelOrder& order, const model::Scene& scene, const glm::vec2& pageMm);
+Status prepareLabels(LabelSpec& spec, const model::Scene& scene, const glm::vec2& pageMm);
 /// Prints the number and text of each label in the picture, one per line.
 void printKey(const render::LabelReport& report);
 /// Draws labels and marks, prints the key of numbers and warns of labels that find no room.
 void drawLabels(render::Image& image, const model::Scene& scene, const model::Camera& camera,
-                const LabelOrder& order, render::Background background);
+                const LabelSpec& spec, render::Background background);
 
 }  // namespace sline::cli

@@ -30,30 +30,30 @@ Result<std::vector<model::NodeId>> chosen(const model::Scene& scene, const Measu
   return found;
 }
 
-Result<PictureOrder> understoodPicture(const MeasureFlags& flags) {
-  PictureOrder order;
-  order.view = flags.view;
+Result<PictureSpec> pictureSpecOf(const MeasureFlags& flags) {
+  PictureSpec spec;
+  spec.view = flags.view;
   const Result<Size> size = parseSize(flags.size);
   if (!size.ok())
     return size.error();
-  order.size = *size;
+  spec.size = *size;
   if (!flags.cameraFile.empty()) {
     const Result<model::Camera> camera = readCamera(flags.cameraFile);
     if (!camera.ok())
       return camera.error();
-    order.camera = *camera;
+    spec.camera = *camera;
   }
-  return order;
+  return spec;
 }
 
 }  // namespace
 
-Result<MeasureOrder> measureOrder(const MeasureFlags& flags, Progress& progress, bool& wrongUse) {
+Result<MeasureSpec> readMeasureSpec(const MeasureFlags& flags, Progress& progress, bool& wrongUse) {
   wrongUse = true;
   const Result<model::ImportOptions> options = importOptions(flags.input);
   if (!options.ok())
     return options.error();
-  const Result<PictureOrder> picture = understoodPicture(flags);
+  const Result<PictureSpec> picture = pictureSpecOf(flags);
   if (!picture.ok())
     return picture.error();
   wrongUse = false;
@@ -64,16 +64,16 @@ Result<MeasureOrder> measureOrder(const MeasureFlags& flags, Progress& progress,
   const auto structures = chosen(imported->scene, flags);
   if (!structures.ok())
     return structures.error();
-  return MeasureOrder{
+  return MeasureSpec{
       .scene = std::move(imported->scene), .structures = *structures, .picture = *picture};
 }
 
-Result<render::Subject> subjectOf(const MeasureOrder& order, model::NodeId structure) {
-  render::Subject subject{.scene = render::alone(order.scene, structure),
-                          .width = order.picture.size.width,
-                          .height = order.picture.size.height};
-  subject.scene.setViews(order.scene.views());
-  const Result<model::Camera> camera = cameraFor(subject.scene, order.picture);
+Result<render::Subject> subjectOf(const MeasureSpec& spec, model::NodeId structure) {
+  render::Subject subject{.scene = render::isolated(spec.scene, structure),
+                          .width = spec.picture.size.width,
+                          .height = spec.picture.size.height};
+  subject.scene.setViews(spec.scene.views());
+  const Result<model::Camera> camera = cameraFor(subject.scene, spec.picture);
   if (!camera.ok())
     return camera.error();
   subject.camera = *camera;

@@ -26,17 +26,17 @@ struct MeasureFlags {
 };
 
 /// Holds the scene that was read and what was asked about it.
-struct MeasureOrder {
+struct MeasureSpec {
   model::Scene scene;
   std::vector<model::NodeId> structures;  ///< at least one
-  PictureOrder picture;                   ///< camera or view, and size
+  PictureSpec picture;                    ///< camera or view, and size
 };
 
 /// Reads the flags and the scene. `wrongUse` tells the kinds of errors apart.
-Result<MeasureOrder> measureOrder(const MeasureFlags& flags, Progress& progress, bool& wrongUse);
+Result<MeasureSpec> readMeasureSpec(const MeasureFlags& flags, Progress& progress, bool& wrongUse);
 
 /// Returns the structure alone, seen from the order's camera; an anatomical view is fitted to it.
 /// An error counts as wrong use.
-Result<render::Subject> subjectOf(const MeasureOrder& order, model::NodeId structure);
+Result<render::Subject> subjectOf(const MeasureSpec& spec, model::NodeId structure);
 
 }  // namespace sline::cli

@@ -55,7 +55,7 @@ void declarePage(CLI::App& command, PageFlags& flags) {
       ->capture_default_str();
 }
 
-Result<render::ExportPage> understood(const PageFlags& flags) {
+Result<render::ExportPage> parseFlags(const PageFlags& flags) {
   if (flags.sizePx.empty()) {
     const Result<glm::vec2> size = parsePage(flags.sizeMm);
     if (!size.ok())

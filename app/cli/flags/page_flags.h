@@ -22,6 +22,6 @@ struct PageFlags {
 
 void declarePage(CLI::App& command, PageFlags& flags);
 /// Reads the flags. An error counts as wrong use.
-Result<render::ExportPage> understood(const PageFlags& flags);
+Result<render::ExportPage> parseFlags(const PageFlags& flags);
 
 }  // namespace sline::cli

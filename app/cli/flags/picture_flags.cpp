@@ -78,13 +78,13 @@ Status collect(const model::Scene& scene, const std::vector<Assignment<T>>& assi
 }
 
 /// Describes a flag that sets a single field of a style.
-struct LookFlag {
+struct StyleFlag {
   std::vector<std::string> PictureFlags::*typed;
   Result<model::Style> (*parse)(std::string_view);
 };
-constexpr std::array<LookFlag, 3> lookFlags{{{&PictureFlags::pens, parsePen},
-                                             {&PictureFlags::hatchDensities, parseHatchDensity},
-                                             {&PictureFlags::hatchTones, parseHatchTone}}};
+constexpr std::array<StyleFlag, 3> styleFlags{{{&PictureFlags::pens, parsePen},
+                                               {&PictureFlags::hatchDensities, parseHatchDensity},
+                                               {&PictureFlags::hatchTones, parseHatchTone}}};
 
 std::vector<model::NodeId> allBelow(const model::Scene& scene, model::NodeId id) {
   std::vector<model::NodeId> ids;
@@ -130,7 +130,7 @@ const model::View* savedView(const model::Scene& scene, const std::string& name)
 
 namespace {
 
-Result<int> understoodSamples(const std::string& text, const Size& size) {
+Result<int> parseSampleCount(const std::string& text, const Size& size) {
   const Result<std::optional<int>> samples = parseSamples(text);
   if (!samples.ok())
     return samples.error();
@@ -143,118 +143,118 @@ Result<int> understoodSamples(const std::string& text, const Size& size) {
 }
 
 /// Reads the kind of hatching and the light that it is drawn for.
-Status understoodHatching(const PictureFlags& flags, PictureOrder& order) {
+Status parseHatchingFlags(const PictureFlags& flags, PictureSpec& spec) {
   const Result<render::HatchingMethod> hatching = parseHatching(flags.hatching);
   if (!hatching.ok())
     return hatching.error();
-  order.hatching = *hatching;
-  order.environment.keyLight = flags.keyLight;
+  spec.hatching = *hatching;
+  spec.environment.keyLight = flags.keyLight;
   if (flags.light.empty())
     return Unit{};
   const Result<glm::vec3> light = parseLight(flags.light);
   if (!light.ok())
     return light.error();
-  order.environment.light = *light;
+  spec.environment.light = *light;
   return Unit{};
 }
 
-Status understoodFill(const PictureFlags& flags, PictureOrder& order) {
+Status parseFillFlag(const PictureFlags& flags, PictureSpec& spec) {
   if (flags.fill.empty())
     return Unit{};
   const Result<model::Fill> fill = parseFill(flags.fill);
   if (!fill.ok())
     return fill.error();
-  order.fill = *fill;
+  spec.fill = *fill;
   return Unit{};
 }
 
-Status understoodLabels(const PictureFlags& flags, PictureOrder& order) {
-  const Result<LabelOrder> labels = understood(flags.labels);
+Status parseLabelFlags(const PictureFlags& flags, PictureSpec& spec) {
+  const Result<LabelSpec> labels = parseFlags(flags.labels);
   if (!labels.ok())
     return labels.error();
-  order.labels = *labels;
-  order.labels.style.onDark = order.environment.background == render::Background::dark;
+  spec.labels = *labels;
+  spec.labels.style.onDark = spec.environment.background == render::Background::dark;
   return Unit{};
 }
 
 }  // namespace
 
-Result<PictureOrder> understood(const PictureFlags& flags) {
+Result<PictureSpec> parseFlags(const PictureFlags& flags) {
   if (Status named = render::checkImageName(flags.output); !named.ok())
     return named.error();
-  return understoodLook(flags);
+  return parseFlagsWithoutOutput(flags);
 }
 
-Result<PictureOrder> understoodLook(const PictureFlags& flags) {
-  PictureOrder order;
-  order.output = flags.output;
-  order.view = flags.view;
-  order.only = flags.only;
+Result<PictureSpec> parseFlagsWithoutOutput(const PictureFlags& flags) {
+  PictureSpec spec;
+  spec.output = flags.output;
+  spec.view = flags.view;
+  spec.only = flags.only;
   const Result<Size> size = parseSize(flags.size);
   if (!size.ok())
     return size.error();
-  order.size = *size;
-  const Result<int> samples = understoodSamples(flags.samples, *size);
+  spec.size = *size;
+  const Result<int> samples = parseSampleCount(flags.samples, *size);
   if (!samples.ok())
     return samples.error();
-  order.samples = *samples;
+  spec.samples = *samples;
   const Result<render::Background> background = parseBackground(flags.background);
   if (!background.ok())
     return background.error();
-  order.environment.background = *background;
-  if (const Status drawn = understoodHatching(flags, order); !drawn.ok())
+  spec.environment.background = *background;
+  if (const Status drawn = parseHatchingFlags(flags, spec); !drawn.ok())
     return drawn.error();
-  order.blackAndWhite = flags.blackAndWhite;
-  if (const Status filled = understoodFill(flags, order); !filled.ok())
+  spec.blackAndWhite = flags.blackAndWhite;
+  if (const Status filled = parseFillFlag(flags, spec); !filled.ok())
     return filled.error();
-  if (Status parsed = parseAssignments(flags.gammas, parseGamma, order.gammas); !parsed.ok())
+  if (Status parsed = parseAssignments(flags.gammas, parseGamma, spec.gammas); !parsed.ok())
     return parsed.error();
-  if (Status parsed = parseAssignments(flags.colours, parseColour, order.colours); !parsed.ok())
+  if (Status parsed = parseAssignments(flags.colours, parseColour, spec.colours); !parsed.ok())
     return parsed.error();
-  if (Status parsed = parseAssignments(flags.inkColours, parseColour, order.inkColours);
+  if (Status parsed = parseAssignments(flags.inkColours, parseColour, spec.inkColours);
       !parsed.ok())
     return parsed.error();
-  for (const LookFlag& flag : lookFlags)
-    if (Status parsed = parseAssignments(flags.*flag.typed, flag.parse, order.looks); !parsed.ok())
+  for (const StyleFlag& flag : styleFlags)
+    if (Status parsed = parseAssignments(flags.*flag.typed, flag.parse, spec.styles); !parsed.ok())
       return parsed.error();
-  for (const Assignment<Colour>& assignment : order.colours)
+  for (const Assignment<Colour>& assignment : spec.colours)
     if (!assignment.name)
       return Error{.reason = "a colour is given without the name of a structure or group",
                    .remedy = "Write NAME=#rrggbb"};
-  const Result<FocusOrder> focus = understood(flags.focus);
+  const Result<FocusSpec> focus = parseFlags(flags.focus);
   if (!focus.ok())
     return focus.error();
-  order.focus = *focus;
-  if (const Status labelled = understoodLabels(flags, order); !labelled.ok())
+  spec.focus = *focus;
+  if (const Status labelled = parseLabelFlags(flags, spec); !labelled.ok())
     return labelled.error();
-  const Result<SectionsOrder> sections = understood(flags.sections);
+  const Result<SectionsSpec> sections = parseFlags(flags.sections);
   if (!sections.ok())
     return sections.error();
-  order.sections = *sections;
-  order.sections.hatched = order.sections.hatched || order.blackAndWhite;
+  spec.sections = *sections;
+  spec.sections.hatched = spec.sections.hatched || spec.blackAndWhite;
   if (!flags.cameraFile.empty()) {
     const Result<model::Camera> camera = readCamera(flags.cameraFile);
     if (!camera.ok())
       return camera.error();
-    order.camera = *camera;
+    spec.camera = *camera;
   }
-  return order;
+  return spec;
 }
 
-std::string shownViewName(const model::Scene& scene, const PictureOrder& order) {
-  if (!order.camera)
-    if (const model::View* saved = savedView(scene, order.view))
+std::string shownViewName(const model::Scene& scene, const PictureSpec& spec) {
+  if (!spec.camera)
+    if (const model::View* saved = savedView(scene, spec.view))
       return saved->name;
-  const auto side = order.camera ? model::anatomicalViewOf(*order.camera)
-                                 : model::anatomicalViewNamed(model::normalisedName(order.view));
+  const auto side = spec.camera ? model::anatomicalViewOf(*spec.camera)
+                                : model::anatomicalViewNamed(model::normalisedName(spec.view));
   return side ? std::string(model::anatomicalViewNames[std::size_t(*side)]) : std::string();
 }
 
-model::Scene asSaved(const model::Scene& scene, const PictureOrder& order) {
-  const model::View* saved = order.camera ? nullptr : savedView(scene, order.view);
+model::Scene withSavedView(const model::Scene& scene, const PictureSpec& spec) {
+  const model::View* saved = spec.camera ? nullptr : savedView(scene, spec.view);
   if (!saved)
     return scene;
-  model::ShownScene shown = model::shown(scene, *saved);
+  model::AppliedView shown = model::withViewApplied(scene, *saved);
   if (!shown.absent.empty())
     warn("of what the view \"" + saved->name + "\" shows, " + std::to_string(shown.absent.size()) +
          (shown.absent.size() == 1 ? " structure or group is" : " structures or groups are") +
@@ -262,67 +262,67 @@ model::Scene asSaved(const model::Scene& scene, const PictureOrder& order) {
   return std::move(shown.scene);
 }
 
-Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order) {
+Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec) {
   std::vector<Patch> patches;
-  if (order.fill) {
+  if (spec.fill) {
     model::Style style;
-    style.fill = order.fill;
+    style.fill = spec.fill;
     patches.push_back({model::rootId, 0, style});
   }
-  if (Status ok = collect(scene, order.gammas, &model::Style::gamma, patches); !ok.ok())
+  if (Status ok = collect(scene, spec.gammas, &model::Style::gamma, patches); !ok.ok())
     return ok.error();
-  if (Status ok = collect(scene, order.colours, &model::Style::colour, patches); !ok.ok())
+  if (Status ok = collect(scene, spec.colours, &model::Style::colour, patches); !ok.ok())
     return ok.error();
-  if (Status ok = collect(scene, order.inkColours, &model::Style::inkColour, patches); !ok.ok())
+  if (Status ok = collect(scene, spec.inkColours, &model::Style::inkColour, patches); !ok.ok())
     return ok.error();
-  if (Status ok = collect(scene, order.looks, patches); !ok.ok())
+  if (Status ok = collect(scene, spec.styles, patches); !ok.ok())
     return ok.error();
   std::stable_sort(patches.begin(), patches.end(),
                    [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
   model::Scene result = scene;
   for (const Patch& patch : patches)
     result = model::withLook(result, allBelow(scene, patch.node), patch.style).scene;
-  if (order.blackAndWhite)
+  if (spec.blackAndWhite)
     result = model::withInkAlone(result).scene;
-  return order.only.empty() ? result : withOnly(result, order.only);
+  return spec.only.empty() ? result : withOnly(result, spec.only);
 }
 
-Result<model::Scene> inFocus(const model::Scene& scene, const PictureOrder& order) {
-  if (order.focus.names.empty())
+Result<model::Scene> inFocus(const model::Scene& scene, const PictureSpec& spec) {
+  if (spec.focus.names.empty())
     return scene;
-  const Result<model::Scene> cut = cutOpen(scene, order);
+  const Result<model::Scene> cut = cutOpen(scene, spec);
   if (!cut.ok())
     return cut;
-  const Result<model::Camera> camera = cameraFor(*cut, order);
+  const Result<model::Camera> camera = cameraFor(*cut, spec);
   if (!camera.ok())
     return camera.error();
-  return focused(scene, order.focus, *cut, *camera);
+  return focused(scene, spec.focus, *cut, *camera);
 }
 
-Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order) {
-  if (order.sections.sections.empty())
+Result<model::Scene> cutOpen(const model::Scene& scene, const PictureSpec& spec) {
+  if (spec.sections.sections.empty())
     return scene;
   // Which half faces the camera does not depend on how it is fitted.
-  const Result<model::Camera> camera = cameraFor(scene, order);
+  const Result<model::Camera> camera = cameraFor(scene, spec);
   if (!camera.ok())
     return camera.error();
-  return sectioned(scene, order.sections, *camera);
+  return sectioned(scene, spec.sections, *camera);
 }
 
-Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& order) {
-  if (order.camera)
-    return *order.camera;
-  if (const model::View* saved = savedView(scene, order.view))
+Result<model::Camera> cameraFor(const model::Scene& scene, const PictureSpec& spec) {
+  if (spec.camera)
+    return *spec.camera;
+  if (const model::View* saved = savedView(scene, spec.view))
     return saved->camera;
-  const auto view = model::anatomicalViewNamed(model::normalisedName(order.view));
+  const auto view = model::anatomicalViewNamed(model::normalisedName(spec.view));
   if (!view)
-    return unknownView(scene, order.view);
-  const float aspect = order.size.aspect();
+    return unknownView(scene, spec.view);
+  const float aspect = spec.size.aspect();
   const model::Camera camera = model::anatomicalCamera(*view, scene.visibleBounds(), aspect);
-  return model::fittedToVisible(scene, camera, aspect, order.labels.sides);
+  return model::fittedToVisible(scene, camera, aspect, spec.labels.sides);
 }
 
-Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureOrder& order,
+Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureSpec& spec,
                   Progress& progress) {
   if (scene.visibleBounds().empty())
     warn("no structure is visible: the picture is empty");
@@ -334,17 +334,17 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
   (*picture)->prepare(scene);
   progress.show(0.5, "drawing");
   Result<render::Image> image = (*picture)->render(scene, camera,
-                                                   {.width = order.size.width,
-                                                    .height = order.size.height,
-                                                    .environment = order.environment,
-                                                    .hatching = order.hatching},
-                                                   order.samples);
+                                                   {.width = spec.size.width,
+                                                    .height = spec.size.height,
+                                                    .environment = spec.environment,
+                                                    .hatching = spec.hatching},
+                                                   spec.samples);
   if (!image.ok())
     return image.error();
-  drawLabels(*image, scene, camera, order.labels, order.environment.background);
-  progress.show(0.9, "writing " + order.output);
+  drawLabels(*image, scene, camera, spec.labels, spec.environment.background);
+  progress.show(0.9, "writing " + spec.output);
   const Interruption interruption;  // what is written is soon whole
-  return render::writeImage(*image, order.output);
+  return render::writeImage(*image, spec.output);
 }
 
 }  // namespace sline::cli

@@ -50,7 +50,7 @@ struct Assignment {
 };
 
 /// Holds the flags as understood, but not yet checked against a scene.
-struct PictureOrder {
+struct PictureSpec {
   std::string output;
   Size size;
   int samples = 1;  ///< across a pixel
@@ -63,39 +63,39 @@ struct PictureOrder {
   std::vector<Assignment<Gamma>> gammas;
   std::vector<Assignment<Colour>> colours;
   std::vector<Assignment<Colour>> inkColours;
-  std::vector<Assignment<model::Style>> looks;  ///< each sets one field
+  std::vector<Assignment<model::Style>> styles;  ///< each sets one field
   std::vector<std::string> only;
-  SectionsOrder sections;
-  FocusOrder focus;
-  LabelOrder labels;
+  SectionsSpec sections;
+  FocusSpec focus;
+  LabelSpec labels;
 };
 
 /// Reads the flags. An error counts as wrong use, here and below.
-Result<PictureOrder> understood(const PictureFlags& flags);
+Result<PictureSpec> parseFlags(const PictureFlags& flags);
 /// Reads the flags in the same way when no picture is to be written.
-Result<PictureOrder> understoodLook(const PictureFlags& flags);
+Result<PictureSpec> parseFlagsWithoutOutput(const PictureFlags& flags);
 /// Returns the scene as shown by the saved view that the order names; unchanged if there is none.
 /// Warns of what is absent.
-model::Scene asSaved(const model::Scene& scene, const PictureOrder& order);
+model::Scene withSavedView(const model::Scene& scene, const PictureSpec& spec);
 /// Returns the name of the picture's camera: that of the saved view, "anterior" and so on where it
 /// looks along an axis of the body, else nothing.
-std::string shownViewName(const model::Scene& scene, const PictureOrder& order);
+std::string shownViewName(const model::Scene& scene, const PictureSpec& spec);
 /// Returns the scene with styles and visibility as ordered. A group's value holds for all in it; a
 /// value for a structure or an inner group wins over one for a group around it, whatever the order
 /// of the flags.
-Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order);
+Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec);
 /// Returns the scene with the focus of the order, if it has one; sections of the order count.
-Result<model::Scene> inFocus(const model::Scene& scene, const PictureOrder& order);
+Result<model::Scene> inFocus(const model::Scene& scene, const PictureSpec& spec);
 /// Returns the scene with the sections of the order, if it has any.
-Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order);
+Result<model::Scene> cutOpen(const model::Scene& scene, const PictureSpec& spec);
 /// Returns the saved view of that name, or null if there is none.
 const model::View* savedView(const model::Scene& scene, const std::string& name);
 /// Returns the camera of the file; else that of the saved view of that name, else the anatomical
 /// view fitted to what sections leave of the visible structures, beside the room that labels need.
-Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& order);
+Result<model::Camera> cameraFor(const model::Scene& scene, const PictureSpec& spec);
 
 /// Draws without a display and writes the file.
-Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureOrder& order,
+Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureSpec& spec,
                   Progress& progress);
 
 }  // namespace sline::cli

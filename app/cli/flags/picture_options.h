@@ -41,7 +41,7 @@ inline CLI::Option* addStyleOptions(CLI::App& command, PictureFlags& flags) {
 }
 
 /// Declares the flags that set the colours and manner in which all is drawn.
-inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
+inline void addAppearanceOptions(CLI::App& command, PictureFlags& flags) {
   CLI::Option* ink = addStyleOptions(command, flags);
   CLI::Option* background =
       command.add_option("--background", flags.background, "What lies behind the drawing");
@@ -112,7 +112,7 @@ inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
                           ->capture_default_str();
   addCameraOption(command, flags, view);
   addDetailOptions(command, flags);
-  addLookOptions(command, flags);
+  addAppearanceOptions(command, flags);
   addSectionOptions(command, flags.sections);
 }
 

@@ -118,26 +118,26 @@ Result<SectionText> parseSection(std::string_view text) {
   return section;
 }
 
-Result<SectionsOrder> understood(const SectionFlags& flags) {
-  SectionsOrder order;
-  order.groups = flags.groups;
-  order.hatched = flags.hatched;
+Result<SectionsSpec> parseFlags(const SectionFlags& flags) {
+  SectionsSpec spec;
+  spec.groups = flags.groups;
+  spec.hatched = flags.hatched;
   for (const std::string& text : flags.sections) {
     const Result<SectionText> section = parseSection(text);
     if (!section.ok())
       return section.error();
-    order.sections.push_back(*section);
+    spec.sections.push_back(*section);
   }
   if (flags.sections.empty() && (!flags.groups.empty() || flags.hatched))
     return Error{.reason = "a section's group or hatching is given without a section",
                  .remedy = "Add --section sagittal, coronal or axial"};
-  return order;
+  return spec;
 }
 
-Result<model::Scene> sectioned(const model::Scene& scene, const SectionsOrder& order,
+Result<model::Scene> sectioned(const model::Scene& scene, const SectionsSpec& spec,
                                const model::Camera& camera) {
   std::vector<model::NodeId> scopes;
-  for (const std::string& name : order.groups) {
+  for (const std::string& name : spec.groups) {
     const auto ids = nodesNamed(scene, name);
     if (!ids.ok())
       return ids.error();
@@ -146,7 +146,7 @@ Result<model::Scene> sectioned(const model::Scene& scene, const SectionsOrder& o
   if (scopes.empty())
     scopes.push_back(model::rootId);
   model::Scene result = scene;
-  for (const SectionText& wanted : order.sections) {
+  for (const SectionText& wanted : spec.sections) {
     bool met = false;
     // A place left open is the middle of all that is cut, so that the cut is one plane.
     model::Box bounds;
@@ -160,7 +160,7 @@ Result<model::Scene> sectioned(const model::Scene& scene, const SectionsOrder& o
       if (wanted.plane)
         section.plane = *wanted.plane;
       section.name = wanted.text;
-      section.hatched = order.hatched;
+      section.hatched = spec.hatched;
       model::Edited edited = model::withSection(result, section);
       if (!edited.changed)
         return Error{.reason = "more than " + std::to_string(model::maximumSections) +

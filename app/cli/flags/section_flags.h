@@ -28,7 +28,7 @@ struct SectionText {
   std::optional<model::Plane> plane;  ///< where present, it says everything
 };
 
-struct SectionsOrder {
+struct SectionsSpec {
   std::vector<SectionText> sections;
   std::vector<std::string> groups;  ///< empty: the whole scene
   bool hatched = false;
@@ -37,12 +37,12 @@ struct SectionsOrder {
 /// Reads "sagittal", "axial=12", "coronal=-30:anterior" or "nx,ny,nz,d". A side names what is kept.
 Result<SectionText> parseSection(std::string_view text);
 /// Reads the flags. An error counts as wrong use, here and in `sectioned`.
-Result<SectionsOrder> understood(const SectionFlags& flags);
+Result<SectionsSpec> parseFlags(const SectionFlags& flags);
 
 /// Returns the scene with the sections added. A section without a named side keeps the side away
 /// from the camera, so that the cut face is seen; seen within 15° of edge-on it keeps left,
 /// posterior or superior. Warns of sections that meet nothing.
-Result<model::Scene> sectioned(const model::Scene& scene, const SectionsOrder& order,
+Result<model::Scene> sectioned(const model::Scene& scene, const SectionsSpec& spec,
                                const model::Camera& camera);
 
 }  // namespace sline::cli

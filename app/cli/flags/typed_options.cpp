@@ -91,7 +91,7 @@ std::string TypedOptions::typed(const render::ExportOption& option) const {
   return found == m_texts.end() ? std::string() : found->second;
 }
 
-Result<render::OptionValue> understoodOption(const render::ExportOption& option,
+Result<render::OptionValue> parseTypedOption(const render::ExportOption& option,
                                              const std::string& typed) {
   std::string text = typed;
   if (const auto* kind = std::get_if<render::TextOption>(&option.kind); kind && kind->fromFile) {
@@ -111,7 +111,7 @@ Result<render::OptionValue> understoodOption(const render::ExportOption& option,
 
 Status TypedOptions::applyTo(render::ExportOrder& order) const {
   for (const auto& [option, text] : m_texts) {
-    const Result<render::OptionValue> value = understoodOption(*option, text);
+    const Result<render::OptionValue> value = parseTypedOption(*option, text);
     if (!value.ok())
       return value.error();
     option->field.write(order, *value);

@@ -35,7 +35,7 @@ class TypedOptions {
 };
 
 /// Reads one option's text; the error names its flag.
-Result<render::OptionValue> understoodOption(const render::ExportOption& option,
+Result<render::OptionValue> parseTypedOption(const render::ExportOption& option,
                                              const std::string& text);
 
 }  // namespace sline::cli

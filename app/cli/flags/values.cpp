@@ -38,7 +38,7 @@ constexpr std::array<Choice<glm::vec3>, 3> lights{
      {"above", glm::vec3(0.0f, 0.81f, 0.586f)},
      {"upper-right", model::upperLeftLight* glm::vec3(-1.0f, 1.0f, 1.0f)}}};
 
-Error wrong(std::string_view what, std::string_view text, std::string_view right) {
+Error unreadableValue(std::string_view what, std::string_view text, std::string_view right) {
   return Error{.reason = std::string(what) + " \"" + std::string(text) + "\" is not understood",
                .remedy = "Give " + std::string(right)};
 }
@@ -52,7 +52,7 @@ Result<T> parseChoice(const std::array<Choice<T>, N>& choices, std::string_view 
       return choice.value;
     names += (&choice == &choices.front() ? " " : ", ") + std::string(choice.name);
   }
-  return wrong(what, text, names);
+  return unreadableValue(what, text, names);
 }
 
 /// Reads the whole text as a number, in any locale.
@@ -73,11 +73,11 @@ Result<Size> parseSize(std::string_view text) {
                             std::to_string(render::pixelSideLimits.high) + ", such as 1920x1080";
   const std::size_t cut = text.find_first_of("xX");
   if (cut == std::string_view::npos)
-    return wrong("size", text, right);
+    return unreadableValue("size", text, right);
   const auto width = number<int>(text.substr(0, cut));
   const auto height = number<int>(text.substr(cut + 1));
   if (!width || !height)
-    return wrong("size", text, right);
+    return unreadableValue("size", text, right);
   const auto [low, high] = std::minmax(*width, *height);
   if (low < render::pixelSideLimits.low || high > render::pixelSideLimits.high)
     return Error{.reason = "size " + std::string(text) + " is out of range",
@@ -86,7 +86,7 @@ Result<Size> parseSize(std::string_view text) {
 }
 
 Result<std::optional<int>> parseSamples(const std::string& text) {
-  const Result<render::OptionValue> samples = understoodOption(render::samplesOption, text);
+  const Result<render::OptionValue> samples = parseTypedOption(render::samplesOption, text);
   if (!samples.ok())
     return samples.error();
   const int number = std::get<int>(*samples);
@@ -99,7 +99,7 @@ Result<Gamma> parseGamma(std::string_view text) {
       "group";
   const auto value = number<float>(text);
   if (!value)
-    return wrong("gamma", text, right);
+    return unreadableValue("gamma", text, right);
   const auto gamma = Gamma::from(*value);
   if (!gamma)
     return Error{.reason = "gamma " + std::string(text) + " is out of range",
@@ -116,7 +116,7 @@ Result<float> withinLimits(std::string_view what, std::string_view text,
                             " (1 is the usual), or NAME=NUMBER for one structure or group";
   const auto value = number<float>(text);
   if (!value)
-    return wrong(what, text, right);
+    return unreadableValue(what, text, right);
   if (!(*value >= limits.low && *value <= limits.high))
     return Error{.reason = std::string(what) + " " + std::string(text) + " is out of range",
                  .remedy = "Give " + right};
@@ -153,7 +153,7 @@ Result<model::Style> parseHatchTone(std::string_view text) {
 Result<Colour> parseColour(std::string_view text) {
   if (const std::optional<Colour> colour = colourFrom(text))
     return *colour;
-  return wrong("colour", text, "NAME=#rrggbb, such as liver=#a0523c");
+  return unreadableValue("colour", text, "NAME=#rrggbb, such as liver=#a0523c");
 }
 
 Result<model::Frame> parseFrame(std::string_view text) {
@@ -173,7 +173,7 @@ Result<model::Smoothing> parseSmoothing(std::string_view text) {
   constexpr std::string_view right = "auto, off or a number of smoothing steps from 1 to 1000";
   const auto steps = number<int>(text);
   if (!steps)
-    return wrong("smoothing", text, right);
+    return unreadableValue("smoothing", text, right);
   if (*steps < 1 || *steps > 1000)
     return Error{.reason = "smoothing " + std::string(text) + " is out of range",
                  .remedy = "Give " + std::string(right)};
@@ -185,7 +185,7 @@ Result<model::Threshold> parseThreshold(std::string_view text) {
   const auto named = splitNamed(text);
   if (!named) {
     if (!model::presetNamed(text))
-      return wrong("threshold", text, right);
+      return unreadableValue("threshold", text, right);
     return model::Threshold{std::string(model::presetNamed(text)->name), {}, {}};
   }
   model::Threshold threshold{named->name, {}, {}};
@@ -200,7 +200,7 @@ Result<model::Threshold> parseThreshold(std::string_view text) {
                         : bound(value.substr(0, dots), threshold.low) &&
                               bound(value.substr(dots + 2), threshold.high);
   if (named->name.empty() || !fine || (!threshold.low && !threshold.high))
-    return wrong("threshold", text, right);
+    return unreadableValue("threshold", text, right);
   if (threshold.low && threshold.high && *threshold.low > *threshold.high)
     return Error{.reason = "the threshold " + std::string(text) + " begins above its end",
                  .remedy = "Give the lower number first"};
@@ -215,7 +215,7 @@ Result<model::Fill> parseFill(std::string_view text) {
 }
 
 Result<render::Background> parseBackground(const std::string& text) {
-  const Result<render::OptionValue> background = understoodOption(render::backgroundOption, text);
+  const Result<render::OptionValue> background = parseTypedOption(render::backgroundOption, text);
   if (!background.ok())
     return background.error();
   return render::fromOptionValue<render::Background>(*background);

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "app/cli/files/json_values.h"
-#include "app/cli/jobs/json_places.h"
+#include "app/cli/jobs/json_positions.h"
 #include "model/base/letters.h"
 #include "model/disk/whole_file.h"
 
@@ -113,7 +113,7 @@ class TableReader {
 
   std::string_view m_text;
   std::size_t m_at = 0;
-  TextPlace m_place;
+  TextPosition m_place;
   char m_separator = ',';
 };
 
@@ -158,11 +158,11 @@ std::optional<std::vector<std::string>> valuesOf(const Json& value) {
 }
 
 /// Returns the places of an object's keys by their names; a fault if one is there twice.
-Result<std::map<std::string, TextPlace>> keyPlaces(const ElementPlace& place,
-                                                   const std::string& job) {
-  std::map<std::string, TextPlace> places;
-  std::map<std::string, TextPlace> flags;
-  for (const ElementPlace::Key& key : place.keys) {
+Result<std::map<std::string, TextPosition>> keyPositions(const ElementPositions& place,
+                                                         const std::string& job) {
+  std::map<std::string, TextPosition> places;
+  std::map<std::string, TextPosition> flags;
+  for (const ElementPositions::Key& key : place.keys) {
     places.emplace(key.name, key.at);
     const auto [first, fresh] = flags.emplace(flagOf(key.name), key.at);
     if (!fresh)
@@ -173,11 +173,11 @@ Result<std::map<std::string, TextPlace>> keyPlaces(const ElementPlace& place,
 }
 
 /// Reads one job; `name` is "job 4".
-Result<Job> jobOf(const Json& object, const std::string& name, const ElementPlace& place) {
+Result<Job> jobOf(const Json& object, const std::string& name, const ElementPositions& place) {
   const std::string where = name + ", " + place.at.text();
   if (!object.is_object())
     return fault(where, "it is no object", R"(Write each job as {"input": …, "svg": …})");
-  const auto places = keyPlaces(place, name);
+  const auto places = keyPositions(place, name);
   if (!places.ok())
     return places.error();
   Job job{.where = name + ", line " + std::to_string(place.at.line), .fields = {}};
@@ -198,7 +198,7 @@ Result<Job> jobOf(const Json& object, const std::string& name, const ElementPlac
   return job;
 }
 
-Error empty() {
+Error emptyListError() {
   return fault("", "the list has no jobs", "Write a line for each, below the heading");
 }
 
@@ -245,7 +245,7 @@ Result<std::vector<Job>> jobsOfTable(std::string_view text) {
     jobs.push_back(std::move(job));
   }
   if (jobs.empty())
-    return empty();
+    return emptyListError();
   return jobs;
 }
 
@@ -258,24 +258,25 @@ Result<std::vector<Job>> jobsOfJson(std::string_view text) {
   } catch (const Json::parse_error& failure) {
     // The parser counts what it has read, the byte at fault too.
     const std::size_t at = std::max<std::size_t>(failure.byte, 1) - 1;
-    return fault(placeOf(text, at).text(), "it is no JSON", "Write a list of objects, [{…}, …]");
+    return fault(textPositionAt(text, at).text(), "it is no JSON",
+                 "Write a list of objects, [{…}, …]");
   } catch (const Json::exception&) {
     return fault("", "it is no JSON that can be used", "Write a list of objects, [{…}, …]");
   }
   if (!list.is_array())
     return fault("", "it is no list", "Write a list of objects, [{…}, …]");
-  const std::vector<ElementPlace> places = placesOfList(text);
+  const std::vector<ElementPositions> places = elementPositions(text);
   std::vector<Job> jobs;
   for (const Json& each : list) {
     const std::size_t i = jobs.size();
-    Result<Job> job =
-        jobOf(each, "job " + std::to_string(i + 1), i < places.size() ? places[i] : ElementPlace());
+    Result<Job> job = jobOf(each, "job " + std::to_string(i + 1),
+                            i < places.size() ? places[i] : ElementPositions());
     if (!job.ok())
       return job.error();
     jobs.push_back(std::move(*job));
   }
   if (jobs.empty())
-    return empty();
+    return emptyListError();
   return jobs;
 }
 

@@ -82,7 +82,7 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
                       float to) {
   const bool first = from <= 0.0f;
   const Field field = [=](const glm::vec3& p) {
-    const SweptPlace at = tube->place(p);
+    const SweptCoordinates at = tube->place(p);
     if (at.distance > 8.0f)
       return at.distance;
     // Loops flatten where they touch.
@@ -106,7 +106,7 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
   s.wall = 1.8f;
   // The circular folds are closer together in the jejunum.
   s.folds = [=](const glm::vec3& p) {
-    const SweptPlace at = tube->place(p);
+    const SweptCoordinates at = tube->place(p);
     return first ? 0.9f + 0.9f * std::sin(at.along * 2.0f * std::numbers::pi_v<float> / 7.5f +
                                           std::sin(at.angle))
                  : 0.4f + 0.4f * std::sin(at.along * 2.0f * std::numbers::pi_v<float> / 11.0f);

@@ -21,13 +21,13 @@ constexpr Colour pancreasColour{216, 180, 94};
 constexpr Colour spleenColour{125, 74, 115};
 constexpr Colour adrenalColour{224, 176, 60};
 
-struct Look {
+struct GlandStyle {
   const char* group;
   Colour colour;
   float gamma;
 };
 
-DemoStructure gland(std::string name, const Look& look, Field field, const Box& box) {
+DemoStructure gland(std::string name, const GlandStyle& look, Field field, const Box& box) {
   return {.name = std::move(name),
           .groups = {look.group},
           .colour = look.colour,
@@ -61,7 +61,7 @@ std::shared_ptr<const Swept> gallbladderTube() {
 DemoStructure gallbladder() {
   const auto tube = gallbladderTube();
   const Field field = [tube](const glm::vec3& p) {
-    const SweptPlace at = tube->place(p);
+    const SweptCoordinates at = tube->place(p);
     // The spiral fold twists the neck.
     const float neck = std::clamp((at.along - 58.0f) / 10.0f, 0.0f, 1.0f);
     return at.distance + neck * 0.4f * std::sin(at.along * 1.25f + at.angle);

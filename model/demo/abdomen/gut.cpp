@@ -30,7 +30,7 @@ DemoStructure organ(std::string name, Colour colour, float gamma, Field field, B
 
 /// Returns how much thicker the rugae, folds along the cavity, make the wall, mm. They fade towards
 /// the pylorus.
-float rugae(const SweptPlace& at, float length) {
+float rugae(const SweptCoordinates& at, float length) {
   const float phase = 7.0f * at.angle + 1.1f * std::sin(at.along / 17.0f) +
                       0.7f * std::sin(at.along / 9.0f + 2.0f * at.angle);
   const float fade = std::clamp((length - at.along) / 60.0f, 0.0f, 1.0f);
@@ -57,7 +57,7 @@ DemoStructure stomach() {
                                                                          {{48, -12, 64}, 17.0f}}},
                                               glm::vec3(0, -1, 0));
   const Field field = [body, gullet](const glm::vec3& p) {
-    const SweptPlace at = body->place(p);
+    const SweptCoordinates at = body->place(p);
     // The pylorus is a ring of muscle at the end of a narrow canal.
     const float towardsPylorus = at.along - body->length();
     const float canal = 1.4f * std::exp(-0.5f * std::pow((towardsPylorus + 13.0f) / 5.0f, 2.0f));
@@ -100,7 +100,7 @@ DemoStructure duodenum() {
       "duodenum", bowelColour, 3.0f,
       [tube](const glm::vec3& p) {
         // The jejunum continues where the duodenum ends.
-        const SweptPlace at = tube->place(p);
+        const SweptCoordinates at = tube->place(p);
         return -blendedUnion(-at.distance, -tube->beyond(tube->length(), p, at), 3.0f);
       },
       grown(tube->bounds(), 4.0f));
@@ -112,7 +112,7 @@ DemoStructure duodenum() {
   s.wall = 1.8f;
   // The superior part is smooth; further on circular folds stand into the cavity.
   s.folds = [tube](const glm::vec3& p) {
-    const SweptPlace at = tube->place(p);
+    const SweptCoordinates at = tube->place(p);
     const float further = std::clamp((at.along - 30.0f) / 30.0f, 0.0f, 1.0f);
     return further * (1.0f + std::sin(at.along * 2.0f * std::numbers::pi_v<float> / 8.0f +
                                       0.8f * std::sin(at.angle + 1.0f)));
@@ -122,7 +122,7 @@ DemoStructure duodenum() {
 
 /// Returns the distance to the colon's wall, which three bands of muscle, the taeniae, gather into
 /// sacs.
-float haustrated(const SweptPlace& at) {
+float haustrated(const SweptCoordinates& at) {
   if (at.distance > 10.0f)
     return at.distance - 2.0f;
   const float across = std::sin(1.5f * at.angle);
@@ -164,8 +164,8 @@ struct Stretch {
 };
 
 /// Closes the wall where the stretch begins and ends, with slightly rounded rims.
-float within(const Swept& tube, const Stretch& stretch, const glm::vec3& p, const SweptPlace& at,
-             float wall) {
+float within(const Swept& tube, const Stretch& stretch, const glm::vec3& p,
+             const SweptCoordinates& at, float wall) {
   float d = wall;
   if (stretch.from)
     d = -blendedUnion(-d, tube.beyond(*stretch.from, p, at), 3.0f);
@@ -177,7 +177,7 @@ float within(const Swept& tube, const Stretch& stretch, const glm::vec3& p, cons
 DemoStructure colonPart(const char* name, const std::shared_ptr<const Swept>& tube,
                         const Stretch& stretch) {
   const Field field = [tube, stretch](const glm::vec3& p) {
-    const SweptPlace at = tube->place(p);
+    const SweptCoordinates at = tube->place(p);
     return within(*tube, stretch, p, at, haustrated(at));
   };
   const Box box = tube->bounds(stretch.from.value_or(0.0f), stretch.to.value_or(tube->length()));

@@ -203,7 +203,7 @@ DemoStructure psoas(const char* name, float side) {
   s.gamma = Gamma::clamped(1.4f);
   s.field = [shape](const glm::vec3& p) {
     // Bundles of fibres run along the muscle.
-    const SweptPlace at = shape->place(p);
+    const SweptCoordinates at = shape->place(p);
     const float bundles = std::sin(7.0f * at.angle + 0.9f * std::sin(at.along / 40.0f));
     return at.distance + 0.35f * bundles * std::min(at.radius / 12.0f, 1.0f);
   };

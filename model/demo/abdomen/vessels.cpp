@@ -117,7 +117,7 @@ std::vector<DemoStructure> vesselTree(std::string trunk, const Kind& kind,
     const std::size_t last = first + branch.courses.size();
     const float along = (*tubes)[first].alongNearest(branch.from);
     const Field own = [=](const glm::vec3& p) {
-      const SweptPlace at = (*tubes)[first].place(p);
+      const SweptCoordinates at = (*tubes)[first].place(p);
       float near = at.distance;
       for (std::size_t i = first + 1; i < last; ++i)
         near = std::min(near, (*tubes)[i].distance(p));

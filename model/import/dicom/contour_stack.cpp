@@ -126,18 +126,18 @@ std::vector<double> sortedOffsets(std::span<const Contour> contours, const glm::
   return offsets;
 }
 
-using Place = std::pair<std::int64_t, std::int64_t>;
-Place placeOf(const glm::dvec2& p) {
+using GridPoint = std::pair<std::int64_t, std::int64_t>;
+GridPoint gridPointOf(const glm::dvec2& p) {
   return {std::llround(p.x * 1000.0), std::llround(p.y * 1000.0)};
 }
 
 /// Returns the polygon's corners sorted, so that they are the same wherever and in whichever
 /// direction it begins.
-std::vector<Place> canonical(const std::vector<glm::dvec2>& polygon) {
-  std::vector<Place> places;
+std::vector<GridPoint> canonicalLoop(const std::vector<glm::dvec2>& polygon) {
+  std::vector<GridPoint> places;
   places.reserve(polygon.size());
   for (const glm::dvec2& p : polygon)
-    places.push_back(placeOf(p));
+    places.push_back(gridPointOf(p));
   std::sort(places.begin(), places.end());
   return places;
 }
@@ -147,13 +147,13 @@ std::vector<Place> canonical(const std::vector<glm::dvec2>& polygon) {
 class OutlineBuilder {
  public:
   bool add(const std::vector<glm::dvec2>& polygon) {
-    if (!m_seen.try_emplace(canonical(polygon), true).second)
+    if (!m_seen.try_emplace(canonicalLoop(polygon), true).second)
       return false;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       glm::dvec2 a = polygon[i];
       glm::dvec2 b = polygon[(i + 1) % polygon.size()];
-      Place from = placeOf(a);
-      Place to = placeOf(b);
+      GridPoint from = gridPointOf(a);
+      GridPoint to = gridPointOf(b);
       if (from == to)
         continue;
       // The edge is always written the same way round, so that the order of contours changes no
@@ -182,8 +182,8 @@ class OutlineBuilder {
     std::array<glm::dvec2, 2> edge;
     bool odd = false;
   };
-  std::map<std::pair<Place, Place>, Row> m_edges;
-  std::map<std::vector<Place>, bool> m_seen;
+  std::map<std::pair<GridPoint, GridPoint>, Row> m_edges;
+  std::map<std::vector<GridPoint>, bool> m_seen;
   std::size_t m_points = 0;
 };
 

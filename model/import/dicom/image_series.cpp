@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "model/import/dicom/frame_place.h"
+#include "model/import/dicom/frame_attributes.h"
 #include "model/import/dicom/pixel_frames.h"
 
 namespace sline::model {
@@ -42,7 +42,7 @@ std::string millimetres(double length) {
 }
 
 struct Slice {
-  FramePlace place;
+  FrameAttributes place;
   std::vector<std::int16_t> stored;
 };
 
@@ -123,7 +123,7 @@ class SeriesReader {
     const Result<PixelFrames> pixels = PixelFrames::open(file);
     if (!pixels)
       return pixels.error();
-    const Result<std::vector<FramePlace>> places = framesIn(file);
+    const Result<std::vector<FrameAttributes>> places = frameAttributesIn(file);
     if (!places)
       return places.error();
     if (places->size() != pixels->frames() || pixels->bits() == 1)
@@ -161,10 +161,10 @@ class SeriesReader {
     return Unit{};
   }
 
-  bool fits(const FramePlace& place) const {
+  bool fits(const FrameAttributes& place) const {
     if (m_slices.empty())
       return true;
-    const FramePlace& first = m_slices.front().place;
+    const FrameAttributes& first = m_slices.front().place;
     return glm::dot(place.along, first.along) > 0.9999 &&
            glm::dot(place.down, first.down) > 0.9999 &&
            std::abs(place.rowSpacing - first.rowSpacing) < 1e-3 * first.rowSpacing &&
@@ -203,7 +203,7 @@ class SeriesReader {
                      giveAll);
     m_step = (m_slices.back().place.position - m_slices.front().place.position) /
              double(m_slices.size() - 1);
-    const FramePlace& first = m_slices.front().place;
+    const FrameAttributes& first = m_slices.front().place;
     for (std::size_t i = 0; i < m_slices.size(); ++i) {
       const glm::dvec3 off = m_slices[i].place.position - first.position - double(i) * m_step;
       if (std::abs(glm::dot(off, m_normal)) > 2.0 * tolerance ||
@@ -217,7 +217,7 @@ class SeriesReader {
   /// Finds one scale for all: that of the slices or, where PET and MR give each slice its own, one
   /// that spans all values in 65,536 levels.
   void findScale(GreyVolume& volume) {
-    const FramePlace& first = m_slices.front().place;
+    const FrameAttributes& first = m_slices.front().place;
     volume.slope = first.slope;
     volume.intercept = first.intercept;
     const bool alike = std::all_of(m_slices.begin(), m_slices.end(), [&](const Slice& slice) {
@@ -245,7 +245,7 @@ class SeriesReader {
   }
 
   GreyVolume assembled() {
-    const FramePlace first = m_slices.front().place;
+    const FrameAttributes first = m_slices.front().place;
     GreyVolume volume;
     volume.size = {m_size.x, m_size.y, int(m_slices.size())};
     volume.hounsfield =

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include "model/import/dicom/frame_place.h"
+#include "model/import/dicom/frame_attributes.h"
 #include "model/import/dicom/pixel_frames.h"
 #include "model/import/dicom/segment_table.h"
 #include "model/import/volumes/label_surfaces.h"
@@ -59,7 +59,7 @@ class SegmentationReader {
     m_pixels = std::move(*pixels);
     if (std::optional<Error> error = readType())
       return *error;
-    Result<std::vector<FramePlace>> frames = framesIn(m_file);
+    Result<std::vector<FrameAttributes>> frames = frameAttributesIn(m_file);
     if (!frames)
       return frames.error();
     m_frames = std::move(*frames);
@@ -118,10 +118,10 @@ class SegmentationReader {
 
   /// Determines which slice each frame is.
   std::optional<Error> stack() {
-    const FramePlace& first = m_frames.front();
+    const FrameAttributes& first = m_frames.front();
     m_normal = glm::cross(first.along, first.down);
     std::set<double> places;
-    for (const FramePlace& frame : m_frames) {
+    for (const FrameAttributes& frame : m_frames) {
       const glm::dvec3 way = frame.position - first.position;
       const bool turned =
           glm::dot(frame.along, first.along) < 0.9999 || glm::dot(frame.down, first.down) < 0.9999;
@@ -176,7 +176,7 @@ class SegmentationReader {
     return multiple ? said : smallest;
   }
 
-  int sliceOf(const FramePlace& frame) const {
+  int sliceOf(const FrameAttributes& frame) const {
     const double place = glm::dot(frame.position - m_frames.front().position, m_normal);
     return int(std::lround((place - m_low) / m_spacing));
   }
@@ -339,7 +339,7 @@ class SegmentationReader {
     if ((m_result.volumes.size() + 1) * std::uint64_t(voxels) >
         mostVoxels + voxelsPerByte * m_file.source().size())
       return nullptr;
-    const FramePlace& first = m_frames.front();
+    const FrameAttributes& first = m_frames.front();
     const glm::dvec3 columns = first.along * first.columnSpacing;
     const glm::dvec3 rows = first.down * first.rowSpacing;
     const glm::dvec3 slices = m_normal * m_spacing;
@@ -366,7 +366,7 @@ class SegmentationReader {
   std::uint16_t m_inside = 1;      ///< values from here on are inside
   std::uint16_t m_background = 0;  ///< in a label map
   std::vector<bool> m_occurs = std::vector<bool>(pixelValues, false);
-  std::vector<FramePlace> m_frames;
+  std::vector<FrameAttributes> m_frames;
   glm::dvec3 m_normal{0, 0, 1};
   double m_low = 0.0;  ///< lowest slice, in mm from the first frame
   double m_spacing = 1.0;

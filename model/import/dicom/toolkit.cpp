@@ -15,7 +15,7 @@ namespace sline::model {
 
 namespace {
 
-void know(DcmDataDictionary& dictionary, Tag tag, DcmEVR kind) {
+void addToDictionary(DcmDataDictionary& dictionary, Tag tag, DcmEVR kind) {
   // The dictionary takes the entry over.
   dictionary.addEntry(new DcmDictEntry(tag.group, tag.element, DcmVR(kind), "Known", 1, 1, "DICOM",
                                        OFFalse, nullptr));
@@ -37,8 +37,8 @@ void useOwnDictionary() {
   DcmDataDictionary& dictionary = dcmDataDict.wrlock();
   dictionary.reloadDictionaries(OFFalse, OFFalse);
   for (const Tag tag : sequenceTags)
-    know(dictionary, tag, EVR_SQ);
-  know(dictionary, pixelData, EVR_px);
+    addToDictionary(dictionary, tag, EVR_SQ);
+  addToDictionary(dictionary, pixelData, EVR_px);
   dcmDataDict.wrunlock();
 }
 

@@ -247,7 +247,7 @@ std::uint64_t copiesOf(const Assembly& assembly) {
   return most;
 }
 
-std::string toldAssembly(const Assembly& assembly) {
+std::string assemblyText(const Assembly& assembly) {
   const std::uint64_t copies = copiesOf(assembly);
   std::string text = assembly.id + " (";
   text += copies > mostCopies ? "more than " + std::to_string(mostCopies) : std::to_string(copies);
@@ -264,15 +264,15 @@ Status assemble(const Source& source, EntryRecords& entry, const std::string& id
   if (found == all.end())
     return source.whole(all.empty() ? "describes no assembly"
                                     : "has no assembly " + inQuotes(id) + "; it " +
-                                          assembliesTold(entry.assemblies),
+                                          assembliesText(entry.assemblies),
                         "Ask for one that it describes, or for none");
   return Assembler(source, entry, *found).assemble();
 }
 
-std::string assembliesTold(const Assemblies& assemblies) {
+std::string assembliesText(const Assemblies& assemblies) {
   std::string list;
   for (std::size_t i = 0; i < std::min(assemblies.all.size(), mostTold); ++i)
-    list += (i == 0 ? "" : ", ") + toldAssembly(assemblies.all[i]);
+    list += (i == 0 ? "" : ", ") + assemblyText(assemblies.all[i]);
   if (assemblies.all.size() > mostTold)
     list += " and " + std::to_string(assemblies.all.size() - mostTold) + " more";
   return (assemblies.all.size() == 1 ? "describes assembly " : "describes assemblies ") + list;

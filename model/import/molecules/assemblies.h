@@ -54,7 +54,7 @@ std::vector<std::string> namesInList(std::string_view list);
 Status assemble(const Source& source, EntryRecords& entry, const std::string& id);
 
 /// Returns "describes assembly 1 (2 copies, dimeric)".
-std::string assembliesTold(const Assemblies& assemblies);
+std::string assembliesText(const Assemblies& assemblies);
 
 /// Tells whether one of the assemblies has more than one copy, or there are several assemblies.
 bool differFromTheirAtoms(const Assemblies& assemblies);

@@ -104,7 +104,7 @@ class Surfacer {
  private:
   void warn(std::string reason) { m_result.warnings.push_back({m_file, std::move(reason)}); }
 
-  RawMesh* add(std::string name, TriangleMesh mesh, MoleculePart::Role role) {
+  RawMesh* add(std::string name, TriangleMesh mesh, MoleculeOrigin::Role role) {
     if (mesh.triangles.empty())
       return nullptr;
     RawMesh raw;
@@ -116,7 +116,7 @@ class Surfacer {
     raw.frameReason = "a molecule has no left and right";
     raw.unitReason = "1 Å is drawn as 1 mm";
     raw.smooth = true;
-    raw.molecule = MoleculePart{role, 0, m_backbone};
+    raw.molecule = MoleculeOrigin{role, 0, m_backbone};
     m_result.meshes.push_back(std::move(raw));
     return &m_result.meshes.back();
   }
@@ -161,7 +161,7 @@ class Surfacer {
       RawMesh* raw = add(
           chainName(m_molecule.chains[i]),
           excludedSurface(*accessible[i], m_guests, std::min(spacing, coarsest), m_options.goesOn),
-          MoleculePart::Role::chain);
+          MoleculeOrigin::Role::chain);
       if (!raw) {
         warn(chainName(m_molecule.chains[i]) + " has no surface that can be drawn");
         continue;
@@ -218,9 +218,9 @@ class Surfacer {
       }
       for (ElementSurface& part : ballAndStick(ligand.atoms, m_molecule.bonds, m_options.goesOn)) {
         const std::string name = ligand.code + " " + std::string(part.element->name);
-        RawMesh* raw = add(
-            part.withBonds ? name + " and bonds" : name, std::move(part.mesh),
-            part.element->symbol == "C" ? MoleculePart::Role::bonds : MoleculePart::Role::other);
+        RawMesh* raw = add(part.withBonds ? name + " and bonds" : name, std::move(part.mesh),
+                           part.element->symbol == "C" ? MoleculeOrigin::Role::bonds
+                                                       : MoleculeOrigin::Role::other);
         if (!raw)
           continue;
         raw->groups = {m_group, "Ligands", ligand.name};
@@ -239,7 +239,7 @@ class Surfacer {
                    finestOfLigand, coarsest);
     RawMesh* raw =
         add(ligand.code + " surface", excludedSurface(accessible, {}, spacing, m_options.goesOn),
-            MoleculePart::Role::bonds);
+            MoleculeOrigin::Role::bonds);
     if (!raw)
       return;
     raw->groups = {m_group, "Ligand surfaces"};
@@ -267,7 +267,7 @@ class Surfacer {
     for (const auto& [name, atoms] : kinds) {
       const std::string shown =
           atoms.size() == 1 ? name : name + " × " + std::to_string(atoms.size());
-      if (RawMesh* raw = add(shown, balls(atoms, ionShare), MoleculePart::Role::other)) {
+      if (RawMesh* raw = add(shown, balls(atoms, ionShare), MoleculeOrigin::Role::other)) {
         raw->groups.emplace_back("Ions");
         raw->colour = atoms.front().element->colour;
       }

@@ -80,7 +80,7 @@ Result<RawMeshes> read(const std::filesystem::path& file, const ReadOptions& opt
     if (const Status status = assemble(*source, *entry, options.assembly); !status)
       return status.error();
   } else if (differFromTheirAtoms(entry->assemblies)) {
-    entry->notes.told = assembliesTold(entry->assemblies) + "; drawn are its atoms as they are";
+    entry->notes.told = assembliesText(entry->assemblies) + "; drawn are its atoms as they are";
   }
   const std::vector<ImportWarning> warnings = leaveOut(*entry, *source);
   if (entry->atoms.empty())

@@ -33,7 +33,7 @@ bool liesInTheMiddle(const std::string& name) {
   return false;
 }
 
-float mean(std::span<const NamedPlace> places, const std::vector<std::size_t>& which) {
+float mean(std::span<const NamedPosition> places, const std::vector<std::size_t>& which) {
   double sum = 0.0;
   for (const std::size_t i : which)
     sum += double(places[i].x);
@@ -47,14 +47,14 @@ float median(std::vector<float> values) {
 }
 
 /// Returns the ballots of all names that say something.
-std::vector<Ballot> ballots(std::span<const NamedPlace> places) {
+std::vector<Ballot> ballots(std::span<const NamedPosition> places) {
   std::map<std::string, Pair> pairs;
   std::vector<float> middles;
   std::vector<float> spine;
   float low = std::numeric_limits<float>::infinity();
   float high = -low;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const NamedPlace& place = places[i];
+    const NamedPosition& place = places[i];
     low = std::min(low, place.x);
     high = std::max(high, place.x);
     const SidedName name = sidedName(place.name);
@@ -108,14 +108,14 @@ std::string FrameVote::text() const {
          " left/right names";
 }
 
-FrameVote voteOnFrame(std::span<const NamedPlace> places) {
+FrameVote voteOnFrame(std::span<const NamedPosition> places) {
   FrameVote vote;
   for (const Ballot& ballot : ballots(places))
     ++(ballot.leftMinusRight > 0.0f ? vote.lps : vote.ras);
   return vote;
 }
 
-std::vector<std::size_t> onTheOtherSide(std::span<const NamedPlace> places) {
+std::vector<std::size_t> namedForOtherSide(std::span<const NamedPosition> places) {
   std::vector<std::size_t> found;
   for (const Ballot& ballot : ballots(places))
     if (ballot.leftMinusRight < 0.0f)

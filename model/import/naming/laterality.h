@@ -15,7 +15,7 @@ namespace sline::model {
 
 /// Describes a structure as the vote sees it: its name and the middle of its box, in the file's
 /// coordinates (glTF: already turned upright).
-struct NamedPlace {
+struct NamedPosition {
   std::string name;
   float x = 0.0f;
 };
@@ -32,11 +32,11 @@ struct FrameVote {
 /// Lets the names vote. Pairs "left kidney"/"right kidney" vote by comparing places; a name without
 /// its counterpart votes by its side of the midline between the pairs or, without pairs, of the
 /// spine. Differences below 1 % of the scene's width say nothing.
-FrameVote voteOnFrame(std::span<const NamedPlace> places);
+FrameVote voteOnFrame(std::span<const NamedPosition> places);
 
 /// Returns those of the places, in order, that contradict their names if +x is the patient's left,
 /// by the same comparisons; of a pair both are returned.
-std::vector<std::size_t> onTheOtherSide(std::span<const NamedPlace> places);
+std::vector<std::size_t> namedForOtherSide(std::span<const NamedPosition> places);
 
 /// Turns axes with y up (RawMesh::yUp) to axes with z up, a rotation: (x, −z, y). It turns the axes
 /// of glTF (+x the patient's left, +z to the front) into LPS.

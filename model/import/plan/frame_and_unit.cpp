@@ -70,7 +70,7 @@ class FrameDecision {
 
   template <class Wanted>
   FrameVote voteOf(const Wanted& wanted) const {
-    std::vector<NamedPlace> places;
+    std::vector<NamedPosition> places;
     for (const Part& part : m_parts)
       if (wanted(part))
         places.push_back({part.name, boxOf(part.raw.positions).centre().x});

@@ -147,9 +147,9 @@ bool prepare(Part& part, const std::string& shown, const ImportOptions& options,
 }
 
 /// Returns as parts the data that was read from a file.
-Loaded loadedFrom(const Sources& sources, std::size_t index, Result<RawMeshes>&& read,
-                  const Loading& loading) {
-  Loaded loaded;
+LoadedParts partsFrom(const Sources& sources, std::size_t index, Result<RawMeshes>&& read,
+                      const Loading& loading) {
+  LoadedParts loaded;
   const SourceFile& source = sources.files[index];
   const std::string shown = source.file.filename().string();
   if (!read) {
@@ -188,39 +188,39 @@ Loaded loadedFrom(const Sources& sources, std::size_t index, Result<RawMeshes>&&
 
 }  // namespace
 
-Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
-                ProgressMeter& meter) {
+LoadedParts loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
+                     ProgressMeter& meter) {
   const SourceFile& source = sources.files[index];
   const ReadOptions how = readOptions(options, meter, source.file.filename().string());
   Result<RawMeshes> read = source.together.empty() && !source.slice ? readSurfaces(source.file, how)
                                                                     : readTogether(source, how);
-  return loadedFrom(sources, index, std::move(read), {options, meter});
+  return partsFrom(sources, index, std::move(read), {options, meter});
 }
 
-Loaded loadScan(const Sources& sources, const ReadScan& scan, const ImportOptions& options,
-                ProgressMeter& meter) {
+LoadedParts loadScan(const Sources& sources, const ReadScan& scan, const ImportOptions& options,
+                     ProgressMeter& meter) {
   ReadOptions how = readOptions(options, meter, scan.raw.file);
   how.keepScans = false;
-  return loadedFrom(sources, scan.file, scanSurfaces(scan.raw, how), {options, meter});
+  return partsFrom(sources, scan.file, scanSurfaces(scan.raw, how), {options, meter});
 }
 
-Loaded loadParts(const Sources& sources, const ImportOptions& options, ProgressMeter& meter) {
+LoadedParts loadParts(const Sources& sources, const ImportOptions& options, ProgressMeter& meter) {
   std::vector<std::size_t> order(sources.files.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   // Large files first, so that none is left to the end while a core waits.
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return sources.files[a].bytes > sources.files[b].bytes;
   });
-  std::vector<Loaded> loaded(sources.files.size());
+  std::vector<LoadedParts> loaded(sources.files.size());
   forFewAtATime(order, meter, [&](std::size_t i) {
     loaded[i] = loadFile(sources, i, options, meter);
     meter.add(double(sources.files[i].bytes) + 1.0, sources.files[i].file.filename().string());
   });
-  Loaded all;
+  LoadedParts all;
   const auto take = [](auto& to, auto& from) {
     std::move(from.begin(), from.end(), std::back_inserter(to));
   };
-  for (Loaded& one : loaded) {
+  for (LoadedParts& one : loaded) {
     take(all.parts, one.parts);
     take(all.scans, one.scans);
     take(all.warnings, one.warnings);

@@ -19,7 +19,7 @@ struct ReadScan {
 };
 
 /// Holds the data that files gave.
-struct Loaded {
+struct LoadedParts {
   std::vector<Part> parts;
   std::vector<ReadScan> scans;  ///< filled where the options keep scans
   std::vector<ImportWarning> warnings;
@@ -27,16 +27,16 @@ struct Loaded {
 };
 
 /// Reads and mends all files; parts come in the files' order. A failure becomes a warning.
-Loaded loadParts(const Sources& sources, const ImportOptions& options, ProgressMeter& meter);
+LoadedParts loadParts(const Sources& sources, const ImportOptions& options, ProgressMeter& meter);
 
 /// Reads one file, or those that are read together with it; `number` is not set.
-Loaded loadFile(const Sources& sources, std::size_t file, const ImportOptions& options,
-                ProgressMeter& meter);
+LoadedParts loadFile(const Sources& sources, std::size_t file, const ImportOptions& options,
+                     ProgressMeter& meter);
 
 /// Makes the structures that the options' thresholds select in a scan that was read before, as
 /// loadFile would.
-Loaded loadScan(const Sources& sources, const ReadScan& scan, const ImportOptions& options,
-                ProgressMeter& meter);
+LoadedParts loadScan(const Sources& sources, const ReadScan& scan, const ImportOptions& options,
+                     ProgressMeter& meter);
 
 /// Sets Part::number by the order of the parts.
 void numberParts(std::vector<Part>& parts);

@@ -23,7 +23,7 @@ std::vector<BackbonePtr> entriesOf(const std::vector<Part>& parts) {
   return entries;
 }
 
-std::string told(const Superposition& fit, const Backbone& fixed) {
+std::string fitText(const Superposition& fit, const Backbone& fixed) {
   char numbers[160];
   std::snprintf(numbers, sizeof numbers, ": %zu of %zu pairs of residues, %.0f %% identical, RMSD ",
                 fit.kept, fit.aligned, 100.0 * fit.identity);
@@ -35,9 +35,9 @@ std::string told(const Superposition& fit, const Backbone& fixed) {
 }
 
 void recolour(RawMesh& raw, std::size_t entry, std::size_t chainsBefore) {
-  if (raw.molecule->role == MoleculePart::Role::chain)
+  if (raw.molecule->role == MoleculeOrigin::Role::chain)
     raw.colour = chainColour(chainsBefore + raw.molecule->number);
-  else if (raw.molecule->role == MoleculePart::Role::bonds)
+  else if (raw.molecule->role == MoleculeOrigin::Role::bonds)
     raw.colour = bondColour(entry);
 }
 
@@ -59,7 +59,7 @@ std::vector<std::string> overlayMolecules(std::vector<Part>& parts, Overlay over
     if (entry > 0 && onlyMolecules && overlay == Overlay::automatic) {
       fit = superposition(*entries[entry], *entries.front());
       notes.push_back(entries[entry]->entry + ": " +
-                      (fit ? told(*fit, *entries.front())
+                      (fit ? fitText(*fit, *entries.front())
                            : "not laid over " + entries.front()->entry +
                                  ", since no chains match; it stays where its file has it"));
     }
@@ -71,7 +71,7 @@ std::vector<std::string> overlayMolecules(std::vector<Part>& parts, Overlay over
         continue;
       for (glm::vec3& p : part.raw.positions)
         p = glm::vec3(fit->motion(glm::dvec3(p)));
-      part.raw.frameReason = told(*fit, *entries.front());
+      part.raw.frameReason = fitText(*fit, *entries.front());
     }
     chains += entries[entry]->chains.size();
   }

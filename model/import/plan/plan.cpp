@@ -39,8 +39,8 @@ std::vector<Part> partsOf(const ReadInputs& read, const PartChoices& chosen) {
   return parts;
 }
 
-Result<ImportPlan> planned(std::shared_ptr<const ReadInputs> read, const ImportOptions& options,
-                           const PartChoices& chosen) {
+Result<ImportPlan> makePlan(std::shared_ptr<const ReadInputs> read, const ImportOptions& options,
+                            const PartChoices& chosen) {
   DecidedParts decided = decideParts(partsOf(*read, chosen), *read, options);
   placeParts(decided.parts, read->sources, decided.report.warnings);
   if (const Status left = checkAnythingLeft(decided, *read); !left.ok())
@@ -105,7 +105,7 @@ Result<ImportPlan> planImport(std::span<const std::filesystem::path> inputs,
   if (!read.ok())
     return read.error();
   const PartChoices none(read->parts.size());
-  return planned(std::make_shared<const ReadInputs>(std::move(*read)), options, none);
+  return makePlan(std::make_shared<const ReadInputs>(std::move(*read)), options, none);
 }
 
 Result<ImportPlan> planAgain(const ImportPlan& plan, const ImportProgress& progress) {
@@ -130,7 +130,7 @@ Result<ImportPlan> planAgain(const ImportPlan& plan, const ImportProgress& progr
       if (const auto now = renumbering.of(number))
         chosen[*now] = old[number];
   }
-  Result<ImportPlan> next = planned(read, plan.options, chosen);
+  Result<ImportPlan> next = makePlan(read, plan.options, chosen);
   if (!next.ok())
     return next;
   std::map<std::size_t, NodeId> ids;

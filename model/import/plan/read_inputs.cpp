@@ -29,7 +29,7 @@ Status readMeshes(ReadInputs& read, const std::vector<fs::path>& meshes, ScansWa
   ProgressMeter meter(progress, bytesOf(read.sources));
   // The user decides what to make of a scan by looking at it.
   options.keepScans = options.keepScans || scans == ScansWanted::all;
-  Loaded loaded = loadParts(read.sources, options, meter);
+  LoadedParts loaded = loadParts(read.sources, options, meter);
   read.parts = std::move(loaded.parts);
   read.scans = std::move(loaded.scans);
   read.warnings = std::move(loaded.warnings);
@@ -108,7 +108,7 @@ Result<ReadInputs> withThresholds(const ReadInputs& read, const std::vector<Thre
                 [&](const std::string& note) { return ofScan(note.substr(0, note.find(": "))); });
   ProgressMeter meter(progress, double(again.scans.size()));
   for (const ReadScan& scan : again.scans) {
-    Loaded loaded = loadScan(again.sources, scan, again.options, meter);
+    LoadedParts loaded = loadScan(again.sources, scan, again.options, meter);
     meter.add(1.0, scan.raw.file);
     std::move(loaded.parts.begin(), loaded.parts.end(), std::back_inserter(again.parts));
     std::move(loaded.warnings.begin(), loaded.warnings.end(), std::back_inserter(again.warnings));

@@ -29,7 +29,7 @@ std::map<std::string, std::set<fs::path>> filesNamed(const std::set<std::string>
                                                      std::span<const fs::path> places,
                                                      std::vector<ImportWarning>& warnings) {
   std::map<std::string, std::set<fs::path>> found;
-  const auto look = [&](const fs::path& file) {
+  const auto search = [&](const fs::path& file) {
     std::error_code fault;
     const std::string name = file.filename().string();
     if (names.contains(name) && fs::is_regular_file(file, fault))
@@ -38,7 +38,7 @@ std::map<std::string, std::set<fs::path>> filesNamed(const std::set<std::string>
   for (const fs::path& place : places) {
     std::error_code fault;
     if (!fs::is_directory(place, fault)) {
-      look(place);
+      search(place);
       continue;
     }
     std::size_t count = 0;
@@ -46,7 +46,7 @@ std::map<std::string, std::set<fs::path>> filesNamed(const std::set<std::string>
                                            fault);
     for (const fs::recursive_directory_iterator end; !fault && entry != end && count < mostFiles;
          entry.increment(fault), ++count)
-      look(entry->path());
+      search(entry->path());
     if (fault || count == mostFiles)
       warnings.push_back(
           {place.string(), "the folder was not searched to its end: " +
@@ -101,7 +101,7 @@ struct FileNow {
 };
 
 /// Applies to a surface the steps that the import did to it before.
-Result<MeshPtr> brought(RawMesh raw, Provenance& as, const ReadOptions& options) {
+Result<MeshPtr> repeatImport(RawMesh raw, Provenance& as, const ReadOptions& options) {
   if (raw.molecule)
     return Error{.reason = "a molecule may have been laid over another one; import both again"};
   as.repairedFaces = repair(raw.positions, raw.triangles).faces();
@@ -150,7 +150,7 @@ class Reloader {
       if (candidates == found.end())
         tell(origin, Fate::absent, "no file of this name was found");
       else if (m_options.goesOn())
-        look(origin, candidates->second, origins);
+        compareFiles(origin, candidates->second, origins);
     }
     m_result.changed = !m_result.meshes.empty();
     if (m_result.changed)
@@ -166,8 +166,8 @@ class Reloader {
     m_result.files.push_back(std::move(line));
   }
 
-  void look(const Origin& origin, const std::set<fs::path>& files,
-            const std::vector<Origin>& origins) {
+  void compareFiles(const Origin& origin, const std::set<fs::path>& files,
+                    const std::vector<Origin>& origins) {
     std::vector<std::pair<fs::path, Fingerprint>> changed;
     for (const fs::path& file : files) {
       const Result<Fingerprint> now = fingerprintOfFile(file);
@@ -257,7 +257,7 @@ class Reloader {
     taken[*k] = true;
     Provenance as = node.provenance;
     as.fingerprint = file.fingerprint;
-    Result<MeshPtr> mesh = brought(file.meshes[*k], as, m_options);
+    Result<MeshPtr> mesh = repeatImport(file.meshes[*k], as, m_options);
     if (!mesh)
       return tell(alone, Fate::failed, mesh.error().reason);
     m_result.meshes.push_back({node.id, node.mesh, std::move(*mesh), std::move(as)});

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/vec4.hpp>
 
-#include "model/import/slicer/places.h"
+#include "model/import/slicer/files_and_transforms.h"
 
 namespace sline::model {
 

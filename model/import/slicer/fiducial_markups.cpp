@@ -48,7 +48,7 @@ class MarkupsReader {
       model.locked = locked->flag();
     std::optional<Colour> colours[2];
     if (const auto display = object.take("display"))
-      model.visible = look(*display, colours);
+      model.visible = readDisplay(*display, colours);
     model.text = m_name;
     if (const auto name = object.take("name"))
       model.text = name->text();
@@ -87,7 +87,7 @@ class MarkupsReader {
     return Colour{channel(rgb.x), channel(rgb.y), channel(rgb.z)};
   }
 
-  static bool look(const JsonValue& value, std::optional<Colour> (&colours)[2]) {
+  static bool readDisplay(const JsonValue& value, std::optional<Colour> (&colours)[2]) {
     JsonObject object(value);
     if (const auto plain = object.take("color"))
       colours[0] = colour(*plain);

@@ -9,9 +9,9 @@
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/naming/names.h"
 #include "model/import/slicer/annotations.h"
+#include "model/import/slicer/files_and_transforms.h"
 #include "model/import/slicer/hierarchy.h"
 #include "model/import/slicer/nodes.h"
-#include "model/import/slicer/places.h"
 #include "model/import/slicer/views.h"
 
 namespace sline::model {

@@ -25,7 +25,7 @@ struct Backbone {
 };
 
 /// Describes a surface's part in its molecule.
-struct MoleculePart {
+struct MoleculeOrigin {
   enum class Role { chain, bonds, other } role = Role::other;
   std::size_t number = 0;                    ///< number of the chain in its entry
   std::shared_ptr<const Backbone> backbone;  ///< shared by all surfaces of an entry; never null

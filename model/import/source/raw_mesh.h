@@ -46,8 +46,8 @@ struct RawMesh {
   std::string file;             ///< its own file's name where several were read together
   bool smooth = false;          ///< made smooth by its reader: not smoothed or refined again
   std::optional<bool> visible;  ///< set where the reader would rather hide it at first
-  std::optional<MoleculePart> molecule;  ///< cut from a molecule: named, grouped and coloured by
-                                         ///< its reader, not by anatomy
+  std::optional<MoleculeOrigin> molecule;  ///< cut from a molecule: named, grouped and coloured by
+                                           ///< its reader, not by anatomy
   float displacement = 0.0f;  ///< the farthest that the reader moved a vertex, in the file's unit
   std::optional<Threshold> threshold;  ///< made it from a scan; has resolved bounds
 };

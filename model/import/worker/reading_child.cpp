@@ -27,7 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int millisecondsBetweenLooks = 20;
+constexpr int pollIntervalMs = 20;
 /// A child that waits, for a disc that hangs or for itself, uses no computing time.
 constexpr std::uint64_t waitingFactor = 6;
 
@@ -65,7 +65,7 @@ class Child {
   bool hasEnded() {
     pollfd handle{m_handle.number(), POLLIN, 0};
     // Without a handle (kernels before 5.3) this just waits.
-    poll(&handle, 1, millisecondsBetweenLooks);
+    poll(&handle, 1, pollIntervalMs);
     if (!m_ended && waitpid(m_id, &m_status, WNOHANG) == m_id)
       m_ended = true;
     return m_ended;
@@ -83,7 +83,7 @@ Error faultOfMachine(const std::string& deed) {
   return {{}, {}, deed + ": " + std::strerror(errno), "Close other programs and try again"};
 }
 
-std::optional<pid_t> started(const std::filesystem::path& program, int exchange) {
+std::optional<pid_t> startChild(const std::filesystem::path& program, int exchange) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
@@ -110,7 +110,7 @@ std::string gigabytes(std::uint64_t bytes) {
 }
 
 /// Returns the limits with the usual values in place of their stand-ins.
-ReadLimits settled(ReadLimits limits, std::span<const std::filesystem::path> files) {
+ReadLimits withUsualLimits(ReadLimits limits, std::span<const std::filesystem::path> files) {
   if (limits.childBytes == 0)
     limits.childBytes =
         std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGESIZE)) / 2;
@@ -125,7 +125,7 @@ ReadLimits settled(ReadLimits limits, std::span<const std::filesystem::path> fil
   return limits;
 }
 
-Error ended(const std::string& reason) {
+Error readerError(const std::string& reason) {
   return {{}, {}, reason, "It may be damaged: export it again, or in another format"};
 }
 
@@ -133,14 +133,14 @@ Error ended(const std::string& reason) {
 Error faultOf(int status, std::string_view kind, const ReadLimits& limits) {
   const std::string reader = "the reader of " + std::string(kind) + " files ";
   if (WIFEXITED(status) && WEXITSTATUS(status) == outOfMemoryStatus)
-    return ended(reader + "wanted more than " + gigabytes(limits.childBytes) +
-                 " of memory for this file");
+    return readerError(reader + "wanted more than " + gigabytes(limits.childBytes) +
+                       " of memory for this file");
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-    return ended(reader + "did not come to an end within " + std::to_string(limits.childSeconds) +
-                 " s of computing");
+    return readerError(reader + "did not come to an end within " +
+                       std::to_string(limits.childSeconds) + " s of computing");
   if (WIFSIGNALED(status))
-    return ended(reader + "crashed over this file (" + strsignal(WTERMSIG(status)) + ")");
-  return ended(reader + "gave no answer for this file");
+    return readerError(reader + "crashed over this file (" + strsignal(WTERMSIG(status)) + ")");
+  return readerError(reader + "gave no answer for this file");
 }
 
 Result<RawMeshes> answerIn(int exchange) {
@@ -149,7 +149,7 @@ Result<RawMeshes> answerIn(int exchange) {
     return faultOfMachine("its answer could not be read");
   const auto size = std::size_t(status.st_size);
   if (size == 0)
-    return ended("the program that reads it gave no answer");
+    return readerError("the program that reads it gave no answer");
   void* bytes = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, exchange, 0);
   if (bytes == MAP_FAILED)
     return faultOfMachine("its answer could not be read");
@@ -166,7 +166,7 @@ Result<RawMeshes> askChild(const std::filesystem::path& program, const ReadReque
   if (exchange.number() < 0 ||
       write(exchange.number(), bytes.data(), bytes.size()) != ssize_t(bytes.size()))
     return faultOfMachine("there is no memory to read it");
-  const std::optional<pid_t> id = started(program, exchange.number());
+  const std::optional<pid_t> id = startChild(program, exchange.number());
   if (!id)
     return faultOfMachine(program.string() + " could not be started");
   Child child(*id);
@@ -176,8 +176,8 @@ Result<RawMeshes> askChild(const std::filesystem::path& program, const ReadReque
     if (!goesOn())
       return Error{{}, {}, "reading was given up", {}};
     if (Clock::now() > latest)
-      return ended("the reader of " + request.kind + " files did not come to an end within " +
-                   std::to_string(waitingFactor * request.limits.childSeconds) + " s");
+      return readerError("the reader of " + request.kind + " files did not come to an end within " +
+                         std::to_string(waitingFactor * request.limits.childSeconds) + " s");
   }
   if (!WIFEXITED(child.status()) || WEXITSTATUS(child.status()) != 0)
     return faultOf(child.status(), request.kind, request.limits);
@@ -207,7 +207,7 @@ Result<RawMeshes> readInChild(std::string_view kind, std::span<const std::filesy
   Result<RawMeshes> answer = askChild(program,
                                       {std::string(kind),
                                        {files.begin(), files.end()},
-                                       settled(options.limits, files),
+                                       withUsualLimits(options.limits, files),
                                        options.smoothing,
                                        options.thresholds,
                                        options.keepScans},

@@ -13,7 +13,7 @@
 
 namespace sline::render {
 
-/// What a file's pixels are.
+/// Describes a file's pixels.
 struct PixelLayout {
   int width = 0;
   int height = 0;

@@ -234,9 +234,9 @@ std::span<const ExportFormat> exportFormats() {
 }
 
 bool ExportFormat::has(const ExportOption& option) const {
-  if (option.part == OptionPart::credit)
+  if (option.group == OptionGroup::credit)
     return true;
-  if (option.part != OptionPart::kind)
+  if (option.group != OptionGroup::kind)
     return page != PageUse::none;
   const OptionList own = options();
   return std::find(own.begin(), own.end(), &option) != own.end();
@@ -256,7 +256,7 @@ std::vector<const ExportOption*> exportOptions() {
 
 void dropForeignOptions(ExportOrder& order, const ExportFormat& format) {
   for (const ExportOption* option : exportOptions())
-    if (option->part == OptionPart::kind && !format.has(*option))
+    if (option->group == OptionGroup::kind && !format.has(*option))
       option->field.write(order, option->field.read(ExportOrder()));
 }
 

@@ -96,10 +96,10 @@ Result<Film::Tour> Film::tourOf(const ExportOrder& order) {
   tour.way = (options.seconds - count * tour.hold) / (count - 1.0);
   if (tour.way <= 0.0 || tour.hold < 0.0)
     return tooLongRests(options);
-  model::Scene before = model::shown(order.scene, views.front()).scene;
+  model::Scene before = model::withViewApplied(order.scene, views.front()).scene;
   tour.first = {before, views.front().camera, views.front().name};
   for (std::size_t i = 1; i < views.size(); ++i) {
-    model::Scene next = model::shown(order.scene, views[i]).scene;
+    model::Scene next = model::withViewApplied(order.scene, views[i]).scene;
     tour.legs.push_back({model::SceneBlend(before, next),
                          model::CameraFlight(views[i - 1].camera, views[i].camera),
                          views[i - 1].name, views[i].name});

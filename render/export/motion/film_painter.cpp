@@ -76,7 +76,7 @@ struct FilmPainter::Data {
   bool bare() const { return !labelled() && order.marks == ExportMarks::none(); }
   ExportOrder orderOf(const FilmFrame& frame) const;
   FigurePlate plateOf(const FilmFrame& frame);
-  Result<Image> drawn(const FilmFrame& frame, const glm::ivec2& size);
+  Result<Image> drawFrame(const FilmFrame& frame, const glm::ivec2& size);
   void paint(Image& image, const FigurePlate& plate) const;
 };
 
@@ -145,7 +145,7 @@ void FilmPainter::settle(const Film& film) {
       m_data->plateOf(film.at(i));
 }
 
-Result<Image> FilmPainter::Data::drawn(const FilmFrame& frame, const glm::ivec2& size) {
+Result<Image> FilmPainter::Data::drawFrame(const FilmFrame& frame, const glm::ivec2& size) {
   // Draws as pictures are drawn: averaged where pixels are not fine enough by themselves.
   return picture->render(frame.scene, frame.camera,
                          {.width = size.x, .height = size.y, .environment = order.environment},
@@ -171,7 +171,7 @@ void FilmPainter::Data::paint(Image& image, const FigurePlate& plate) const {
 
 Result<Image> FilmPainter::draw(const Film& film, int frame) {
   const FilmFrame shown = film.at(frame);
-  Result<Image> image = m_data->drawn(shown, film.size());
+  Result<Image> image = m_data->drawFrame(shown, film.size());
   if (!image.ok() || m_data->bare())
     return image;
   const FigurePlate plate = m_data->plateOf(shown);

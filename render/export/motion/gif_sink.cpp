@@ -14,7 +14,7 @@ namespace {
 constexpr int clear = GifPalette::mostColours;  // an index without a colour
 constexpr int mostGifFramesPerSecond = 50;  // programs show shorter frames for a tenth of a second
 
-struct Place {
+struct FrameRect {
   int left = 0;
   int top = 0;
   int width = 0;
@@ -61,9 +61,9 @@ class GifSink : public FilmSink {
 
   Status add(const Image& frame) override {
     std::vector<std::uint8_t> pixels = indicesOf(frame);
-    const Place place = m_shape.transparent || m_before.empty()
-                            ? Place{0, 0, m_shape.size.x, m_shape.size.y}
-                            : changed(pixels);
+    const FrameRect place = m_shape.transparent || m_before.empty()
+                                ? FrameRect{0, 0, m_shape.size.x, m_shape.size.y}
+                                : changed(pixels);
     const bool added = describe(place) && putLines(pixels, place);
     m_before = std::move(pixels);
     ++m_added;
@@ -111,7 +111,7 @@ class GifSink : public FilmSink {
 
   /// Returns the smallest part of the frame that differs from the one before; a single pixel where
   /// nothing differs, as each frame needs one.
-  Place changed(const std::vector<std::uint8_t>& pixels) const {
+  FrameRect changed(const std::vector<std::uint8_t>& pixels) const {
     int left = m_shape.size.x;
     int right = -1;
     int top = m_shape.size.y;
@@ -124,7 +124,8 @@ class GifSink : public FilmSink {
           top = std::min(top, y);
           bottom = y;
         }
-    return right < 0 ? Place{0, 0, 1, 1} : Place{left, top, right - left + 1, bottom - top + 1};
+    return right < 0 ? FrameRect{0, 0, 1, 1}
+                     : FrameRect{left, top, right - left + 1, bottom - top + 1};
   }
 
   /// Returns how long the frame is shown, in hundredths of a second; rounding does not add up.
@@ -135,7 +136,7 @@ class GifSink : public FilmSink {
     return until(m_added + 1) - until(m_added);
   }
 
-  bool describe(const Place& place) {
+  bool describe(const FrameRect& place) {
     GraphicsControlBlock control{};
     control.DisposalMode = m_shape.transparent ? DISPOSE_BACKGROUND : DISPOSE_DO_NOT;
     control.UserInputFlag = false;
@@ -149,7 +150,7 @@ class GifSink : public FilmSink {
   }
 
   /// Writes the lines; unchanged pixels are left clear, which packs better.
-  bool putLines(const std::vector<std::uint8_t>& pixels, const Place& place) {
+  bool putLines(const std::vector<std::uint8_t>& pixels, const FrameRect& place) {
     const bool onBefore = !m_shape.transparent && !m_before.empty();
     std::vector<GifPixelType> line(std::size_t(place.width));
     for (int y = place.top; y < place.top + place.height; ++y) {

@@ -39,7 +39,7 @@ constexpr std::array labelModes{
 
 constexpr ExportOption labels{
     .id = "labels",
-    .part = OptionPart::labels,
+    .group = OptionGroup::labels,
     .flag = "--labels",
     .help =
         "The scene's annotations in the picture: on with their texts, numbers with numbered badges "
@@ -53,7 +53,7 @@ constexpr ExportOption labels{
 
 constexpr ExportOption labelSize{
     .id = "labelSize",
-    .part = OptionPart::labels,
+    .group = OptionGroup::labels,
     .flag = "--label-size",
     .value = "PT",
     .help = "Of labels' letters, in points of the page, or of a picture that is 190.5 mm high",
@@ -66,7 +66,7 @@ constexpr ExportOption labelSize{
 
 constexpr ExportOption sides{
     .id = "sides",
-    .part = OptionPart::marks,
+    .group = OptionGroup::marks,
     .flag = "sides",
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "&Right and left"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
@@ -75,7 +75,7 @@ constexpr ExportOption sides{
 
 constexpr ExportOption viewName{
     .id = "viewName",
-    .part = OptionPart::marks,
+    .group = OptionGroup::marks,
     .flag = "view",
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "&Name of the view"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
@@ -84,7 +84,7 @@ constexpr ExportOption viewName{
 
 constexpr ExportOption scaleBar{
     .id = "scaleBar",
-    .part = OptionPart::marks,
+    .group = OptionGroup::marks,
     .flag = "scale",
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "S&cale bar"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "How long a centimetre is"),
@@ -92,7 +92,7 @@ constexpr ExportOption scaleBar{
 
 constexpr ExportOption sectionState{
     .id = "sectionState",
-    .part = OptionPart::marks,
+    .group = OptionGroup::marks,
     .flag = "sections",
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "S&ections"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What sections have taken away"),
@@ -100,7 +100,7 @@ constexpr ExportOption sectionState{
 
 constexpr ExportOption author{
     .id = "author",
-    .part = OptionPart::credit,
+    .group = OptionGroup::credit,
     .flag = "--author",
     .value = "NAME",
     .help =
@@ -116,7 +116,7 @@ constexpr ExportOption author{
 
 constexpr ExportOption copyright{
     .id = "copyright",
-    .part = OptionPart::credit,
+    .group = OptionGroup::credit,
     .flag = "--copyright",
     .value = "TEXT",
     .help = "Whose it is or what others may do with it, as in \"CC BY 4.0\"; likewise",
@@ -131,7 +131,7 @@ constexpr ExportOption copyright{
 
 constinit const ExportOption backgroundOption{
     .id = "background",
-    .part = OptionPart::picture,
+    .group = OptionGroup::picture,
     .flag = "--background",
     .help = "What lies behind the drawing",
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Back&ground"),
@@ -142,7 +142,7 @@ constinit const ExportOption backgroundOption{
 // The available languages depend on the scene: a window offers those, and keeps none.
 constinit const ExportOption languageOption{
     .id = "language",
-    .part = OptionPart::labels,
+    .group = OptionGroup::labels,
     .flag = "--language",
     .value = "TAG",
     .help = "The language of labels, as in de or la; where one has no text in it, the scene's own",

@@ -44,7 +44,7 @@ struct TextOption {
 using OptionKind = std::variant<SwitchOption, ChoiceOption, NumberOption, TextOption>;
 
 /// Tells where an option belongs: to all pictures, or to the kinds that name it.
-enum class OptionPart { picture, labels, marks, kind, credit };
+enum class OptionGroup { picture, labels, marks, kind, credit };
 
 /// Binds an option to a field of the order. `write` expects the alternative that `read` gives.
 struct OptionField {
@@ -56,7 +56,7 @@ struct OptionField {
 /// translated in the context "sline::render::ExportOption".
 struct ExportOption {
   const char* id = "";  ///< in settings; the dialog's control is named "export-" and this
-  OptionPart part = OptionPart::kind;
+  OptionGroup group = OptionGroup::kind;
   const char* flag =
       "";  ///< flag of `sline export`, as "--grey,--gray"; of marks: their name in --marks
   const char* value = "";       ///< what is typed after the flag, as "PIXELS"; of choices their ids

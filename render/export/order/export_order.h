@@ -28,7 +28,7 @@ struct ExportPage {
 };
 inline constexpr Limits<float> dpiLimits{10.0f, 4800.0f};
 
-/// Of either side of a picture.
+/// The limits of either side of a picture.
 inline constexpr Limits<int> pixelSideLimits{16, 20'000};
 
 /// Selects what is written at the edge of a picture, so that it can be read without the program.

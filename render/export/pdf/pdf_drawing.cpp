@@ -95,7 +95,7 @@ class DrawingContent {
   DrawingContent(PdfContent& content, const VectorDrawing& drawing)
       : m_content(content), m_drawing(drawing) {}
 
-  void append(const PdfPlace& place, double pageHeight) {
+  void append(const PdfPlacement& place, double pageHeight) {
     Operators out;
     out.word("q");
     // Maps millimetres from the page's upper left corner, y downwards.
@@ -195,7 +195,7 @@ std::string pdfFormName(std::size_t index) {
   return "/SlG" + std::to_string(index);
 }
 
-void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlace& place,
+void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlacement& place,
                    double pageHeight) {
   DrawingContent(content, drawing).append(place, pageHeight);
 }

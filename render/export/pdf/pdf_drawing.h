@@ -13,7 +13,7 @@
 namespace sline::render {
 
 /// A place on a page, in millimetres from its upper left corner.
-struct PdfPlace {
+struct PdfPlacement {
   glm::vec2 at{0.0f};  ///< of the drawing's upper left corner
   LabelBox clip;       ///< nothing is drawn outside it
 };
@@ -36,7 +36,7 @@ std::string pdfStateName(int percent);
 std::string pdfFormName(std::size_t index);
 
 /// Appends the drawing; names of structures are not written. The page's height is in points.
-void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlace& place,
+void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlacement& place,
                    double pageHeight);
 
 inline constexpr double pointsPerMillimetre = 72.0 / 25.4;

@@ -40,7 +40,7 @@ void PdfPages::newPage() {
   ++m_page;
 }
 
-void PdfPages::place(const VectorDrawing& drawing, const PdfPlace& place) {
+void PdfPages::place(const VectorDrawing& drawing, const PdfPlacement& place) {
   m_placed.push_back({m_page, &drawing, place});
 }
 

@@ -31,7 +31,7 @@ class PdfPages {
   /// corner. Text that it draws stays text.
   QPainter& painter() { return m_painter; }
   /// Places a drawing on the current page, below everything painted; it must live until `finish`.
-  void place(const VectorDrawing& drawing, const PdfPlace& place);
+  void place(const VectorDrawing& drawing, const PdfPlacement& place);
 
   /// Returns the whole file. It holds no more than what the pages show, the credit and, if there is
   /// one, the title that viewers show above them: no program, date or machine.
@@ -41,7 +41,7 @@ class PdfPages {
   struct Placed {
     std::size_t page;
     const VectorDrawing* drawing;
-    PdfPlace place;
+    PdfPlacement place;
   };
 
   glm::vec2 m_size;

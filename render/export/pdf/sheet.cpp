@@ -5,9 +5,9 @@
 #include <map>
 
 #include "render/export/pdf/patient_text.h"
+#include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_lists.h"
 #include "render/export/pdf/sheet_options.h"
-#include "render/export/pdf/sheet_order.h"
 #include "render/export/pdf/sheet_words.h"
 #include "render/export/pdf/style_samples.h"
 #include "render/export/plate/figure_plate.h"
@@ -20,8 +20,8 @@ namespace {
 constexpr float titlePoints = 18.0f;
 constexpr float leastTitlePoints = 10.0f;
 
-Result<VectorDrawing> drawn(const ExportOrder& order, const std::filesystem::path& target,
-                            const ExportProgress& progress) {
+Result<VectorDrawing> drawFigure(const ExportOrder& order, const std::filesystem::path& target,
+                                 const ExportProgress& progress) {
   bool wanted = true;
   Result<VectorDrawing> drawing = drawVectors(
       order.scene, order.camera, {.sizeMm = order.page.sizeMm, .environment = order.environment},
@@ -51,7 +51,7 @@ class Sheet {
         m_words(sheetWords(order.labels.language)) {}
 
   Result<QByteArray> make(const std::filesystem::path& target, const ExportProgress& progress) {
-    Result<VectorDrawing> drawing = drawn(m_order, target, progress);
+    Result<VectorDrawing> drawing = drawFigure(m_order, target, progress);
     if (!drawing.ok())
       return drawing.error();
     m_drawing = std::move(*drawing);
@@ -228,7 +228,7 @@ class Sheet {
   };
 
   void setList(const std::vector<RowKind>& kinds) {
-    const std::vector<RowPlace> places = flow(kinds, m_layout.lists);
+    const std::vector<RowPosition> places = flowIntoColumns(kinds, m_layout.lists);
     std::size_t page = 0;
     Progress progress;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
@@ -327,7 +327,7 @@ Result<QByteArray> sheetDocument(const ExportOrder& order, const std::filesystem
 
 Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesystem::path& target,
                                   const ExportProgress& progress) {
-  const Result<VectorDrawing> drawing = drawn(order, target, progress);
+  const Result<VectorDrawing> drawing = drawFigure(order, target, progress);
   if (!drawing.ok())
     return drawing.error();
   PdfPages pages(order.page.sizeMm, order.labels.language);

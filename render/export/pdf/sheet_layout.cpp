@@ -5,8 +5,8 @@
 
 #include "model/scene/visible_structures.h"
 #include "render/export/pdf/patient_text.h"
+#include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_options.h"
-#include "render/export/pdf/sheet_order.h"
 #include "render/export/plate/marks.h"
 
 namespace sline::render {
@@ -121,8 +121,8 @@ float columnWidth(const LabelBox& frame, int columns) {
   return (frame.size().x - float(columns - 1) * columnSpace) / float(columns);
 }
 
-std::vector<RowPlace> flow(std::span<const RowKind> rows, const ListFrames& frames) {
-  std::vector<RowPlace> places;
+std::vector<RowPosition> flowIntoColumns(std::span<const RowKind> rows, const ListFrames& frames) {
+  std::vector<RowPosition> places;
   for (std::size_t page = 0; places.size() < rows.size(); ++page) {
     const LabelBox& frame = page == 0 ? frames.first : frames.next;
     const int columns = page == 0 ? frames.firstColumns : frames.nextColumns;

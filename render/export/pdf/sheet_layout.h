@@ -22,7 +22,7 @@ float rowHeight(RowKind kind);
 
 /// The place of a row: the page of the list on which it stands, counted from 0, and its upper left
 /// corner.
-struct RowPlace {
+struct RowPosition {
   std::size_t page = 0;
   glm::vec2 at{0.0f};
 };
@@ -41,7 +41,7 @@ float columnWidth(const LabelBox& frame, int columns);
 
 /// Returns the rows' places, in their order. Columns of a page are as even as possible, and no
 /// heading is the last row of its column.
-std::vector<RowPlace> flow(std::span<const RowKind> rows, const ListFrames& frames);
+std::vector<RowPosition> flowIntoColumns(std::span<const RowKind> rows, const ListFrames& frames);
 
 struct SheetLayout {
   glm::vec2 paper{0.0f};

@@ -62,7 +62,7 @@ void APIENTRY report(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum sever
 }
 #endif
 
-void listen() {
+void installDebugOutput() {
 #ifndef NDEBUG
   if (!epoxy_has_gl_extension("GL_KHR_debug"))
     return;
@@ -160,7 +160,7 @@ Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create() {
       data.driver = std::string(renderer ? renderer : "unknown driver") + ", OpenGL " +
                     std::to_string(version[0]) + "." + std::to_string(version[1]) + ", " +
                     attempt.name;
-      listen();
+      installDebugOutput();
       return context;
     }
     data.close();

@@ -82,17 +82,17 @@ Colour colourOf(const glm::vec3& light) {
   return {channel(light.r), channel(light.g), channel(light.b)};
 }
 
-glm::vec3 seen(const glm::vec3& light, Vision vision) {
+glm::vec3 simulateVision(const glm::vec3& light, Vision vision) {
   return glm::clamp(matrixOf(vision) * light, 0.0f, 1.0f);
 }
 
-Image seen(const Image& image, Vision vision) {
+Image simulateVision(const Image& image, Vision vision) {
   Image result = image;
   if (vision == Vision::normal)
     return result;
   parallelFor(std::size_t(image.width) * std::size_t(image.height), 4096, [&](std::size_t i) {
     std::uint8_t* p = result.rgba.data() + 4 * i;
-    const Colour colour = colourOf(seen(linearLightOf({p[0], p[1], p[2]}), vision));
+    const Colour colour = colourOf(simulateVision(linearLightOf({p[0], p[1], p[2]}), vision));
     p[0] = colour.red;
     p[1] = colour.green;
     p[2] = colour.blue;

@@ -26,9 +26,9 @@ Colour colourOf(const glm::vec3& light);
 /// Returns what is seen of a colour in linear light. Grey is luminance (ITU-R BT.709); the others
 /// follow Machado, Oliveira, Fernandes 2009 ("A physiologically-based model for simulation of color
 /// vision deficiency") at full strength.
-glm::vec3 seen(const glm::vec3& light, Vision vision);
+glm::vec3 simulateVision(const glm::vec3& light, Vision vision);
 /// Returns the whole picture as it is seen that way; alpha stays.
-Image seen(const Image& image, Vision vision);
+Image simulateVision(const Image& image, Vision vision);
 
 /// Returns CIE L*a*b* for the white of sRGB, D65.
 glm::dvec3 labOf(const glm::vec3& light);

@@ -69,7 +69,7 @@ void findOwners(const ExportOrder& order, const model::Scene& scene,
   parallelFor(std::size_t(grid.rows), 1, [&](std::size_t y) {
     for (int x = 0; x < grid.columns; ++x) {
       const model::Ray ray = screen.sight(cell * glm::vec2(float(x) + 0.5f, float(y) + 0.5f));
-      std::optional<Sights::Seen> seen = sights.nearest(ray);
+      std::optional<Sights::SightHit> seen = sights.nearest(ray);
       if (!seen)
         for (const model::ResolvedStructure& structure : structures) {
           const auto other = sights.nearestOf(structure.node->id, ray);
@@ -190,7 +190,7 @@ Result<std::unique_ptr<PictureReader>> PictureReader::create() {
   return std::unique_ptr<PictureReader>(new PictureReader(std::move(data)));
 }
 
-Result<SeenPicture> PictureReader::look(const ExportOrder& order, const model::Scene& scene) {
+Result<SeenPicture> PictureReader::read(const ExportOrder& order, const model::Scene& scene) {
   const std::vector<model::ResolvedStructure> structures = visibleOf(scene);
   Grid grid = gridFor(order.page.sizeMm);
   findOwners(order, scene, structures, m_data->trees, grid);

@@ -37,7 +37,7 @@ struct SeenPicture {
 /// Looks at the scene of an order, unchanged or changed.
 class PictureReader {
  public:
-  /// Makes an OpenGL context on the calling thread; `look` must be called on the same thread.
+  /// Makes an OpenGL context on the calling thread; `read` must be called on the same thread.
   static Result<std::unique_ptr<PictureReader>> create();
   ~PictureReader();
   PictureReader(const PictureReader&) = delete;
@@ -45,7 +45,7 @@ class PictureReader {
 
   /// Draws the order at a small size with `scene` instead of its own. A place belongs to the
   /// nearest structure that hides what is behind it, or else to the nearest of all.
-  Result<SeenPicture> look(const ExportOrder& order, const model::Scene& scene);
+  Result<SeenPicture> read(const ExportOrder& order, const model::Scene& scene);
 
  private:
   struct Data;

@@ -26,8 +26,8 @@ constexpr std::size_t mostColours = 3;
 ProofPair pairOf(const SeenStructure& a, const SeenStructure& b, const ProofSettings& settings) {
   ProofPair pair{.a = a.id, .b = b.id};
   for (std::size_t i = 0; i < visionCount; ++i)
-    pair.difference[i] =
-        colourDifference(labOf(seen(a.light, visions[i])), labOf(seen(b.light, visions[i])));
+    pair.difference[i] = colourDifference(labOf(simulateVision(a.light, visions[i])),
+                                          labOf(simulateVision(b.light, visions[i])));
   pair.similarGamma = std::abs(a.gamma - b.gamma) < settings.leastGammaStep - 1e-4f;
   return pair;
 }
@@ -276,7 +276,7 @@ Result<PrintProof> printProof(const ExportOrder& order, const ProofSettings& set
   const Result<std::unique_ptr<PictureReader>> reader = PictureReader::create();
   if (!reader.ok())
     return reader.error();
-  const Result<SeenPicture> first = (*reader)->look(order, order.scene);
+  const Result<SeenPicture> first = (*reader)->read(order, order.scene);
   if (!first.ok())
     return first.error();
   PrintProof proof{.neighbours = pairsOf(*first, settings),
@@ -296,7 +296,7 @@ Result<PrintProof> printProof(const ExportOrder& order, const ProofSettings& set
     if (!chosen && !mender.drop(proof.afterwards))
       break;
     proof.proposed = withProposals(order.scene, mender.proposals());
-    const Result<SeenPicture> look = (*reader)->look(order, proof.proposed);
+    const Result<SeenPicture> look = (*reader)->read(order, proof.proposed);
     if (!look.ok())
       return look.error();
     now = *look;

@@ -133,7 +133,7 @@ void SavedViewsTest::whatIsSeenComesBack() {
   for (Annotation& each : annotations)
     each.visible = !each.visible;
   changed.setAnnotations(annotations);
-  const Scene back = shown(changed, view).scene;
+  const Scene back = withViewApplied(changed, view).scene;
   QCOMPARE(back.resolve(ball), scene.resolve(ball));
   QCOMPARE(back.sections(), scene.sections());
   QCOMPARE(back.annotations(), scene.annotations());

@@ -76,7 +76,7 @@ class ViewsEditTest : public QObject {
 void ViewsEditTest::viewShowsWhatItSaysAndLeavesTheRest() {
   Sample s;
   s.scene.setSections({});
-  const ShownScene seen = shown(s.scene, s.view());
+  const AppliedView seen = withViewApplied(s.scene, s.view());
   QVERIFY(seen.absent.empty());
   QCOMPARE(seen.scene.sections(), *s.view().sections);
   QVERIFY(!seen.scene.resolve(s.one).visible);
@@ -84,7 +84,7 @@ void ViewsEditTest::viewShowsWhatItSaysAndLeavesTheRest() {
   QCOMPARE(seen.scene.resolve(s.two).colour, (Colour{1, 2, 3}));
   QCOMPARE(seen.scene.resolve(s.two).gamma.value(), 3.0f);  // the view sets no Γ here
   QCOMPARE(visiblePins(seen.scene), (QList<quint64>{s.onOne.value, s.free.value}));
-  const Scene plain = shown(s.scene, {.name = "only a camera"}).scene;
+  const Scene plain = withViewApplied(s.scene, {.name = "only a camera"}).scene;
   QVERIFY(plain == s.scene);
 }
 
@@ -93,9 +93,9 @@ void ViewsEditTest::viewSpeaksOfWhatIsGone() {
   View view = s.view();
   view.looks->push_back({.node = {77}, .style = {.visible = false}});
   view.annotations->push_back({88});
-  const ShownScene seen = shown(s.scene, view);
+  const AppliedView seen = withViewApplied(s.scene, view);
   QCOMPARE(seen.absent, std::vector<NodeId>{NodeId{77}});
-  QVERIFY(seen.scene == shown(s.scene, s.view()).scene);
+  QVERIFY(seen.scene == withViewApplied(s.scene, s.view()).scene);
 }
 
 void ViewsEditTest::looksBringBackWhatWasSeen() {
@@ -112,7 +112,7 @@ void ViewsEditTest::looksBringBackWhatWasSeen() {
                             .hatchTone = HatchTone::clamped(0.5f)})
                       .scene;
   QVERIFY(!changed.resolve(s.two).visible);
-  const Scene back = shown(changed, view).scene;
+  const Scene back = withViewApplied(changed, view).scene;
   for (const NodeId id : {s.one, s.two, s.other})
     QCOMPARE(back.resolve(id), s.scene.resolve(id));
 }

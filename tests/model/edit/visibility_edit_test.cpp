@@ -132,13 +132,13 @@ class VisibilityEditTest : public QObject {
 
   void threeStates() {
     Sample s;
-    QVERIFY(shownOf(s.scene, s.id("A")) == Shown::all);
+    QVERIFY(visibilityOf(s.scene, s.id("A")) == Visibility::all);
     s.edit("-b");
-    QVERIFY(shownOf(s.scene, s.id("A")) == Shown::some);
-    QVERIFY(shownOf(s.scene, s.id("b")) == Shown::none);
+    QVERIFY(visibilityOf(s.scene, s.id("A")) == Visibility::some);
+    QVERIFY(visibilityOf(s.scene, s.id("b")) == Visibility::none);
     s.edit("-A");
-    QVERIFY(shownOf(s.scene, s.id("B")) == Shown::none);
-    QVERIFY(shownOf(s.scene, rootId) == Shown::some);
+    QVERIFY(visibilityOf(s.scene, s.id("B")) == Visibility::none);
+    QVERIFY(visibilityOf(s.scene, rootId) == Visibility::some);
   }
 
   void hidesOthers_data() {

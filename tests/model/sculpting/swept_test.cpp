@@ -95,7 +95,7 @@ class SweptTest : public QObject {
   void touchingLoopsStayApart() {
     const Swept swept = hairpin();
     const auto solid = [&](const glm::vec3& p) {
-      const model::SweptPlace at = swept.place(p);
+      const model::SweptCoordinates at = swept.place(p);
       return std::max(at.distance,
                       0.5f * (at.distance - swept.distanceToOthers(p, at, 6.0f)) + 0.4f);
     };

@@ -4,7 +4,7 @@
 
 #include "model/edit/look.h"
 #include "render/labels/anchors.h"
-#include "render/labels/best_place.h"
+#include "render/labels/best_anchor.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
@@ -178,12 +178,12 @@ class LabelAnchorsTest : public QObject {
     const Two two = twoSpheres();
     model::MeshTrees trees;
     const Screen screen(front(), paper);
-    const auto small = bestPlaceOn(two.scene, two.small, screen, trees);
+    const auto small = bestAnchorOn(two.scene, two.small, screen, trees);
     QVERIFY(small && !small->hidden);
     const glm::vec3 place = *two.scene.placeOf(small->point);
     QVERIFY2(glm::length(place - glm::vec3(0.0f, -75.0f, 0.0f)) < 4.0f, "not in its middle");
     // A ring of the large sphere is visible around the small one.
-    const auto large = bestPlaceOn(two.scene, two.large, screen, trees);
+    const auto large = bestAnchorOn(two.scene, two.large, screen, trees);
     QVERIFY(large && !large->hidden);
     model::Scene scene = two.scene;
     scene.appendAnnotation({.anchors = {large->point}, .text = "ring"});
@@ -195,7 +195,7 @@ class LabelAnchorsTest : public QObject {
     model::Node inner{.name = "inner", .mesh = test::sphere(5.0f, 2)};
     const model::NodeId id = two.scene.append(inner);
     model::MeshTrees trees;
-    const auto best = bestPlaceOn(two.scene, id, Screen(front(), paper), trees);
+    const auto best = bestAnchorOn(two.scene, id, Screen(front(), paper), trees);
     QVERIFY(best && best->hidden);
     QVERIFY(two.scene.placeOf(best->point)->y < -4.0f);
   }
@@ -209,7 +209,7 @@ class LabelAnchorsTest : public QObject {
     const model::Scene scene = styled(two.scene, two.small, lines);
     model::MeshTrees trees;
     const Screen screen(front(), paper);
-    const auto best = bestPlaceOn(scene, two.large, screen, trees);
+    const auto best = bestAnchorOn(scene, two.large, screen, trees);
     QVERIFY(best && !best->hidden);
     const glm::vec2 place = *screen.place(*scene.placeOf(best->point));
     const glm::vec2 middle = *screen.place({0.0f, -60.0f, 0.0f});
@@ -221,7 +221,7 @@ class LabelAnchorsTest : public QObject {
     shell.style = lines;
     model::Scene under = scene;
     under.append(shell);
-    const auto covered = bestPlaceOn(under, two.large, screen, trees);
+    const auto covered = bestAnchorOn(under, two.large, screen, trees);
     QVERIFY(covered && !covered->hidden);
     QVERIFY(glm::length(*screen.place(*under.placeOf(covered->point)) - middle) < 4.0f);
   }
@@ -248,7 +248,7 @@ class LabelAnchorsTest : public QObject {
     model::Camera camera = front();  // the fold is in the middle of its picture
     camera.projection = model::Projection::orthographic;
     camera.heightMm = 100.0f;
-    const auto best = bestPlaceOn(scene, id, Screen(camera, paper), trees);
+    const auto best = bestAnchorOn(scene, id, Screen(camera, paper), trees);
     QVERIFY(best && !best->hidden);
     const float x = scene.placeOf(best->point)->x;
     QVERIFY2(std::abs(x) > 10.0f && std::abs(x) < 30.0f, qPrintable(QString::number(double(x))));

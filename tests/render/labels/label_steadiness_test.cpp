@@ -13,7 +13,7 @@
 #include "model/demo/demo.h"
 #include "model/import/plan/import.h"
 #include "render/labels/anchors.h"
-#include "render/labels/best_place.h"
+#include "render/labels/best_anchor.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -50,7 +50,7 @@ void label(model::Scene& scene, std::size_t number) {
   model::MeshTrees trees;
   const Screen screen(around(scene, 0.0f), paper);
   for (std::size_t i = 0; i < sizes.size() && scene.annotations().size() < number; ++i)
-    if (const auto best = bestPlaceOn(scene, sizes[i].second, screen, trees))
+    if (const auto best = bestAnchorOn(scene, sizes[i].second, screen, trees))
       scene.appendAnnotation({.anchors = {best->point}, .text = scene.find(sizes[i].second)->name});
 }
 

@@ -79,7 +79,7 @@ const QStringList hatchedOrgans{"liver",  "right kidney",   "spleen",
                                 "sacrum", "right hip bone", "left ventricle"};
 
 render::Subject subjectIn(const model::Scene& scene, model::NodeId structure, int height) {
-  render::Subject subject{.scene = render::alone(scene, structure),
+  render::Subject subject{.scene = render::isolated(scene, structure),
                           .width = int(aspect * float(height)),
                           .height = height};
   const model::Mesh& mesh = *subject.structure().mesh;

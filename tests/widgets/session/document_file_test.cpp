@@ -36,11 +36,11 @@ class DocumentFileTest : public QObject {
     return QTest::qWaitFor([&] { return !session.busy(); });
   }
   static bool openMade(Session& session) {
-    session.openMade(QStringLiteral("balls"),
-                     [](const model::ImportProgress&, const std::stop_token&) -> Result<Loaded> {
-                       return Loaded{
-                           .scene = balls(), .title = QStringLiteral("balls"), .remarks = {}};
-                     });
+    session.openMade(
+        QStringLiteral("balls"),
+        [](const model::ImportProgress&, const std::stop_token&) -> Result<LoadedDocument> {
+          return LoadedDocument{.scene = balls(), .title = QStringLiteral("balls"), .remarks = {}};
+        });
     return idle(session);
   }
   static bool open(Session& session, const fs::path& path) {

@@ -23,8 +23,8 @@ class SessionTest : public QObject {
     return scene;
   }
   static SceneMaker maker(const QString& title) {
-    return [title](const model::ImportProgress&, const std::stop_token&) -> Result<Loaded> {
-      return Loaded{.scene = twoBalls(), .title = title, .remarks = {}};
+    return [title](const model::ImportProgress&, const std::stop_token&) -> Result<LoadedDocument> {
+      return LoadedDocument{.scene = twoBalls(), .title = title, .remarks = {}};
     };
   }
   static bool open(Session& session, const QString& title = QStringLiteral("balls")) {
@@ -141,14 +141,14 @@ class SessionTest : public QObject {
     QVERIFY(open(session));
     const Document before = session.document();
     const auto seen = std::make_shared<QSemaphore>();
-    session.openMade(
-        QStringLiteral("endless"),
-        [seen](const model::ImportProgress& progress, const std::stop_token&) -> Result<Loaded> {
-          while (progress(0.5f, "on and on"))
-            QThread::msleep(1);
-          seen->release();
-          return Error{.reason = "cancelled"};
-        });
+    session.openMade(QStringLiteral("endless"),
+                     [seen](const model::ImportProgress& progress,
+                            const std::stop_token&) -> Result<LoadedDocument> {
+                       while (progress(0.5f, "on and on"))
+                         QThread::msleep(1);
+                       seen->release();
+                       return Error{.reason = "cancelled"};
+                     });
     QVERIFY(session.busy());
     QSignalSpy failures(&session, &Session::failed);
     session.cancelJob();
@@ -164,14 +164,14 @@ class SessionTest : public QObject {
     const auto ended = std::make_shared<std::atomic<bool>>(false);
     {
       Session session;
-      session.openMade(
-          QStringLiteral("silent"),
-          [ended](const model::ImportProgress&, const std::stop_token& stop) -> Result<Loaded> {
-            while (!stop.stop_requested())
-              QThread::msleep(1);
-            *ended = true;
-            return Error{.reason = "cancelled"};
-          });
+      session.openMade(QStringLiteral("silent"),
+                       [ended](const model::ImportProgress&,
+                               const std::stop_token& stop) -> Result<LoadedDocument> {
+                         while (!stop.stop_requested())
+                           QThread::msleep(1);
+                         *ended = true;
+                         return Error{.reason = "cancelled"};
+                       });
     }
     QVERIFY(*ended);
   }
@@ -181,9 +181,10 @@ class SessionTest : public QObject {
     const auto release = std::make_shared<QSemaphore>();
     session.openMade(
         QStringLiteral("slow"),
-        [release](const model::ImportProgress&, const std::stop_token&) -> Result<Loaded> {
+        [release](const model::ImportProgress&, const std::stop_token&) -> Result<LoadedDocument> {
           release->acquire();
-          return Loaded{.scene = twoBalls(), .title = QStringLiteral("slow"), .remarks = {}};
+          return LoadedDocument{
+              .scene = twoBalls(), .title = QStringLiteral("slow"), .remarks = {}};
         });
     QVERIFY(open(session, QStringLiteral("quick")));
     release->release();
@@ -205,7 +206,7 @@ class SessionTest : public QObject {
     QSignalSpy failures(&session, &Session::failed);
     session.openMade(
         QStringLiteral("broken"),
-        [throws](const model::ImportProgress&, const std::stop_token&) -> Result<Loaded> {
+        [throws](const model::ImportProgress&, const std::stop_token&) -> Result<LoadedDocument> {
           if (throws)
             throw std::runtime_error("no luck");
           return Error{.file = "a.obj", .reason = "no luck"};

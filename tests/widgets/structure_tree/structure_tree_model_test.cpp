@@ -33,11 +33,11 @@ class StructureTreeModelTest : public QObject {
     return scene;
   }
   static bool open(Session& session) {
-    session.openMade(QStringLiteral("body"),
-                     [](const model::ImportProgress&, const std::stop_token&) -> Result<Loaded> {
-                       return Loaded{
-                           .scene = body(), .title = QStringLiteral("body"), .remarks = {}};
-                     });
+    session.openMade(
+        QStringLiteral("body"),
+        [](const model::ImportProgress&, const std::stop_token&) -> Result<LoadedDocument> {
+          return LoadedDocument{.scene = body(), .title = QStringLiteral("body"), .remarks = {}};
+        });
     return QTest::qWaitFor([&] { return !session.busy(); });
   }
   static model::NodeId id(const Session& session, const char* name) {
@@ -264,7 +264,7 @@ class StructureTreeModelTest : public QObject {
     QCOMPARE(states.size(), std::size_t(60));
     for (const model::Node& node : scene.nodes()) {
       const RowState& state = states.at(node.id.value);
-      QCOMPARE(int(state.shown), int(model::shownOf(scene, node.id)));
+      QCOMPARE(int(state.shown), int(model::visibilityOf(scene, node.id)));
       QVERIFY(state.gamma == model::gammaRangeOf(scene, node.id));
       QCOMPARE(state.ownGamma, node.style.gamma.has_value());
       QCOMPARE(state.group, node.isGroup());

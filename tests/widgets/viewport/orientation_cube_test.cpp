@@ -71,10 +71,10 @@ class OrientationCubeTest : public QObject {
     QVERIFY(glm::length(faces[0].up - glm::vec2(0, -30)) < 1e-3f);
     // A click on the face changes only the pivot's place; a click on its right edge brings to the
     // front the side that stands at the picture's right edge.
-    QVERIFY(*cubePartAt(faces, {2, 3}) == CubePart(sideOf(letter)));
-    const CubePart edge = *cubePartAt(faces, {27, 0});
+    QVERIFY(*cubeDirectionAt(faces, {2, 3}) == CubeDirection(sideOf(letter)));
+    const CubeDirection edge = *cubeDirectionAt(faces, {27, 0});
     const char right = render::edgeLetters(camera).right.front();
-    QVERIFY(edge == CubePart(sideOf(letter) + sideOf(right)));
+    QVERIFY(edge == CubeDirection(sideOf(letter) + sideOf(right)));
     const model::Camera again =
         turnedTo(camera, {}, glm::vec3(faces[0].part), upwardsFrom(faces[0].part));
     QVERIFY(render::edgeLetters(again) == render::edgeLetters(camera));
@@ -108,11 +108,11 @@ class OrientationCubeTest : public QObject {
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)
         for (int z = -1; z <= 1; ++z) {
-          const CubePart part(x, y, z);
+          const CubeDirection part(x, y, z);
           const auto patches = cubePatches(faces, part);
           for (const auto& patch : patches) {
             const glm::vec2 middle = 0.25f * (patch[0] + patch[1] + patch[2] + patch[3]);
-            QVERIFY(*cubePartAt(faces, middle) == part);
+            QVERIFY(*cubeDirectionAt(faces, middle) == part);
           }
           if (patches.empty())
             continue;
@@ -124,7 +124,7 @@ class OrientationCubeTest : public QObject {
                   0.9999f);
         }
     QCOMPARE(seen, 3 + 9 + 7);  // faces, edges and corners of a cube seen from a corner
-    QVERIFY(!cubePartAt(faces, {70, 70}));
+    QVERIFY(!cubeDirectionAt(faces, {70, 70}));
   }
 };
 

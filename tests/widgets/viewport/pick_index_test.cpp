@@ -33,7 +33,7 @@ class PickIndexTest : public QObject {
     scene.appendSection(section);
     PickIndex index;
     const model::Ray ray{.origin = {1, -500, 2}, .direction = {0, 1, 0}};
-    const auto pick = index.look(scene, {&ray, 1}).seen;
+    const auto pick = index.pick(scene, {&ray, 1}).seen;
     QVERIFY(pick);
     QVERIFY(std::abs(pick->position.y - picked) < 1.0f);
   }
@@ -79,16 +79,16 @@ class PickIndexTest : public QObject {
     }
     PickIndex index;
     const model::Ray ray{.origin = {1.0f, -500.0f, 2.0f}, .direction = {0.0f, 1.0f, 0.0f}};
-    const std::optional<Pick> pick = index.look(scene, {&ray, 1}).seen;
+    const std::optional<Pick> pick = index.pick(scene, {&ray, 1}).seen;
     QCOMPARE(pick.has_value(), picked >= 0);
     if (!pick)
       return;
     QVERIFY(pick->id == ids[std::size_t(picked)]);
     QVERIFY(std::abs(pick->position.y - (-130.0f + 100.0f * float(picked))) < 1.0f);
     const model::Ray beside{.origin = {200.0f, -500.0f, 0.0f}, .direction = {0, 1, 0}};
-    QVERIFY(!index.look(scene, {&beside, 1}).seen);
+    QVERIFY(!index.pick(scene, {&beside, 1}).seen);
     // Another scene gives another answer: nothing is remembered of the first.
-    QVERIFY(!index.look({}, {&ray, 1}).seen);
+    QVERIFY(!index.pick({}, {&ray, 1}).seen);
   }
 
   /// A ball is in front of another, seen from the front at 1 mm a pixel; the rows test what the
@@ -144,7 +144,7 @@ class PickIndexTest : public QObject {
     camera.heightMm = 200.0f;
     const glm::vec2 at(100.0f + float(pixel.x()), 100.0f + float(pixel.y()));
     PickIndex index;
-    const auto pick = index.look(scene, sightsAround(camera, at, {200.0f, 200.0f})).seen;
+    const auto pick = index.pick(scene, sightsAround(camera, at, {200.0f, 200.0f})).seen;
     QCOMPARE(pick.has_value(), picked >= 0);
     if (pick)
       QVERIFY(pick->id == ids[std::size_t(picked)]);
@@ -168,7 +168,7 @@ class PickIndexTest : public QObject {
     // In this column the near side's upper rim lies before the far side.
     int onRing = 0;
     for (float y = 60.0f; y < 140.0f; y += 1.0f) {
-      const auto pick = index.look(scene, sightsAround(camera, {100.0f, y}, {200, 200})).seen;
+      const auto pick = index.pick(scene, sightsAround(camera, {100.0f, y}, {200, 200})).seen;
       if (pick && pick->id == ring)
         ++onRing;
       else
@@ -185,7 +185,7 @@ class PickIndexTest : public QObject {
     const model::NodeId c{3};
     const std::vector<Pick> all{{.id = a}, {.id = b}, {.id = c}};
     const auto after = [&](std::vector<model::NodeId> selection) {
-      return deeper(all, selection)->id;
+      return nextDeeper(all, selection)->id;
     };
     QVERIFY(after({}) == a);
     QVERIFY(after({a}) == b);
@@ -193,7 +193,7 @@ class PickIndexTest : public QObject {
     QVERIFY(after({c}) == a);
     QVERIFY(after({model::NodeId{9}}) == a);
     QVERIFY(after({a, b}) == a);
-    QVERIFY(!deeper({}, {}));
+    QVERIFY(!nextDeeper({}, {}));
   }
 
   void allAreFoundInOrder() {
@@ -204,7 +204,7 @@ class PickIndexTest : public QObject {
           {.name = "ball", .mesh = test::moved(*test::sphere(30.0f, 3), 1.0f, {0.0f, y, 0.0f})}));
     PickIndex index;
     const model::Ray ray{.origin = {1, -500, 2}, .direction = {0, 1, 0}};
-    const std::vector<Pick> all = index.look(scene, {&ray, 1}).all;
+    const std::vector<Pick> all = index.pick(scene, {&ray, 1}).all;
     QCOMPARE(all.size(), std::size_t(3));
     QVERIFY(all[0].id == ids[1] && all[1].id == ids[2] && all[2].id == ids[0]);
   }

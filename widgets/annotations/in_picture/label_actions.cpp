@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "model/edit/annotations.h"
-#include "render/labels/best_place.h"
+#include "render/labels/best_anchor.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/annotations/in_picture/picture_labels.h"
-#include "widgets/annotations/label_look.h"
+#include "widgets/annotations/label_preferences.h"
 #include "widgets/preferences/choice_actions.h"
 #include "widgets/viewport/tools/tool.h"
 
@@ -63,7 +63,7 @@ std::vector<model::Annotation> labelsFor(const model::Scene& scene, const NodeId
   for (const model::NodeId id : structures) {
     if (stop.stop_requested())
       break;
-    if (const auto best = render::bestPlaceOn(scene, id, screen, trees))
+    if (const auto best = render::bestAnchorOn(scene, id, screen, trees))
       found.push_back({.anchors = {best->point}});
   }
   return found;
@@ -79,20 +79,20 @@ std::vector<QAction*> labelMakers(const WindowActions& actions) {
   return makers;
 }
 
-LabelActions::LabelActions(const Parts& parts, QObject* parent)
+LabelActions::LabelActions(const Context& context, QObject* parent)
     : QObject(parent),
-      m_window(parts.window),
-      m_session(parts.session),
-      m_picture(parts.picture),
-      m_view(parts.view),
-      m_labels(parts.labels),
-      m_preferences(parts.preferences),
-      m_actions(parts.actions) {
+      m_window(context.window),
+      m_session(context.session),
+      m_picture(context.picture),
+      m_view(context.view),
+      m_labels(context.labels),
+      m_preferences(context.preferences),
+      m_actions(context.actions) {
   makeTools();
-  addChoiceActions(parts.shown, m_preferences, QLatin1String(labelModeKey),
+  addChoiceActions(context.shown, m_preferences, QLatin1String(labelModeKey),
                    QStringLiteral("labels"));
   connect(&m_preferences, &Preferences::changed, this, &LabelActions::follow);
-  connect(&m_session.names(), &ShownNames::changed, this, &LabelActions::follow);
+  connect(&m_session.names(), &DisplayNames::changed, this, &LabelActions::follow);
   connect(&m_session, &Session::documentChanged, this, &LabelActions::showState);
   connect(&m_session, &Session::selectionChanged, this, &LabelActions::showState);
   connect(&m_session, &Session::activeAnnotationChanged, this, &LabelActions::showState);

@@ -24,7 +24,7 @@ std::vector<QAction*> labelMakers(const WindowActions& actions);
 class LabelActions : public QObject {
   Q_OBJECT
  public:
-  struct Parts {
+  struct Context {
     QMainWindow& window;
     Session& session;
     QWidget& picture;
@@ -34,7 +34,7 @@ class LabelActions : public QObject {
     const WindowActions& actions;
     QMenu& shown;  ///< takes one entry for each way to show labels
   };
-  LabelActions(const Parts& parts, QObject* parent);
+  LabelActions(const Context& context, QObject* parent);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -35,7 +35,7 @@ QString stepOf(model::AnnotationKind kind) {
 
 }  // namespace
 
-PictureLabels::PictureLabels(Place place)
+PictureLabels::PictureLabels(Context place)
     : QObject(&place.picture),
       m_place(std::move(place)),
       m_style{.mode = render::LabelMode::on},

@@ -18,7 +18,7 @@ class PictureLabels : public QObject {
   Q_OBJECT
  public:
   /// Holds the parts of the picture that labels need.
-  struct Place {
+  struct Context {
     QWidget& picture;
     Session& session;
     Picker& picker;
@@ -26,7 +26,7 @@ class PictureLabels : public QObject {
     /// Returns the rectangles of other marks, in pixels, where no label may be.
     std::function<std::vector<QRectF>()> marks;
   };
-  explicit PictureLabels(Place place);
+  explicit PictureLabels(Context place);
 
   LabelTool& tool() { return *m_tool; }
   const LabelLayer& layer() const { return *m_layer; }
@@ -98,7 +98,7 @@ class PictureLabels : public QObject {
   void showMarks();
   std::optional<glm::vec2> begunAt() const;
 
-  Place m_place;
+  Context m_place;
   render::LabelStyle m_style;
   LabelLayer* m_layer;
   LabelTool* m_tool;

@@ -117,7 +117,7 @@ std::optional<Pick> seenOf(const std::vector<Found>& found) {
 
 }  // namespace
 
-Picks PickIndex::look(const model::Scene& scene, std::span<const model::Ray> rays) {
+Picks PickIndex::pick(const model::Scene& scene, std::span<const model::Ray> rays) {
   const std::lock_guard lock(m_mutex);
   std::vector<Found> found;
   for (const model::Node& node : scene.nodes()) {
@@ -144,7 +144,8 @@ Picks PickIndex::look(const model::Scene& scene, std::span<const model::Ray> ray
   return picks;
 }
 
-std::optional<Pick> deeper(const std::vector<Pick>& all, std::span<const model::NodeId> selection) {
+std::optional<Pick> nextDeeper(const std::vector<Pick>& all,
+                               std::span<const model::NodeId> selection) {
   if (all.empty())
     return std::nullopt;
   if (selection.size() != 1)

@@ -36,7 +36,7 @@ class PickIndex {
   /// that is solid there (drawn by suggestive contours or more, or hiding what is behind it); a
   /// solid one with its edge at the place; the nearest that is veiled or thin; the nearest that has
   /// the place within its outline. Structures that are hidden, locked or cut away are ignored.
-  Picks look(const model::Scene& scene, std::span<const model::Ray> rays);
+  Picks pick(const model::Scene& scene, std::span<const model::Ray> rays);
 
  private:
   std::mutex m_mutex;
@@ -45,6 +45,7 @@ class PickIndex {
 
 /// Steps deeper through what is found at one place: returns the structure after the selected one,
 /// the nearest where none of them or several are selected, and after the last the first again.
-std::optional<Pick> deeper(const std::vector<Pick>& all, std::span<const model::NodeId> selection);
+std::optional<Pick> nextDeeper(const std::vector<Pick>& all,
+                               std::span<const model::NodeId> selection);
 
 }  // namespace sline::widgets

@@ -31,7 +31,7 @@ std::vector<model::Ray> sightsAround(const model::Camera& camera, const glm::vec
 namespace {
 
 Picks lookUp(PickIndex& index, const Picker::Question& question) {
-  Picks picks = index.look(question.scene, question.rays);
+  Picks picks = index.pick(question.scene, question.rays);
   if (!question.anchored || !picks.seen)
     return picks;
   constexpr float far = 0.015f;  // a share of the structure's size

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "model/import/volumes/formats/analyze_place.h"
+#include "model/import/volumes/formats/analyze_geometry.h"
 #include "model/import/volumes/formats/free_surfer_labels.h"
 #include "model/import/volumes/formats/image_pair.h"
 #include "model/import/volumes/formats/volume_file.h"
@@ -16,7 +16,7 @@ namespace sline::model {
 namespace {
 
 /// Says where the fields of the two versions lie, in bytes.
-struct Places {
+struct FieldOffsets {
   std::size_t header;
   std::size_t magic;
   std::size_t dim;
@@ -29,8 +29,8 @@ struct Places {
   std::size_t quaternion;
   std::size_t rows;  ///< srow_x …
 };
-constexpr Places nifti1 = {348, 344, 40, 70, 76, 108, 112, 123, 252, 256, 280};
-constexpr Places nifti2 = {540, 4, 16, 12, 104, 168, 176, 500, 344, 352, 400};
+constexpr FieldOffsets nifti1 = {348, 344, 40, 70, 76, 108, 112, 123, 252, 256, 280};
+constexpr FieldOffsets nifti2 = {540, 4, 16, 12, 104, 168, 176, 500, 344, 352, 400};
 
 std::optional<ScalarType> typeOf(std::int64_t code) {
   switch (code) {
@@ -117,12 +117,12 @@ class NiftiReader {
     m_header.resize(nifti2.header + 4);
     const std::size_t got = bytes.read(m_header.data(), m_header.size());
     m_header.resize(got);
-    const auto begins = [&](const Places& places, bool swap) {
+    const auto begins = [&](const FieldOffsets& places, bool swap) {
       return got >= places.header &&
              loadAs<std::int32_t>(m_header.data(), swap) == std::int32_t(places.header);
     };
     for (const bool swap : {false, true})
-      for (const Places* places : {&nifti1, &nifti2})
+      for (const FieldOffsets* places : {&nifti1, &nifti2})
         if (!m_places && begins(*places, swap)) {
           m_places = places;
           m_swap = swap;
@@ -267,7 +267,7 @@ class NiftiReader {
   }
 
   void placeAsAnalyze() {
-    const AnalyzePlace place = analyzePlace(m_header.data(), m_swap);
+    const AnalyzeGeometry place = analyzeGeometry(m_header.data(), m_swap);
     m_file.toLps = place.toMillimetres;
     m_file.unitReason = place.unitReason;
     m_file.warnings.push_back(m_source.warning(
@@ -311,7 +311,7 @@ class NiftiReader {
   bool m_analyze = false;
   std::vector<char> m_header;
   std::string m_extension;
-  const Places* m_places = nullptr;
+  const FieldOffsets* m_places = nullptr;
   bool m_swap = false;
   std::uint64_t m_offset = 0;
   VolumeFile m_file;

@@ -181,7 +181,7 @@ class TestAssemblies : public QObject {
     const auto two = assembled(file, ".pdb", "2");
     QVERIFY(two.ok());
     QCOMPARE(placesOf(*two), QString("B 1.5 1 0"));
-    QCOMPARE(assembliesTold(one->assemblies),
+    QCOMPARE(assembliesText(one->assemblies),
              std::string("describes assemblies 1 (2 copies, dimeric), 2 (1 copy)"));
   }
 

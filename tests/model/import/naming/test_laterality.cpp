@@ -48,7 +48,7 @@ void LateralityTest::vote() {
   QFETCH(QList<double>, xs);
   QFETCH(int, lps);
   QFETCH(int, ras);
-  std::vector<NamedPlace> places;
+  std::vector<NamedPosition> places;
   for (qsizetype i = 0; i < names.size(); ++i)
     places.push_back({names[i].toStdString(), float(xs[i])});
   const FrameVote vote = voteOnFrame(places);
@@ -57,17 +57,17 @@ void LateralityTest::vote() {
   QCOMPARE(vote.winner().has_value(), lps != ras);
   // Seen as LPS, the structures with votes against it are those on the other side; a mirror swaps
   // the two.
-  QCOMPARE(onTheOtherSide(places).empty(), ras == 0);
-  for (NamedPlace& place : places)
+  QCOMPARE(namedForOtherSide(places).empty(), ras == 0);
+  for (NamedPosition& place : places)
     place.x = -place.x;
-  QCOMPARE(onTheOtherSide(places).empty(), lps == 0);
+  QCOMPARE(namedForOtherSide(places).empty(), lps == 0);
 }
 
 void LateralityTest::otherSideNamesTheStructures() {
-  const std::vector<NamedPlace> places{{"left kidney", 50},  {"right kidney", -50},
-                                       {"left femur", -80},  {"right femur", 80},
-                                       {"left ureter", -10}, {"liver", -60}};
-  QCOMPARE(onTheOtherSide(places), (std::vector<std::size_t>{2, 3, 4}));
+  const std::vector<NamedPosition> places{{"left kidney", 50},  {"right kidney", -50},
+                                          {"left femur", -80},  {"right femur", 80},
+                                          {"left ureter", -10}, {"liver", -60}};
+  QCOMPARE(namedForOtherSide(places), (std::vector<std::size_t>{2, 3, 4}));
 }
 
 void LateralityTest::liverOnTheRight_data() {

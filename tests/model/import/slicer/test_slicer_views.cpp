@@ -142,7 +142,7 @@ void SlicerViewsTest::views() {
   QVERIFY(near(without.camera.eye, {100, -1, 2}));
   QVERIFY(near(without.camera.target, {-1, -2, 3}));
   QCOMPARE(without.camera.heightMm, 150.0f);
-  Scene seen = shown(scene, without).scene;
+  Scene seen = withViewApplied(scene, without).scene;
   QVERIFY(!seen.resolve(liver).visible && seen.resolve(spleen).visible);
   QVERIFY(!seen.annotations()[0].visible);
   QCOMPARE(seen.resolve(spleen).colour, (Colour{255, 0, 0}));
@@ -151,7 +151,7 @@ void SlicerViewsTest::views() {
   const View& collapsed = viewNamed(scene, "Collapsed");
   QCOMPARE(collapsed.camera.fovyDegrees, 12.5f);
   QVERIFY(near(collapsed.camera.eye, {0, -500, 0}));
-  seen = shown(scene, collapsed).scene;
+  seen = withViewApplied(scene, collapsed).scene;
   QVERIFY(!seen.resolve(liver).visible);   // hidden by its collapsed group
   QVERIFY(!seen.resolve(spleen).visible);  // it was not there yet
   QCOMPARE(seen.resolve(liver).colour, (Colour{0, 0, 255}));
@@ -346,7 +346,7 @@ void SlicerViewsTest::segmentations() {
   QVERIFY(kidney.style.colour && *kidney.style.colour != (Colour{128, 128, 128}));
   QCOMPARE(scene.resolve(kidney.id).opacity.value(), 0.5f);
   QVERIFY(scene.resolve(kidney.id).visible);
-  const Scene off = shown(scene, viewNamed(scene, "Off")).scene;
+  const Scene off = withViewApplied(scene, viewNamed(scene, "Off")).scene;
   QVERIFY(!off.resolve(kidney.id).visible);
   QCOMPARE(off.resolve(kidney.id).colour, scene.resolve(kidney.id).colour);
 }
@@ -435,7 +435,7 @@ void SlicerViewsTest::abdomenViews() {
                                "Slicer Data Bundle Scene View", "Slicer Data Bundle Scene View_1",
                                "3D Slicer's camera"}));
   const auto visible = [&scene](const char* view, const char* structure) {
-    const Scene seen = shown(scene, viewNamed(scene, view)).scene;
+    const Scene seen = withViewApplied(scene, viewNamed(scene, view)).scene;
     return seen.resolve(test::named(scene, structure).id).visible;
   };
   QVERIFY(visible("General View", "liver") && visible("General View", "Rib12"));

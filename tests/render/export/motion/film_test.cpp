@@ -167,7 +167,7 @@ class FilmTest : public QObject {
     QCOMPARE(gammaIn(film.at(0)), 1.0f);
     QCOMPARE(gammaIn(film.at(30)), 2.5f);
     QCOMPARE(gammaIn(film.at(50)), 4.0f);
-    QVERIFY(film.at(60).scene == model::shown(order.scene, views[1]).scene);
+    QVERIFY(film.at(60).scene == model::withViewApplied(order.scene, views[1]).scene);
     // The camera flies on an arc: halfway from the front to the left the eye is between, and as far
     // away.
     const model::Camera half = film.at(30).camera;

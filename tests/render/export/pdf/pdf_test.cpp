@@ -253,7 +253,7 @@ void PdfTest::listsFlow() {
                           .firstColumns = 3,
                           .next = {{15.0f, 20.0f}, {195.0f, 280.0f}},
                           .nextColumns = 3};
-  const std::vector<RowPlace> places = flow(rows, frames);
+  const std::vector<RowPosition> places = flowIntoColumns(rows, frames);
   QCOMPARE(places.size(), rows.size());
   std::size_t last = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {

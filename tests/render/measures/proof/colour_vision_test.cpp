@@ -12,8 +12,8 @@ namespace sline::render {
 namespace {
 
 double differenceOf(const Colour& a, const Colour& b, Vision vision) {
-  return colourDifference(labOf(seen(linearLightOf(a), vision)),
-                          labOf(seen(linearLightOf(b), vision)));
+  return colourDifference(labOf(simulateVision(linearLightOf(a), vision)),
+                          labOf(simulateVision(linearLightOf(b), vision)));
 }
 
 }  // namespace
@@ -140,7 +140,7 @@ void ColourVisionTest::greyStaysGrey() {
     const auto byte = std::uint8_t(value);
     const Colour grey{byte, byte, byte};
     for (const Vision vision : visions) {
-      const Colour found = colourOf(seen(linearLightOf(grey), vision));
+      const Colour found = colourOf(simulateVision(linearLightOf(grey), vision));
       QVERIFY(std::abs(found.red - value) <= 1 && std::abs(found.green - value) <= 1 &&
               std::abs(found.blue - value) <= 1);
     }
@@ -176,8 +176,8 @@ void ColourVisionTest::whatEachEyeLoses() {
 
 void ColourVisionTest::pictures() {
   const Image image{2, 1, {255, 0, 0, 255, 10, 200, 30, 77}};
-  QCOMPARE(seen(image, Vision::normal), image);
-  const Image grey = seen(image, Vision::grey);
+  QCOMPARE(simulateVision(image, Vision::normal), image);
+  const Image grey = simulateVision(image, Vision::grey);
   for (std::size_t i = 0; i < 8; i += 4) {
     QCOMPARE(grey.rgba[i], grey.rgba[i + 1]);
     QCOMPARE(grey.rgba[i], grey.rgba[i + 2]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/export/pdf/sheet_order.h"
+#include "render/export/pdf/sheet_figure.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/figure_plate.h"
-#include "render/labels/best_place.h"
+#include "render/labels/best_anchor.h"
 
 namespace sline::render {
 
@@ -52,7 +52,7 @@ std::vector<Candidate> candidates(const ExportOrder& order) {
   for (const model::Node& node : order.scene.nodes()) {
     if (node.isGroup())
       continue;
-    const auto place = bestPlaceOn(order.scene, node.id, screen, trees);
+    const auto place = bestAnchorOn(order.scene, node.id, screen, trees);
     if (!place || place->hidden)
       continue;
     Candidate one;

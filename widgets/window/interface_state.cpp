@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/controls_memory.h"
+#include "widgets/window/interface_state.h"
 
 #include <QAbstractScrollArea>
 #include <QAction>
@@ -34,7 +34,7 @@ bool keepsItsText(const QLineEdit& box) {
 
 }  // namespace
 
-ControlsMemory::ControlsMemory(const QMainWindow& window) : m_places(window.saveState()) {
+InterfaceState::InterfaceState(const QMainWindow& window) : m_places(window.saveState()) {
   for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) {
     for (const QLineEdit* box : dock->findChildren<QLineEdit*>())
       if (keepsItsText(*box))
@@ -50,7 +50,7 @@ ControlsMemory::ControlsMemory(const QMainWindow& window) : m_places(window.save
       remember(*opened, opener.action);
 }
 
-void ControlsMemory::remember(const QWidget& opened, const char* action) {
+void InterfaceState::remember(const QWidget& opened, const char* action) {
   Opened memory{.action = QLatin1String(action),
                 .name = opened.objectName(),
                 .place = opened.geometry(),
@@ -64,7 +64,7 @@ void ControlsMemory::remember(const QWidget& opened, const char* action) {
   m_opened.push_back(memory);
 }
 
-void ControlsMemory::restore(QMainWindow& window) const {
+void InterfaceState::restore(QMainWindow& window) const {
   window.restoreState(m_places);
   for (const auto& [name, text] : m_texts)
     if (auto* box = window.findChild<QLineEdit*>(name); box && box->text() != text)
@@ -81,7 +81,7 @@ void ControlsMemory::restore(QMainWindow& window) const {
     reopen(window, opened);
 }
 
-void ControlsMemory::reopen(QMainWindow& window, const Opened& opened) const {
+void InterfaceState::reopen(QMainWindow& window, const Opened& opened) const {
   auto* action = window.findChild<QAction*>(opened.action);
   if (!action)
     return;

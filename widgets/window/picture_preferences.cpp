@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/picture_habits.h"
+#include "widgets/window/picture_preferences.h"
 
 #include <QAction>
 #include <array>
@@ -30,8 +30,9 @@ render::Background backgroundOf(const QString& choice) {
 
 }  // namespace
 
-PictureHabits::PictureHabits(Viewport& viewport, Preferences& preferences,
-                             const WindowActions& actions, QMenu& backgrounds, QObject* parent)
+PicturePreferences::PicturePreferences(Viewport& viewport, Preferences& preferences,
+                                       const WindowActions& actions, QMenu& backgrounds,
+                                       QObject* parent)
     : QObject(parent), m_viewport(viewport), m_preferences(preferences), m_actions(actions) {
   for (const SwitchAction& row : switches) {
     QAction& action = m_actions[QLatin1String(row.action)];
@@ -42,11 +43,11 @@ PictureHabits::PictureHabits(Viewport& viewport, Preferences& preferences,
   }
   addChoiceActions(backgrounds, preferences, QLatin1String(backgroundKey),
                    QStringLiteral("background"));
-  connect(&preferences, &Preferences::changed, this, &PictureHabits::follow);
+  connect(&preferences, &Preferences::changed, this, &PicturePreferences::follow);
   follow();
 }
 
-void PictureHabits::follow() {
+void PicturePreferences::follow() {
   for (const SwitchAction& row : switches)
     m_actions[QLatin1String(row.action)].setChecked(
         m_preferences.isOn(QLatin1String(row.preference)));
@@ -63,4 +64,4 @@ void PictureHabits::follow() {
 
 }  // namespace sline::widgets
 
-#include "moc_picture_habits.cpp"
+#include "moc_picture_preferences.cpp"

@@ -9,7 +9,7 @@
 namespace sline::cli {
 
 /// Holds a place counted from 1; columns count characters.
-struct TextPlace {
+struct TextPosition {
   std::size_t line = 1;
   std::size_t column = 1;
   /// Returns "line 3, column 8".
@@ -17,18 +17,18 @@ struct TextPlace {
 };
 
 /// Returns the place of a byte of the text, or of its end.
-TextPlace placeOf(std::string_view text, std::size_t byte);
+TextPosition textPositionAt(std::string_view text, std::size_t byte);
 
 /// Holds the place of one element of the list and, for an object, of its keys in the text's order.
-struct ElementPlace {
-  TextPlace at;
+struct ElementPositions {
+  TextPosition at;
   struct Key {
     std::string name;
-    TextPlace at;
+    TextPosition at;
   };
   std::vector<Key> keys;
 };
 /// Returns the places of the elements of a text that is a list and was parsed without fault.
-std::vector<ElementPlace> placesOfList(std::string_view text);
+std::vector<ElementPositions> elementPositions(std::string_view text);
 
 }  // namespace sline::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/labels/best_place.h"
+#include "render/labels/best_anchor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -187,8 +187,8 @@ std::optional<Spot> bestSpot(const Samples& samples, const glm::vec2& cell) {
 
 }  // namespace
 
-std::optional<BestPlace> bestPlaceOn(const model::Scene& scene, model::NodeId structure,
-                                     const Screen& screen, model::MeshTrees& trees) {
+std::optional<BestAnchor> bestAnchorOn(const model::Scene& scene, model::NodeId structure,
+                                       const Screen& screen, model::MeshTrees& trees) {
   const model::Node* node = scene.find(structure);
   if (!node || node->isGroup())
     return std::nullopt;
@@ -202,8 +202,8 @@ std::optional<BestPlace> bestPlaceOn(const model::Scene& scene, model::NodeId st
     return std::nullopt;
   const Sample& sample = *samples[best->cell];
   const float most = std::max(sample.hit.u + sample.hit.v, 1.0f);
-  return BestPlace{{structure, sample.hit.triangle, {sample.hit.u / most, sample.hit.v / most}},
-                   !sample.seen};
+  return BestAnchor{{structure, sample.hit.triangle, {sample.hit.u / most, sample.hit.v / most}},
+                    !sample.seen};
 }
 
 }  // namespace sline::render

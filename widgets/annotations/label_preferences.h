@@ -7,7 +7,7 @@
 
 #include "render/lettering/label_style.h"
 #include "widgets/preferences/preferences.h"
-#include "widgets/session/shown_names.h"
+#include "widgets/session/display_names.h"
 
 namespace sline::widgets {
 
@@ -27,6 +27,6 @@ std::string tagOf(std::optional<model::NameLanguage> language);
 
 /// Returns the look that the preferences give; where labels follow the structures, `names` gives
 /// the language.
-render::LabelStyle labelStyle(const Preferences& preferences, const ShownNames& names);
+render::LabelStyle labelStyle(const Preferences& preferences, const DisplayNames& names);
 
 }  // namespace sline::widgets

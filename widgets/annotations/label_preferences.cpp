@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/annotations/label_look.h"
+#include "widgets/annotations/label_preferences.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ std::string tagOf(std::optional<model::NameLanguage> language) {
   return language ? tags[std::size_t(*language)] : "";
 }
 
-render::LabelStyle labelStyle(const Preferences& preferences, const ShownNames& names) {
+render::LabelStyle labelStyle(const Preferences& preferences, const DisplayNames& names) {
   const QString mode = preferences.choice(QLatin1String(labelModeKey));
   const auto found = std::find_if(modes.begin(), modes.end(),
                                   [&mode](const char* id) { return mode == QLatin1String(id); });

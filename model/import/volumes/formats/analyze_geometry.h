@@ -8,7 +8,7 @@
 
 namespace sline::model {
 
-struct AnalyzePlace {
+struct AnalyzeGeometry {
   /// Maps voxel indices → (x, anterior, superior) in mm; x runs along the voxels from side to side.
   glm::dmat4 toMillimetres{1.0};
   const char* unitReason = "";
@@ -17,6 +17,6 @@ struct AnalyzePlace {
 /// Reads the place from a header of 348 bytes; its numbers are reversed where `swap`. A size of 0,
 /// or one that is no number, is 1 mm. The origin is the voxel that SPM counts from 1 where the
 /// header has one.
-AnalyzePlace analyzePlace(const char* header, bool swap);
+AnalyzeGeometry analyzeGeometry(const char* header, bool swap);
 
 }  // namespace sline::model

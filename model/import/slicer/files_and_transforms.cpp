@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/slicer/places.h"
+#include "model/import/slicer/files_and_transforms.h"
 
 #include <algorithm>
 #include <glm/mat3x3.hpp>

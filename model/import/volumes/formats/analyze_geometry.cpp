@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/volumes/formats/analyze_place.h"
+#include "model/import/volumes/formats/analyze_geometry.h"
 
 #include <array>
 #include <cmath>
@@ -28,8 +28,8 @@ constexpr std::array<Axes, 6> orientations = {
     Axes{toSide, -toFront, toHead}, Axes{toSide, -toHead, toFront}, Axes{toFront, -toHead, toSide}};
 }  // namespace
 
-AnalyzePlace analyzePlace(const char* header, bool swap) {
-  AnalyzePlace place;
+AnalyzeGeometry analyzeGeometry(const char* header, bool swap) {
+  AnalyzeGeometry place;
   const std::string_view unit(header + unitAt, 2);
   const double scale = unit == "cm" ? 10.0 : unit == "um" ? 0.001 : 1.0;
   place.unitReason = unit == "cm"   ? "header: centimetres"

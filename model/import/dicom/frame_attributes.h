@@ -12,7 +12,7 @@
 
 namespace sline::model {
 
-struct FramePlace {
+struct FrameAttributes {
   std::optional<std::uint32_t> segment;  ///< the segment of a segmentation that it shows
   glm::dvec3 position{0.0};              ///< centre of the first pixel, mm LPS
   glm::dvec3 along{1, 0, 0};             ///< unit vector; the direction in which columns follow
@@ -31,6 +31,6 @@ struct FramePlace {
 /// (PS3.3 §C.7.6.16), a frame's own before the shared ones, or where there are no groups from the
 /// image itself, which then is one frame. It is an error where a frame has no position, orientation
 /// or pixel spacing.
-Result<std::vector<FramePlace>> framesIn(const DicomFile& file);
+Result<std::vector<FrameAttributes>> frameAttributesIn(const DicomFile& file);
 
 }  // namespace sline::model

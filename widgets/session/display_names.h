@@ -12,7 +12,7 @@
 
 namespace sline::widgets {
 
-class ShownNames : public QObject {
+class DisplayNames : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;

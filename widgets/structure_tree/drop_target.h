@@ -14,7 +14,7 @@ namespace sline::widgets {
 class StructureTreeModel;
 
 /// Tells where dragged rows go if they are dropped.
-struct DropPlace {
+struct DropTarget {
   model::NodeId group;   ///< the root for the top level
   model::NodeId before;  ///< one of its children; the root for behind the last
   /// Its rectangle in the view's viewport: a line between two rows, or, where the rows go into a
@@ -27,7 +27,8 @@ struct DropPlace {
 /// middle of a group's row, and all of it but the upper part where the group is open, means into
 /// the group; below all rows means the end of the top level. Returns none where the edit would be
 /// refused.
-std::optional<DropPlace> dropPlace(const QTreeView& view, const StructureTreeModel& model,
-                                   const model::Scene& scene, const NodeIds& ids, const QPoint& at);
+std::optional<DropTarget> dropTarget(const QTreeView& view, const StructureTreeModel& model,
+                                     const model::Scene& scene, const NodeIds& ids,
+                                     const QPoint& at);
 
 }  // namespace sline::widgets

@@ -9,8 +9,8 @@
 namespace sline::render {
 
 /// Returns whether one of the planes takes all of the box or sphere away.
-bool takenAway(const DrawnStructure& shown, const model::Box& box);
-bool takenAway(const DrawnStructure& shown, const model::Sphere& sphere);
+bool isCutAway(const DrawnStructure& shown, const model::Box& box);
+bool isCutAway(const DrawnStructure& shown, const model::Sphere& sphere);
 
 /// Returns whether the structure has a cut face to fill.
 bool hasCaps(const DrawnStructure& shown);
@@ -22,7 +22,7 @@ PixelRect sectionArea(const DrawnStructure& shown, const PictureView& view);
 inline constexpr float outlineLift = 6e-5f;
 
 /// Describes how a cut face looks; see cap.frag.glsl.
-struct CapLook {
+struct CapPaint {
   glm::vec4 colour{0.0f};        ///< premultiplied
   glm::vec4 strokeColour{0.0f};  ///< premultiplied; alpha 0: no hatching
   glm::vec4 stripes{0.0f};
@@ -30,7 +30,7 @@ struct CapLook {
   glm::vec3 depthPlane{0.0f};
 };
 /// Returns the look of the face of that index in `shown.cut`.
-CapLook capLook(const DrawnStructure& shown, const PictureView& view, Background background,
-                std::size_t face);
+CapPaint capPaint(const DrawnStructure& shown, const PictureView& view, Background background,
+                  std::size_t face);
 
 }  // namespace sline::render

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/session/shown_names.h"
+#include "widgets/session/display_names.h"
 
 #include <algorithm>
 #include <array>
 
 namespace sline::widgets {
 
-void ShownNames::setLanguage(std::optional<model::NameLanguage> language) {
+void DisplayNames::setLanguage(std::optional<model::NameLanguage> language) {
   if (language == m_language)
     return;
   m_language = language;
@@ -14,7 +14,7 @@ void ShownNames::setLanguage(std::optional<model::NameLanguage> language) {
   emit changed();
 }
 
-QString ShownNames::shown(const QString& name) const {
+QString DisplayNames::shown(const QString& name) const {
   if (!m_language)
     return name;
   auto found = m_shown.constFind(name);
@@ -24,7 +24,7 @@ QString ShownNames::shown(const QString& name) const {
   return *found;
 }
 
-QString ShownNames::calledIn(const std::string& name, std::string_view tag) const {
+QString DisplayNames::calledIn(const std::string& name, std::string_view tag) const {
   static constexpr std::array<std::string_view, model::nameLanguages> tags{"en", "la", "de", "nl",
                                                                            "nb"};
   const auto found = std::find(tags.begin(), tags.end(), tag);
@@ -33,7 +33,7 @@ QString ShownNames::calledIn(const std::string& name, std::string_view tag) cons
                           : m_table.displayName(name, model::NameLanguage(found - tags.begin())));
 }
 
-QStringList ShownNames::alsoCalled(const QString& name) const {
+QStringList DisplayNames::alsoCalled(const QString& name) const {
   QStringList all;
   for (const std::string& word : m_table.searchWords(name.toStdString()))
     all << QString::fromStdString(word);
@@ -42,4 +42,4 @@ QStringList ShownNames::alsoCalled(const QString& name) const {
 
 }  // namespace sline::widgets
 
-#include "moc_shown_names.cpp"
+#include "moc_display_names.cpp"

@@ -10,7 +10,7 @@
 
 namespace sline::render {
 
-struct BestPlace {
+struct BestAnchor {
   model::SurfacePoint point;
   bool hidden = false;  ///< no part of the structure is seen from there
 };
@@ -20,7 +20,7 @@ struct BestPlace {
 /// place is not under a structure that lets it show through either, as its lines would run over the
 /// dot. A structure that is hidden completely is treated as if it were alone. Nothing is returned
 /// where it is not visible or not in the picture.
-std::optional<BestPlace> bestPlaceOn(const model::Scene& scene, model::NodeId structure,
-                                     const Screen& screen, model::MeshTrees& trees);
+std::optional<BestAnchor> bestAnchorOn(const model::Scene& scene, model::NodeId structure,
+                                       const Screen& screen, model::MeshTrees& trees);
 
 }  // namespace sline::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/structure_tree/drop_place.h"
+#include "widgets/structure_tree/drop_target.h"
 
 #include <QTreeView>
 #include <algorithm>
@@ -15,22 +15,22 @@ using Model = StructureTreeModel;
 
 /// Returns the sibling that stands behind it in the group; the root where it is the last.
 model::NodeId behind(const Model& model, model::NodeId id) {
-  const TreeShape::Place& place = *model.shape().find(id);
+  const TreeShape::Entry& place = *model.shape().find(id);
   const NodeIds& siblings = model.shape().find(place.parent)->children;
   const auto next = std::size_t(place.row) + 1;
   return next < siblings.size() ? siblings[next] : model::rootId;
 }
 
-DropPlace between(const QTreeView& view, const QModelIndex& row, int y) {
+DropTarget between(const QTreeView& view, const QModelIndex& row, int y) {
   const QRect name = view.visualRect(row.siblingAtColumn(Model::name));
   return {.mark = QRect(QPoint(name.left(), y), QPoint(view.viewport()->width() - 1, y))};
 }
 
-DropPlace placeAt(const QTreeView& view, const Model& model, const QPoint& at) {
+DropTarget placeAt(const QTreeView& view, const Model& model, const QPoint& at) {
   const QModelIndex row = view.indexAt(at);
   if (!row.isValid()) {
     const int rows = model.rowCount();
-    DropPlace end;
+    DropTarget end;
     if (rows > 0) {
       QModelIndex last = model.index(rows - 1, Model::name);
       while (view.isExpanded(last.siblingAtColumn(0)) &&
@@ -53,7 +53,7 @@ DropPlace placeAt(const QTreeView& view, const Model& model, const QPoint& at) {
             .mark = QRect(0, cell.top(), view.viewport()->width(), cell.height()),
             .into = true};
   const bool above = part < 0.5;
-  DropPlace place = between(view, row, above ? cell.top() : cell.bottom());
+  DropTarget place = between(view, row, above ? cell.top() : cell.bottom());
   place.group = model.shape().find(id)->parent;
   place.before = above ? id : behind(model, id);
   return place;
@@ -61,10 +61,10 @@ DropPlace placeAt(const QTreeView& view, const Model& model, const QPoint& at) {
 
 }  // namespace
 
-std::optional<DropPlace> dropPlace(const QTreeView& view, const StructureTreeModel& model,
-                                   const model::Scene& scene, const NodeIds& ids,
-                                   const QPoint& at) {
-  const DropPlace place = placeAt(view, model, at);
+std::optional<DropTarget> dropTarget(const QTreeView& view, const StructureTreeModel& model,
+                                     const model::Scene& scene, const NodeIds& ids,
+                                     const QPoint& at) {
+  const DropTarget place = placeAt(view, model, at);
   const NodeIds moving = model::editable(scene, ids);
   const bool intoItself = std::any_of(moving.begin(), moving.end(), [&](model::NodeId id) {
     return scene.isBelow(place.group, id);

@@ -14,9 +14,9 @@ namespace sline::widgets {
 
 /// Remembers where docks and toolbars lie, what is typed into boxes, how far lists are scrolled,
 /// which control has the keyboard, and which windows of settings and help are open.
-class ControlsMemory {
+class InterfaceState {
  public:
-  explicit ControlsMemory(const QMainWindow& window);
+  explicit InterfaceState(const QMainWindow& window);
   void restore(QMainWindow& window) const;
 
  private:

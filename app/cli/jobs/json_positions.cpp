@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/jobs/json_places.h"
+#include "app/cli/jobs/json_positions.h"
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ class Scan {
  public:
   explicit Scan(std::string_view text) : m_text(text) {}
 
-  std::vector<ElementPlace> list() {
+  std::vector<ElementPositions> list() {
     while (m_at < m_text.size())
       take();
     return std::move(m_elements);
@@ -59,7 +59,7 @@ class Scan {
 
   void takeString() {
     const std::size_t start = m_at;
-    const TextPlace place = m_place;
+    const TextPosition place = m_place;
     step();
     while (m_at < m_text.size() && m_text[m_at] != '"') {
       if (m_text[m_at] == '\\')
@@ -80,21 +80,21 @@ class Scan {
 
   std::string_view m_text;
   std::size_t m_at = 0;
-  TextPlace m_place;
+  TextPosition m_place;
   int m_depth = 0;
   bool m_begins = false;   ///< the next value of the list is another element
   bool m_keyNext = false;  ///< the next text of the object is a key
-  std::vector<ElementPlace> m_elements;
+  std::vector<ElementPositions> m_elements;
 };
 
 }  // namespace
 
-std::string TextPlace::text() const {
+std::string TextPosition::text() const {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-TextPlace placeOf(std::string_view text, std::size_t byte) {
-  TextPlace place;
+TextPosition textPositionAt(std::string_view text, std::size_t byte) {
+  TextPosition place;
   for (const char each : text.substr(0, std::min(byte, text.size())))
     if (each == '\n')
       place = {place.line + 1, 1};
@@ -103,7 +103,7 @@ TextPlace placeOf(std::string_view text, std::size_t byte) {
   return place;
 }
 
-std::vector<ElementPlace> placesOfList(std::string_view text) {
+std::vector<ElementPositions> elementPositions(std::string_view text) {
   return Scan(text).list();
 }
 

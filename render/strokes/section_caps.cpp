@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/strokes/section_look.h"
+#include "render/strokes/section_caps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,14 +64,14 @@ glm::vec3 paperColour(Background background) {
 
 }  // namespace
 
-bool takenAway(const DrawnStructure& shown, const model::Box& box) {
+bool isCutAway(const DrawnStructure& shown, const model::Box& box) {
   return std::any_of(shown.sections.begin(), shown.sections.end(),
                      [&box](const model::Section& section) {
                        return section.plane.distance(cornerAlong(box, -section.plane.normal)) > 0.0;
                      });
 }
 
-bool takenAway(const DrawnStructure& shown, const model::Sphere& sphere) {
+bool isCutAway(const DrawnStructure& shown, const model::Sphere& sphere) {
   return std::any_of(shown.sections.begin(), shown.sections.end(),
                      [&sphere](const model::Section& section) {
                        return section.plane.distance(sphere.centre) > 1.00001 * sphere.radius;
@@ -103,8 +103,8 @@ PixelRect sectionArea(const DrawnStructure& shown, const PictureView& view) {
   return {x, y, int(std::ceil(high.x)) - x, int(std::ceil(high.y)) - y};
 }
 
-CapLook capLook(const DrawnStructure& shown, const PictureView& view, Background background,
-                std::size_t face) {
+CapPaint capPaint(const DrawnStructure& shown, const PictureView& view, Background background,
+                  std::size_t face) {
   const CutFace& cut = shown.cut->faces[face];
   const float filled =
       lightTint + (1.0f - lightTint) * std::clamp(shown.style.gamma.value() - 3.0f, 0.0f, 1.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/dicom/frame_place.h"
+#include "model/import/dicom/frame_attributes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ class PlaceReader {
     readMeasures(image);
     readRescale(image);
   }
-  const FramePlace& place() const { return m_place; }
+  const FrameAttributes& place() const { return m_place; }
   /// Returns what is missing, as the continuation of a sentence; null where nothing is.
   const char* missing() const {
     return !m_position      ? "where it lies"
@@ -108,7 +108,7 @@ class PlaceReader {
       m_place.segment = *number;
   }
 
-  FramePlace m_place;
+  FrameAttributes m_place;
   bool m_position = false;
   bool m_orientation = false;
   bool m_spacing = false;
@@ -116,7 +116,7 @@ class PlaceReader {
 
 }  // namespace
 
-Result<std::vector<FramePlace>> framesIn(const DicomFile& file) {
+Result<std::vector<FrameAttributes>> frameAttributesIn(const DicomFile& file) {
   std::vector<PlaceReader> readers;
   if (file.data().has(frameGroups)) {
     PlaceReader shared;
@@ -130,7 +130,7 @@ Result<std::vector<FramePlace>> framesIn(const DicomFile& file) {
     readers.emplace_back();
     readers.back().readImage(file.data());
   }
-  std::vector<FramePlace> frames;
+  std::vector<FrameAttributes> frames;
   for (const PlaceReader& reader : readers) {
     if (const char* missing = reader.missing())
       return file.source().at("frame " + std::to_string(frames.size() + 1),

@@ -15,11 +15,11 @@ class Viewport;
 /// Keeps the picture as the preferences want it: background, marks over it, mouse buttons, flights
 /// between views. The marks' actions and the entries of the backgrounds' menu set the same
 /// preferences.
-class PictureHabits : public QObject {
+class PicturePreferences : public QObject {
   Q_OBJECT
  public:
-  PictureHabits(Viewport& viewport, Preferences& preferences, const WindowActions& actions,
-                QMenu& backgrounds, QObject* parent);
+  PicturePreferences(Viewport& viewport, Preferences& preferences, const WindowActions& actions,
+                     QMenu& backgrounds, QObject* parent);
 
  private:
   void follow();
