@@ -22,17 +22,21 @@ Result<ArrangedScene> arrangeShownScene(const model::Scene& shown, const Picture
 }
 }  // namespace
 
-Result<ArrangedScene> arrangeScene(const model::Scene& scene, const PictureSpec& spec) {
-  return arrangeShownScene(withSavedView(scene, spec), spec);
+Result<ArrangedScene> arrangeScene(const model::Scene& scene, const PictureSpec& given) {
+  PictureSpec spec = given;
+  const Result<model::Scene> shown = withOpeningLook(withSavedView(scene, spec), spec);
+  return shown.ok() ? arrangeShownScene(*shown, spec) : Result<ArrangedScene>(shown.error());
 }
 
 Result<ArrangedScene> arrangeOnPage(const glm::vec2& pageMm, const model::Scene& scene,
                                     PictureSpec& spec) {
-  const model::Scene shown = withSavedView(scene, spec);
+  const Result<model::Scene> shown = withOpeningLook(withSavedView(scene, spec), spec);
+  if (!shown.ok())
+    return shown.error();
   spec.labels.viewName = shownViewName(scene, spec);
-  if (const Status ready = prepareLabels(spec.labels, shown, pageMm); !ready.ok())
+  if (const Status ready = prepareLabels(spec.labels, *shown, pageMm); !ready.ok())
     return ready.error();
-  return arrangeShownScene(shown, spec);
+  return arrangeShownScene(*shown, spec);
 }
 
 Exit drawScene(const model::Scene& scene, const PictureSpec& given, Progress& progress) {

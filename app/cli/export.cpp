@@ -253,11 +253,12 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
                           .add_option("--view,--from", flags.picture.view,
                                       "A saved view of the scene, shown as it was saved; else "
                                       "anterior, posterior, left, right, superior or inferior, "
-                                      "fitted to what is visible")
-                          ->type_name("NAME")
-                          ->capture_default_str();
+                                      "fitted to what is visible; anterior if not given, or where "
+                                      "--look auto sees most")
+                          ->type_name("NAME");
   addCameraOption(command, flags.picture, view);
   addDetailOptions(command, flags.picture);
+  addLookOption(command, flags.picture);
   addAppearanceOptions(command, flags.picture);
   flags.picture.labels.marks = "on";
   declareLabels(command, flags.picture.labels);

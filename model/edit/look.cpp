@@ -22,6 +22,17 @@ Style lookOf(const Scene& scene, NodeId id) {
   return answersOf(scene.resolve(id));
 }
 
+bool hasNoLook(const Scene& scene) {
+  const auto says = [](const Style& style) { return style.gamma || style.fill; };
+  const bool nodes = std::any_of(scene.nodes().begin(), scene.nodes().end(),
+                                 [&](const Node& node) { return says(node.style); });
+  const bool views = std::any_of(scene.views().begin(), scene.views().end(), [&](const View& view) {
+    return view.looks && std::any_of(view.looks->begin(), view.looks->end(),
+                                     [&](const Look& look) { return says(look.style); });
+  });
+  return !nodes && !views;
+}
+
 Edited withInkAlone(const Scene& scene) {
   const Gamma hatched = Gamma::clamped(3.0f);
   std::vector<Node> nodes = scene.nodes();

@@ -31,6 +31,10 @@ Edited withLookInherited(const Scene& scene, std::span<const NodeId> ids, const 
 /// unanswered.
 Style lookOf(const Scene& scene, NodeId id);
 
+/// Tells whether neither a structure nor a group says how detailed or how filled it is drawn, nor a
+/// saved view: such a scene may open with a look that is chosen for it (model/look).
+bool hasNoLook(const Scene& scene);
+
 /// Reduces the looks to what a press without colours or tones can print: black ink alone. Γ ends at
 /// 3, where shading would begin. A shaded or washed structure hides what is behind it in the colour
 /// of the paper or, where it was rather transparent, does not hide it at all. Cut faces become

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "model/base/parallel.h"
+#include "model/focus/kin.h"
 #include "model/focus/roles.h"
 #include "model/focus/surroundings.h"
+#include "model/focus/tissues.h"
 
 namespace sline::model {
 
@@ -59,6 +61,10 @@ std::optional<FocusAnalysis> analysed(const Scene& scene, const FocusQuestion& q
     return std::nullopt;
   for (std::size_t i = 0; i < parties.size(); ++i)
     analysis.relations.push_back(relationOf(surroundings, parties[i], facts[i], fed[i]));
+  const Tissues tissues = tissuesOf(scene);
+  for (Relation& relation : analysis.relations)
+    relation.tissue = tissues.at(relation.structure.value);
+  treatKinAlike(scene, analysis.relations);
   return analysis;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analyses how every structure relates to those in focus, from the meshes alone: how near it lies,
-// how much of them it hides, whether it is a vessel that comes to them. Names play no part. How
-// much of it is then drawn is a separate question (model/focus/context.h), so that it can be
-// answered again and again.
+// Analyses how every structure relates to those in focus: from the meshes how near it lies, how
+// much of them it hides, whether it is a vessel that comes to them; from the names what it is made
+// of and which structures belong together. How much of it is then drawn is a separate question
+// (model/focus/context.h), so that it can be answered again and again.
 //
 // Giving structures importance and letting it decide how densely each is drawn is from Viola,
 // Kanitsar, Gröller, "Importance-Driven Volume Rendering" (2004), where a person gives it; here it
@@ -14,6 +14,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "model/anatomy/tissue.h"
 #include "model/focus/form.h"
 #include "model/scene/scene.h"
 
@@ -42,6 +43,7 @@ enum class RoleReason {
 /// radius of a sphere with the same surface area.
 struct Relation {
   NodeId structure;
+  Tissue tissue = Tissue::unknown;
   ContextRole role = ContextRole::backdrop;
   RoleReason reason = RoleReason::far;
   NodeId through;      ///< the vessel between, for `feedsStem`

@@ -25,6 +25,7 @@ struct Growth {
   float lowPen = 0.0f;  ///< factor on the scene's pen
   float highPen = 1.0f;
   float covering = 0.0f;  ///< how much it hides of what lies behind it
+  float tone = 1.0f;      ///< factor on the darkness of hatching
 };
 
 float ramp(float low, float high, float x) {
@@ -79,7 +80,48 @@ Growth backdropGrowth(const Relation& r) {
           .covering = 0.1f + 0.7f * clearness(r)};
 }
 
-Growth growthOf(const Relation& r) {
+/// Returns how a structure before the focus grows: as a thin silhouette, so that none of its lines
+/// crosses the focus (METHOD §12.4).
+Growth frontGrowth(Growth growth) {
+  growth.lowGamma = 0.0f;
+  growth.highGamma = 0.2f;
+  growth.lowPen = 0.3f;
+  growth.highPen = 0.5f;
+  growth.covering = 0.0f;
+  return growth;
+}
+
+/// Returns how a structure beside or behind the focus grows that is made of that tissue: pale and
+/// quiet, bones modelled a little more (METHOD §12.5).
+Growth tissueGrowth(Growth growth, const Relation& r) {
+  const bool near = r.nearness >= 0.5f;
+  switch (r.tissue) {
+    case Tissue::unknown:
+    case Tissue::lesion:
+      return growth;
+    case Tissue::bone:
+    case Tissue::joint:
+      growth.lowGamma = 3.3f;
+      growth.highGamma = near ? 3.9f : 3.7f;
+      break;
+    case Tissue::vessel:
+    case Tissue::nerve:
+      growth.lowGamma = 3.2f;
+      growth.highGamma = near ? 3.9f : 3.6f;
+      break;
+    case Tissue::organ:
+    case Tissue::muscle:
+    case Tissue::skin:
+      growth.lowGamma = 3.2f;
+      growth.highGamma = 3.6f;
+      break;
+  }
+  growth.tone = 0.0f;
+  growth.covering = 1.0f;
+  return growth;
+}
+
+Growth roleGrowth(const Relation& r) {
   switch (r.role) {
     case ContextRole::feeder:
       return feederGrowth(r);
@@ -92,6 +134,16 @@ Growth growthOf(const Relation& r) {
       break;
   }
   return backdropGrowth(r);
+}
+
+Growth growthOf(const Relation& r) {
+  const Growth growth = roleGrowth(r);
+  if (r.tissue == Tissue::unknown)
+    return growth;
+  constexpr float something = 0.05f;
+  if (r.role == ContextRole::shell || r.hides > (r.role == ContextRole::feeder ? 0.3f : something))
+    return frontGrowth(growth);
+  return r.role == ContextRole::feeder ? growth : tissueGrowth(growth, r);
 }
 
 Style targetStyle() {
@@ -129,6 +181,8 @@ Style contextStyle(const Relation& relation, ContextAmount amount) {
   style.penWeight = there * glm::mix(growth.lowPen, growth.highPen, x * x);
   if (!*style.visible)
     style.penWeight = faintPen;
+  if (growth.tone != 1.0f)
+    style.hatchTone = HatchTone::clamped(growth.tone);
   return style;
 }
 

@@ -58,8 +58,8 @@ float comingToTargets(const Surroundings& surroundings, const Party& party, cons
   if (share < 0.5f)
     return share;
   const float near = cutWidth(form, facts.gap);
-  const Cut cut = cutNear(*party.mesh, [&](const glm::vec3& place) {
-    return std::isfinite(surroundings.distanceTo(place, near));
+  const Cut cut = cutNear(*party.mesh, near, [&](const glm::vec3& place, float farthest) {
+    return surroundings.distanceTo(place, farthest);
   });
   // A vessel that passes by serves the targets less.
   return cut.ends ? share : 0.4f * share;
@@ -78,8 +78,8 @@ float comingFrom(const Surroundings& surroundings, float likely, const Party& st
   if (share < 0.5f)
     return share;
   const float near = cutWidth(*branch.form, gap);
-  const Cut cut = cutNear(*branch.mesh, [&](const glm::vec3& place) {
-    return std::isfinite(stem.form->tree->closest(place, near, near).distance);
+  const Cut cut = cutNear(*branch.mesh, near, [&](const glm::vec3& place, float farthest) {
+    return stem.form->tree->closest(place, 0.0f, farthest).distance;
   });
   // A vessel that lies along another does not spring from it.
   constexpr double most = 0.3;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/focus/vessel_ends.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "model/geometry/topology.h"
@@ -42,12 +44,62 @@ double areaOf(const Mesh& mesh, const Triangle& t) {
                                              positions[t[2]] - positions[t[0]])));
 }
 
+/// Finds which of the places are near. A distance changes no faster than the place does, so one
+/// question about the middle of a set answers for all of it, unless the border runs through it:
+/// then each half is asked about.
+class Nearness {
+ public:
+  Nearness(std::span<const glm::vec3> places, float width, const DistanceTo& distanceTo)
+      : m_places(places), m_width(width), m_distanceTo(distanceTo), m_near(places.size(), 0) {
+    m_order.resize(places.size());
+    std::iota(m_order.begin(), m_order.end(), 0u);
+    ask(m_order);
+  }
+  const std::vector<char>& answers() const { return m_near; }
+
+ private:
+  void ask(std::span<std::uint32_t> some) {
+    constexpr std::size_t few = 3;
+    if (some.size() <= few) {
+      for (const std::uint32_t i : some)
+        m_near[i] = m_distanceTo(m_places[i], m_width) < m_width ? 1 : 0;
+      return;
+    }
+    Box box;
+    for (const std::uint32_t i : some)
+      box.add(m_places[i]);
+    const glm::vec3 middle = 0.5f * (box.low + box.high);
+    const float radius = 1.001f * glm::distance(middle, box.high);
+    const float distance = m_distanceTo(middle, m_width + radius);
+    if (distance >= m_width + radius)
+      return;
+    if (distance < m_width - radius) {
+      for (const std::uint32_t i : some)
+        m_near[i] = 1;
+      return;
+    }
+    const glm::vec3 size = box.high - box.low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const auto half = std::ptrdiff_t(some.size() / 2);
+    std::nth_element(
+        some.begin(), some.begin() + half, some.end(),
+        [&](std::uint32_t a, std::uint32_t b) { return m_places[a][axis] < m_places[b][axis]; });
+    ask(some.first(std::size_t(half)));
+    ask(some.subspan(std::size_t(half)));
+  }
+
+  std::span<const glm::vec3> m_places;
+  float m_width;
+  const DistanceTo& m_distanceTo;
+  std::vector<char> m_near;
+  std::vector<std::uint32_t> m_order;
+};
+
 }  // namespace
 
-Cut cutNear(const Mesh& mesh, const std::function<bool(const glm::vec3&)>& near) {
-  std::vector<char> gone(mesh.vertexCount());
-  for (std::size_t i = 0; i < gone.size(); ++i)
-    gone[i] = near(mesh.positions()[i]);
+Cut cutNear(const Mesh& mesh, float width, const DistanceTo& distanceTo) {
+  const Nearness nearness(mesh.positions(), width, distanceTo);
+  const std::vector<char>& gone = nearness.answers();
   Unions rest(mesh.vertexCount());
   for (const Triangle& t : mesh.triangles())
     for (std::size_t k = 0; k < 3; ++k)

@@ -14,8 +14,12 @@ struct Cut {
   double share = 0.0;  ///< share of the surface that was taken away
 };
 
-/// Takes the mesh apart. A vessel that ends at the structure leaves one piece, one that passes by
-/// leaves two. Pieces of less than a tenth of their part do not count.
-Cut cutNear(const Mesh& mesh, const std::function<bool(const glm::vec3&)>& near);
+/// Returns the distance of a place to the other structure in mm, or infinity where that is more
+/// than `farthest`.
+using DistanceTo = std::function<float(const glm::vec3& place, float farthest)>;
+
+/// Takes away what is nearer than `width`. A vessel that ends at the structure leaves one piece,
+/// one that passes by leaves two. Pieces of less than a tenth of their part do not count.
+Cut cutNear(const Mesh& mesh, float width, const DistanceTo& distanceTo);
 
 }  // namespace sline::model

@@ -27,6 +27,8 @@ QString sealed(const QString& folder) {
   QSettings settings(file, QSettings::IniFormat);
   // No demo is modelled in the background, where it would interfere.
   settings.setValue(QStringLiteral("start/demoPictures"), false);
+  // What is opened looks as it is, at once and for good; opening_look_test says otherwise.
+  settings.setValue(QStringLiteral("picture/openingLook"), QStringLiteral("plain"));
   // Views change at once, so that a test finds the next one when the key was pressed.
   settings.setValue(QStringLiteral("navigation/flights"), false);
   return file;

@@ -65,6 +65,52 @@ void FocusContext::analyse(const NodeIds& targets, bool fromCamera, const QStrin
   await(question);
 }
 
+void FocusContext::chooseLook(float aspect, std::size_t subject, bool opening) {
+  m_stop.request_stop();
+  m_stop = std::stop_source();
+  m_subject = subject;
+  const std::uint64_t question = ++m_asked;
+  m_pool.start([this, question, aspect, subject, opening, forms = m_forms,
+                scene = m_session.sceneBeforePreview(), stop = m_stop.get_token()] {
+    static thread_local const bool stoodBack = (model::standBack(), true);
+    static_cast<void>(stoodBack);
+    auto look = model::openingLook(scene, *forms, {.subject = subject, .aspect = aspect}, stop);
+    forms->trim();
+    const Look answer =
+        look ? std::make_shared<const model::OpeningLook>(std::move(*look)) : nullptr;
+    QMetaObject::invokeMethod(this, [=, this] { takeLook(question, answer, scene, opening); });
+  });
+  await(question);
+}
+
+void FocusContext::takeLook(std::uint64_t question, const Look& look, const model::Scene& asked,
+                            bool opening) {
+  if (question != m_awaited)
+    return;
+  await(0);
+  // What the user did meanwhile counts more than a choice made for the scene as it was.
+  if (!look || m_session.previewing() || !(m_session.scene() == asked))
+    return;
+  remember();
+  m_state = {.analysis = look->analysis,
+             .targets = look->subject.structures,
+             .amount = model::plateAmount(),
+             .wishes = {}};
+  if (!look->analysis)
+    m_state.targets.clear();
+  {
+    const QScopedValueRollback applying(m_applying, true);
+    model::Edited edited{look->scene, !(look->scene == asked)};
+    if (opening)
+      m_session.completeOpening(tr("Opening look"), std::move(edited));
+    else
+      m_session.apply(tr("Plate"), std::move(edited));
+  }
+  remember();
+  emit cameraChosen(look->camera);
+  emit changed();
+}
+
 void FocusContext::await(std::uint64_t question) {
   const bool before = busy();
   m_awaited = question;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/focus/context.h"
+#include "model/look/opening_look.h"
 #include "widgets/session/session.h"
 
 namespace sline::widgets {
@@ -44,6 +45,13 @@ class FocusContext : public QObject {
   void setRoles(const NodeIds& structures, model::ContextRole role);
   void setHiddenToo(bool too);
 
+  /// Chooses a look for the whole scene in the background: the subject of that index among
+  /// `model::subjectsOf` in focus, seen from where it shows best (METHOD §12). `aspect` is the
+  /// picture's width / height. For a scene that was just opened the step is part of the opening.
+  void chooseLook(float aspect, std::size_t subject, bool opening);
+  /// Returns the index of the subject that was chosen last.
+  std::size_t subject() const { return m_subject; }
+
   void dragTo(model::ContextAmount amount);
   void finishDrag();
   void cancelDrag();
@@ -54,6 +62,8 @@ class FocusContext : public QObject {
   /// Tells that the focus, its surroundings or the amount has changed.
   void changed();
   void busyChanged(bool busy);
+  /// Tells where the chosen look is seen from.
+  void cameraChosen(const sline::model::Camera& camera);
   void failed(const sline::Error& error);
 
  private:
@@ -62,6 +72,8 @@ class FocusContext : public QObject {
     FocusState state;
   };
   using Answer = std::shared_ptr<const model::FocusAnalysis>;
+  using Look = std::shared_ptr<const model::OpeningLook>;
+  void takeLook(std::uint64_t question, const Look& look, const model::Scene& asked, bool opening);
   void analyse(const NodeIds& targets, bool fromCamera, const QString& step);
   void take(std::uint64_t question, const Answer& answer, const NodeIds& targets,
             const QString& step);
@@ -76,6 +88,7 @@ class FocusContext : public QObject {
   FocusState m_state;
   std::vector<Record> m_records;  ///< the resulting scenes, for undo and redo
   model::ContextAmount m_beforeDrag;
+  std::size_t m_subject = 0;
   bool m_dragging = false;
   bool m_applying = false;
   std::shared_ptr<model::FormIndex> m_forms = std::make_shared<model::FormIndex>();

@@ -49,30 +49,38 @@ std::vector<PreferenceRow> languageRows() {
 
 std::vector<PreferenceRow> pictureRows() {
   const QString page = tr("Picture");
-  return {{{QStringLiteral("picture/background"), tr("Background"),
-            tr("What the picture is drawn on; on the dark one ink is light"),
-            ChoiceField{{{QStringLiteral("white"), tr("White")},
-                         {QStringLiteral("paper"), tr("Paper")},
-                         {QStringLiteral("dark"), tr("Dark")}}}},
-           page,
-           QStringLiteral("paper")},
-          {{QStringLiteral("picture/cube"), tr("Orientation cube"),
-            tr("The body's sides in the corner of the picture; a click looks from there"),
-            SwitchField{}},
-           page,
-           true},
-          {{QStringLiteral("picture/scaleBar"), tr("Scale bar"),
-            tr("True at the depth of what the picture turns around"), SwitchField{}},
-           page,
-           true},
-          {{QStringLiteral("picture/names"), tr("Names under the mouse"),
-            tr("What a structure is called where the mouse rests"), SwitchField{}},
-           page,
-           true},
-          {{QStringLiteral("picture/frameTime"), tr("Time that a picture takes"),
-            tr("In milliseconds, in the corner of the picture"), SwitchField{}},
-           page,
-           false}};
+  return {
+      {{QStringLiteral("picture/background"), tr("Background"),
+        tr("What the picture is drawn on; on the dark one ink is light"),
+        ChoiceField{{{QStringLiteral("white"), tr("White")},
+                     {QStringLiteral("paper"), tr("Paper")},
+                     {QStringLiteral("dark"), tr("Dark")}}}},
+       page,
+       QStringLiteral("paper")},
+      {{QStringLiteral("picture/openingLook"), tr("Look of what is opened"),
+        tr("Where a file says nothing of how it looks: a plate draws what it is about in detail "
+           "and everything else as context"),
+        ChoiceField{
+            {{QStringLiteral("auto"), tr("Plate")}, {QStringLiteral("plain"), tr("Plain")}}}},
+       page,
+       QStringLiteral("auto")},
+      {{QStringLiteral("picture/cube"), tr("Orientation cube"),
+        tr("The body's sides in the corner of the picture; a click looks from there"),
+        SwitchField{}},
+       page,
+       true},
+      {{QStringLiteral("picture/scaleBar"), tr("Scale bar"),
+        tr("True at the depth of what the picture turns around"), SwitchField{}},
+       page,
+       true},
+      {{QStringLiteral("picture/names"), tr("Names under the mouse"),
+        tr("What a structure is called where the mouse rests"), SwitchField{}},
+       page,
+       true},
+      {{QStringLiteral("picture/frameTime"), tr("Time that a picture takes"),
+        tr("In milliseconds, in the corner of the picture"), SwitchField{}},
+       page,
+       false}};
 }
 
 std::vector<PreferenceRow> labelRows() {

@@ -152,6 +152,14 @@ bool Session::apply(const QString& name, model::Edited edited, const QString& se
   return true;
 }
 
+void Session::completeOpening(const QString& name, model::Edited edited) {
+  const bool saved = !m_modified;
+  if (apply(name, std::move(edited)) && saved) {
+    m_files[m_document.opening].saved = m_document.scene;
+    compareWithFile(true);
+  }
+}
+
 void Session::push(const QString& name, Document after, const QString& series) {
   auto* step = new DocumentStep(*this, std::move(after), series);
   step->setText(name);
@@ -320,6 +328,8 @@ void Session::open(const LoadedDocument& loaded) {
   Document document{.scene = solid(loaded.scene), .title = loaded.title};
   if (!file.copy)
     file.saved = document.scene;
+  if (model::hasNoLook(loaded.scene))
+    m_withoutLook.insert(m_openings + 1);
   addOpening(std::move(document), std::move(file));
   emit opened(loaded.paths);
   if (!loaded.remarks.isEmpty())

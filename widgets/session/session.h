@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "model/edit/edited.h"
@@ -60,6 +61,12 @@ class Session : public QObject {
   /// Notes that a file was written with the scene of this opening; its lock stays with the
   /// document.
   void noteSaved(int opening, DocumentFile file);
+
+  /// Tells whether what the document was opened from does not say how it looks, so that a look may
+  /// be chosen for it (model/look).
+  bool opensWithoutLook() const { return m_withoutLook.contains(m_document.opening); }
+  /// Adds what was chosen for the opening: a step of the history, but no unsaved work.
+  void completeOpening(const QString& name, model::Edited edited);
 
   const NodeIds& selection() const { return m_selection; }
   /// Selects the nodes; ids that the scene lacks are left out.
@@ -131,6 +138,7 @@ class Session : public QObject {
   void endJob();
 
   Document m_document;
+  std::set<int> m_withoutLook;  ///< the openings of scenes without a look
   QUndoStack m_history;
   std::optional<Document> m_beforePreview;
   NodeIds m_selection;

@@ -101,6 +101,12 @@ void MainWindow::makeCentre() {
   m_focus = new FocusContext(
       m_session, [this] { return m_viewport->camera(); }, this);
   connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
+  connect(m_focus, &FocusContext::cameraChosen, m_viewport, &Viewport::flyTo);
+  connect(&m_session, &Session::opened, this, [this] {
+    if (m_session.opensWithoutLook() &&
+        m_preferences.choice(QStringLiteral("picture/openingLook")) == QLatin1String("auto"))
+      chooseLook(0, true);
+  });
   connect(m_message, &MessageBar::covers, m_viewport, &Viewport::setHeadroom);
   auto* centre = new QWidget;
   auto* layout = new QGridLayout(centre);
@@ -388,6 +394,11 @@ void MainWindow::connectSession() {
   nameRedo(history.redoText());
 }
 
+void MainWindow::chooseLook(std::size_t subject, bool opening) {
+  const float aspect = float(m_viewport->width()) / float(std::max(m_viewport->height(), 1));
+  m_focus->chooseLook(aspect, subject, opening);
+}
+
 void MainWindow::connectActions() {
   const auto on = [this](const char* id, auto function) {
     connect(&m_actions[QLatin1String(id)], &QAction::triggered, this, function);
@@ -399,6 +410,8 @@ void MainWindow::connectActions() {
     m_tree->find();
   });
   on("focus", [this] { m_focus->focusOn(m_session.selection()); });
+  on("plate", [this] { chooseLook(0, false); });
+  on("anotherSubject", [this] { chooseLook(m_focus->subject() + 1, false); });
   on("fit", [this] { m_viewport->fitAll(); });
   on("help", [this] { showHelp(); });
   on("controls",

@@ -73,6 +73,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeTools();
   void connectSession();
+  void chooseLook(std::size_t subject, bool opening);
   void connectActions();
   void connectViews();
   void restore();

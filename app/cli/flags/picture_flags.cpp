@@ -118,9 +118,24 @@ Error unknownView(const model::Scene& scene, const std::string& view) {
   return error;
 }
 
+/// Returns the anatomical view that the spec names, anterior where it names none; nothing for
+/// another name.
+std::optional<model::AnatomicalView> viewOf(const PictureSpec& spec) {
+  return spec.view.empty() ? std::optional(model::AnatomicalView::anterior)
+                           : model::anatomicalViewNamed(model::normalisedName(spec.view));
+}
+
+template <class T>
+bool sayForAll(const std::vector<Assignment<T>>& assignments) {
+  return std::any_of(assignments.begin(), assignments.end(),
+                     [](const Assignment<T>& each) { return !each.name; });
+}
+
 }  // namespace
 
 const model::View* savedView(const model::Scene& scene, const std::string& name) {
+  if (name.empty())
+    return nullptr;
   const std::string wanted = model::normalisedName(name);
   for (const model::View& saved : scene.views())
     if (model::normalisedName(saved.name) == wanted)
@@ -189,6 +204,10 @@ Result<PictureSpec> parseFlagsWithoutOutput(const PictureFlags& flags) {
   PictureSpec spec;
   spec.output = flags.output;
   spec.view = flags.view;
+  if (flags.look != "auto" && flags.look != "plain")
+    return Error{.reason = "--look " + flags.look + " is unknown",
+                 .remedy = "Give --look auto or --look plain"};
+  spec.choosesLook = flags.look == "auto";
   spec.only = flags.only;
   const Result<Size> size = parseSize(flags.size);
   if (!size.ok())
@@ -245,8 +264,7 @@ std::string shownViewName(const model::Scene& scene, const PictureSpec& spec) {
   if (!spec.camera)
     if (const model::View* saved = savedView(scene, spec.view))
       return saved->name;
-  const auto side = spec.camera ? model::anatomicalViewOf(*spec.camera)
-                                : model::anatomicalViewNamed(model::normalisedName(spec.view));
+  const auto side = spec.camera ? model::anatomicalViewOf(*spec.camera) : viewOf(spec);
   return side ? std::string(model::anatomicalViewNames[std::size_t(*side)]) : std::string();
 }
 
@@ -287,6 +305,37 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec) 
   return spec.only.empty() ? result : withOnly(result, spec.only);
 }
 
+Result<model::Scene> withOpeningLook(const model::Scene& scene, PictureSpec& spec) {
+  if (!spec.choosesLook || !model::hasNoLook(scene) || !spec.focus.names.empty() || spec.fill ||
+      sayForAll(spec.gammas))
+    return scene;
+  const Result<model::Scene> some =
+      spec.only.empty() ? Result<model::Scene>(scene) : withOnly(scene, spec.only);
+  if (!some.ok())
+    return some;
+  const Result<model::Scene> cut = cutOpen(*some, spec);
+  if (!cut.ok())
+    return cut;
+  model::OpeningWishes wishes{.aspect = spec.size.aspect()};
+  if (spec.camera)
+    wishes.camera = spec.camera;
+  else if (const model::View* saved = savedView(scene, spec.view))
+    wishes.camera = saved->camera;
+  else if (!spec.view.empty())
+    wishes.view = viewOf(spec);
+  model::FormIndex forms;
+  const std::optional<model::OpeningLook> look = model::openingLook(*cut, forms, wishes);
+  if (!look)
+    return scene;
+  if (!wishes.camera) {
+    spec.view = std::string(model::anatomicalViewNames[std::size_t(*look->view)]);
+    spec.fitted = *look;
+  }
+  model::Scene dressed = scene;
+  dressed.setNodes(look->scene.nodes());
+  return dressed;
+}
+
 Result<model::Scene> inFocus(const model::Scene& scene, const PictureSpec& spec) {
   if (spec.focus.names.empty())
     return scene;
@@ -314,10 +363,12 @@ Result<model::Camera> cameraFor(const model::Scene& scene, const PictureSpec& sp
     return *spec.camera;
   if (const model::View* saved = savedView(scene, spec.view))
     return saved->camera;
-  const auto view = model::anatomicalViewNamed(model::normalisedName(spec.view));
+  const auto view = viewOf(spec);
   if (!view)
     return unknownView(scene, spec.view);
   const float aspect = spec.size.aspect();
+  if (spec.fitted)
+    return model::framedCamera(*spec.fitted, aspect, spec.labels.sides);
   const model::Camera camera = model::anatomicalCamera(*view, scene.visibleBounds(), aspect);
   return model::fittedToVisible(scene, camera, aspect, spec.labels.sides);
 }

@@ -12,6 +12,7 @@
 #include "app/cli/flags/section_flags.h"
 #include "app/cli/flags/values.h"
 #include "model/base/result.h"
+#include "model/look/opening_look.h"
 #include "model/scene/scene.h"
 #include "render/strokes/picture_settings.h"
 
@@ -22,7 +23,8 @@ struct PictureFlags {
   std::string output;
   std::string size = "1280x720";
   std::string samples = "auto";
-  std::string view = "anterior";
+  std::string view;            ///< empty: the look's choice, else anterior
+  std::string look = "plain";  ///< auto where `addLookOption` declares it
   std::string cameraFile;
   std::string fill;
   std::string background = "white";
@@ -57,8 +59,10 @@ struct PictureSpec {
   render::Environment environment;
   render::HatchingMethod hatching = render::HatchingMethod::strokes;
   bool blackAndWhite = false;
-  std::optional<model::Camera> camera;  ///< from a file; else `view`
-  std::string view;
+  std::optional<model::Camera> camera;       ///< from a file; else `view`
+  std::string view;                          ///< empty: not given
+  bool choosesLook = false;                  ///< gives one to a scene that has no look of its own
+  std::optional<model::OpeningLook> fitted;  ///< the look that views are fitted to
   std::optional<model::Fill> fill;
   std::vector<Assignment<Gamma>> gammas;
   std::vector<Assignment<Colour>> colours;
@@ -88,6 +92,10 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec);
 Result<model::Scene> inFocus(const model::Scene& scene, const PictureSpec& spec);
 /// Returns the scene with the sections of the order, if it has any.
 Result<model::Scene> cutOpen(const model::Scene& scene, const PictureSpec& spec);
+/// Returns the scene with the opening look (model/look) where the spec wants one, and the scene,
+/// the focus and Γ or fill for all structures say nothing of how it looks; then `spec` looks from
+/// where that look does, unless it says another view. Labels have room at the spec's free sides.
+Result<model::Scene> withOpeningLook(const model::Scene& scene, PictureSpec& spec);
 /// Returns the saved view of that name, or null if there is none.
 const model::View* savedView(const model::Scene& scene, const std::string& name);
 /// Returns the camera of the file; else that of the saved view of that name, else the anatomical

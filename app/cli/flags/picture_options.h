@@ -80,6 +80,18 @@ inline void addDetailOptions(CLI::App& command, PictureFlags& flags) {
   addFocusOptions(command, flags.focus);
 }
 
+/// Declares --look, which is auto unless the user says otherwise.
+inline void addLookOption(CLI::App& command, PictureFlags& flags) {
+  flags.look = "auto";
+  command
+      .add_option("--look", flags.look,
+                  "auto: where neither the scene nor --gamma, --fill or --focus says how all of it "
+                  "looks, what the scene is about is drawn in detail, everything else as context, "
+                  "from where it is seen best; plain: contours, from the front")
+      ->type_name("auto|plain")
+      ->capture_default_str();
+}
+
 /// Declares the flag of a camera file; it excludes `view`, which names a camera otherwise.
 inline void addCameraOption(CLI::App& command, PictureFlags& flags, CLI::Option* view) {
   command
@@ -107,9 +119,9 @@ inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
                           .add_option("--view", flags.view,
                                       "A saved view of the scene, shown as it was saved; else "
                                       "anterior, posterior, left, right, superior or inferior, "
-                                      "fitted to what is visible")
-                          ->type_name("NAME")
-                          ->capture_default_str();
+                                      "fitted to what is visible; anterior if not given, or where "
+                                      "--look auto sees most")
+                          ->type_name("NAME");
   addCameraOption(command, flags, view);
   addDetailOptions(command, flags);
   addAppearanceOptions(command, flags);
@@ -124,6 +136,7 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
       ->required()
       ->type_name("FILE");
   addDrawingOptions(command, flags);
+  addLookOption(command, flags);
   declareLabels(command, flags.labels);
 }
 

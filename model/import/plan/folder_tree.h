@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/import/naming/anatomy_names.h"
+#include "model/anatomy/body_systems.h"
 #include "model/import/plan/parts.h"
 #include "model/import/plan/sources.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "model/import/naming/anatomy_names.h"
+#include "model/anatomy/body_systems.h"
 #include "model/import/naming/laterality.h"
 
 namespace sline::model {

@@ -7,8 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "model/anatomy/body_systems.h"
 #include "model/edit/tree.h"
-#include "model/import/naming/anatomy_names.h"
 #include "model/import/plan/folder_tree.h"
 #include "model/import/plan/frame_and_unit.h"
 #include "model/import/plan/kept_scans.h"

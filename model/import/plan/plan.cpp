@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "model/import/naming/anatomy_names.h"
+#include "model/anatomy/body_systems.h"
 #include "model/import/plan/import_steps.h"
 #include "model/import/plan/kept_scans.h"
 #include "model/import/plan/shape_parts.h"

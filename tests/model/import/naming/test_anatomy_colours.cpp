@@ -10,7 +10,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "model/import/naming/anatomy_names.h"
+#include "model/anatomy/body_systems.h"
 #include "tests/support/suite.h"
 
 using namespace sline;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/naming/anatomy_names.h"
+#include "model/anatomy/body_systems.h"
 
 #include <algorithm>
 #include <charconv>
 #include <tuple>
 
+#include "model/anatomy/name_words.h"
+#include "model/anatomy/systems_table.h"
 #include "model/base/colour_text.h"
-#include "model/import/naming/anatomy_table.h"
-#include "model/import/naming/names.h"
 
 namespace sline::model {
 
@@ -51,11 +51,12 @@ const AnatomySystem* AnatomyTable::system(std::string_view id) const {
 }
 
 void AnatomyTable::addSystem(const std::vector<std::string_view>& fields) {
-  const auto colour = fields.size() == 3 ? colourFrom(fields[2]) : std::nullopt;
-  if (!colour)
+  const auto colour = fields.size() == 4 ? colourFrom(fields[2]) : std::nullopt;
+  const auto tissue = colour ? tissueNamed(fields[3]) : std::nullopt;
+  if (!tissue)
     ++m_badRows;
   else
-    m_systems.push_back({std::string(fields[0]), std::string(fields[1]), *colour});
+    m_systems.push_back({std::string(fields[0]), std::string(fields[1]), *colour, *tissue});
 }
 
 void AnatomyTable::addPattern(const std::vector<std::string_view>& fields) {

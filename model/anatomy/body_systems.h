@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/anatomy/tissue.h"
 #include "model/base/units.h"
 
 namespace sline::model {
@@ -17,6 +18,7 @@ struct AnatomySystem {
   std::string id;     ///< "artery"
   std::string title;  ///< "Arteries": the name of the system's group
   Colour colour;
+  Tissue tissue = Tissue::unknown;
 };
 
 struct AnatomyMatch {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QtTest>
 
-#include "model/import/naming/anatomy_names.h"
+#include "model/anatomy/body_systems.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
 
-class AnatomyNamesTest : public QObject {
+class BodySystemsTest : public QObject {
   Q_OBJECT
  private slots:
   void tableIsWhole();
@@ -17,13 +17,13 @@ class AnatomyNamesTest : public QObject {
   void edits();
 };
 
-void AnatomyNamesTest::tableIsWhole() {
+void BodySystemsTest::tableIsWhole() {
   const AnatomyTable table;
   QVERIFY(table.patternCount() >= 200);
   QCOMPARE(table.badRows(), std::size_t(0));
 }
 
-void AnatomyNamesTest::systems_data() {
+void BodySystemsTest::systems_data() {
   QTest::addColumn<QString>("system");
   const std::pair<const char*, const char*> rows[] = {
       {"hepatic artery proper", "artery"},
@@ -90,16 +90,16 @@ void AnatomyNamesTest::systems_data() {
     QTest::newRow(name) << system;
 }
 
-void AnatomyNamesTest::systems() {
+void BodySystemsTest::systems() {
   QFETCH(QString, system);
   const AnatomyTable table;
   const auto match = table.match(QTest::currentDataTag());
   QCOMPARE(match ? QString::fromStdString(table.systems()[match->system].id) : QString(), system);
 }
 
-void AnatomyNamesTest::brokenRowsAreLeftOut() {
+void BodySystemsTest::brokenRowsAreLeftOut() {
   const AnatomyTable table(
-      "a\tAs\t#ff0000\nb\tBs\tred\n",
+      "a\tAs\t#ff0000\torgan\nb\tBs\tred\torgan\n",
       "# comment\nx\ta\t\t0\nx y\ta\t#00ff00\t0\nz\tnone\t\t0\nw\ta\t\t7\nv\ta\n");
   QCOMPARE(table.badRows(), std::size_t(4));
   QCOMPARE(table.patternCount(), std::size_t(2));
@@ -107,14 +107,14 @@ void AnatomyNamesTest::brokenRowsAreLeftOut() {
   QCOMPARE(table.match("the x y")->colour, (Colour{0, 255, 0}));
 }
 
-void AnatomyNamesTest::edits() {
+void BodySystemsTest::edits() {
   // Rank comes before length, and length before order.
-  const AnatomyTable table("a\tAs\t#000001\nb\tBs\t#000002\n",
+  const AnatomyTable table("a\tAs\t#000001\torgan\nb\tBs\t#000002\torgan\n",
                            "long pattern of words\ta\t\t0\nartery\tb\t\t1\n=whole\tb\t\t0\n");
   QCOMPARE(table.match("artery of long pattern of words")->system, std::size_t(1));
   QVERIFY(table.match("whole"));
   QVERIFY(!table.match("whole thing"));
 }
 
-SLINE_TEST(AnatomyNamesTest)
-#include "test_anatomy_names.moc"
+SLINE_TEST(BodySystemsTest)
+#include "body_systems_test.moc"

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/look/opening_look.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "model/base/contrast.h"
+#include "model/edit/look.h"
+#include "model/look/best_view.h"
+#include "model/scene/resolved_styles.h"
+#include "model/scene/visible_structures.h"
+
+namespace sline::model {
+
+namespace {
+
+constexpr float plainGamma = 4.0f;  // where everything is the subject
+constexpr Colour paper{255, 255, 255};
+// Lines stand out from white paper as texts must; those of the subject more.
+constexpr double contextContrast = 4.5;
+constexpr double subjectContrast = 9.0;
+
+using Ids = std::unordered_set<std::uint64_t>;
+
+Ids idsOf(const std::vector<NodeId>& structures) {
+  Ids ids;
+  for (const NodeId id : structures)
+    ids.insert(id.value);
+  return ids;
+}
+
+/// Gives each structure an ink of its own colour, dark enough for lines; an ink that the scene says
+/// stays, and so does black where no colour tells structures apart.
+Scene inked(const Scene& scene, const Ids& subject) {
+  const std::vector<ResolvedStyle> styles = resolveAll(scene);
+  std::vector<Node> nodes = scene.nodes();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].isGroup() || styles[i].inkColour || scene.isLocked(nodes[i].id))
+      continue;
+    const bool asked = subject.contains(nodes[i].id.value);
+    nodes[i].style.inkColour =
+        legibleOn(paper, styles[i].colour, asked ? subjectContrast : contextContrast);
+  }
+  Scene after = scene;
+  after.setNodes(std::move(nodes));
+  return after;
+}
+
+/// Returns whether something tells the structures' colours apart.
+bool hasColours(const Scene& scene) {
+  std::optional<Colour> first;
+  for (const VisibleStructure& each : visibleStructures(scene)) {
+    if (first && !(*first == each.style.colour))
+      return true;
+    first = each.style.colour;
+  }
+  return false;
+}
+
+Style everythingStyle() {
+  Style style;
+  style.gamma = Gamma::clamped(plainGamma);
+  style.fill = Fill::paper;
+  return style;
+}
+
+}  // namespace
+
+ContextAmount plateAmount() {
+  return ContextAmount::clamped(0.7f);
+}
+
+std::optional<OpeningLook> openingLook(const Scene& scene, FormIndex& forms,
+                                       const OpeningWishes& wishes, const std::stop_token& stop) {
+  const std::vector<Subject> subjects = subjectsOf(scene);
+  if (subjects.empty())
+    return std::nullopt;
+  OpeningLook look;
+  look.subject = subjects[wishes.subject % subjects.size()];
+  look.scene = hasColours(scene) ? inked(scene, idsOf(look.subject.structures)) : scene;
+  Camera camera;
+  if (wishes.camera) {
+    camera = *wishes.camera;
+  } else {
+    look.view = wishes.view.has_value() ? *wishes.view : bestViewOf(scene, look.subject.structures);
+    camera = anatomicalCamera(*look.view, scene.visibleBounds(), wishes.aspect);
+  }
+  if (look.subject.everything) {
+    look.scene = withLook(look.scene, look.subject.structures, everythingStyle()).scene;
+  } else {
+    auto analysis =
+        analysed(scene, {.targets = look.subject.structures, .camera = camera}, forms, stop);
+    if (!analysis)
+      return std::nullopt;
+    look.scene = withFocusAndContext(look.scene, *analysis, plateAmount()).scene;
+    look.analysis = std::make_shared<FocusAnalysis>(std::move(*analysis));
+  }
+  look.camera = camera;
+  if (!wishes.camera)
+    look.camera = framedCamera(look, wishes.aspect);
+  return look;
+}
+
+Camera framedCamera(const OpeningLook& look, float aspect, const FreeSides& sides) {
+  const Scene& scene = look.scene;
+  Ids beside;
+  if (look.analysis)
+    for (const Relation& relation : look.analysis->relations)
+      if (relation.role != ContextRole::target && relation.nearness >= 0.5f)
+        beside.insert(relation.structure.value);
+  const Ids subject = idsOf(look.subject.structures);
+  Box box;
+  for (const VisibleStructure& each : visibleStructures(scene))
+    if (subject.contains(each.node->id.value))
+      box.add(each.node->mesh->bounds());
+  const glm::vec3 size = box.high - box.low;
+  const Box whole = scene.visibleBounds();
+  constexpr float small = 0.4f;
+  if (glm::length(size) < small * glm::length(whole.high - whole.low)) {
+    // A subject that is small in the scene, such as a ligand, has something of the scene around it.
+    constexpr float around = 0.6f;
+    const glm::vec3 more(around * glm::length(size));
+    return fitted(look.camera, Box{box.low - more, box.high + more}.corners(), aspect, sides);
+  }
+  constexpr float around = 0.2f;  // of the subject's size may be neighbours' on either side
+  const glm::vec3 more = around * size;
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes) {
+    if (node.isGroup())
+      continue;
+    const bool asked = subject.contains(node.id.value);
+    const Box own = node.mesh->bounds();
+    const bool fits = glm::all(glm::greaterThanEqual(own.low, box.low - more)) &&
+                      glm::all(glm::lessThanEqual(own.high, box.high + more));
+    if (!asked && !(beside.contains(node.id.value) && fits))
+      node.style.visible = false;
+  }
+  Scene shown = scene;
+  shown.setNodes(std::move(nodes));
+  return fittedToVisible(shown, look.camera, aspect, sides);
+}
+
+}  // namespace sline::model

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Chooses the look that a scene opens with: a plate at first sight (METHOD §12). It finds what the
+// scene is about, from where that is seen best, and draws it in detail with everything else as
+// quiet context, by the same Focus that a person uses.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "model/focus/context.h"
+#include "model/look/subjects.h"
+#include "model/scene/free_sides.h"
+
+namespace sline::model {
+
+/// Holds what was chosen, so that it can be explained and undone.
+struct OpeningLook {
+  Scene scene;  ///< styled; everything else as it was
+  Camera camera;
+  Subject subject;
+  std::optional<AnatomicalView> view;             ///< absent where a camera was given
+  std::shared_ptr<const FocusAnalysis> analysis;  ///< null where everything is the subject
+};
+
+struct OpeningWishes {
+  std::size_t subject = 0;  ///< its index among `subjectsOf`, from the first again after the last
+  std::optional<Camera> camera;        ///< used as it is
+  std::optional<AnatomicalView> view;  ///< absent, without a camera: chosen
+  float aspect = 16.0f / 9.0f;         ///< width / height of the picture
+};
+
+/// Returns the amount of context that a plate has.
+ContextAmount plateAmount();
+
+/// Returns the opening look, or nothing where the scene shows nothing or stop was requested. The
+/// result depends on the arguments alone. Hidden structures stay hidden, locked ones as they are.
+std::optional<OpeningLook> openingLook(const Scene& scene, FormIndex& forms,
+                                       const OpeningWishes& wishes = {},
+                                       const std::stop_token& stop = {});
+
+/// Returns the look's camera, fitted to the subject and to what lies beside it, as far as that does
+/// not reach far beyond; with room left at the sides that labels need.
+Camera framedCamera(const OpeningLook& look, float aspect, const FreeSides& sides = {});
+
+}  // namespace sline::model

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds what a scene is about (METHOD §12.2).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/focus/tissues.h"
+
+namespace sline::model {
+
+/// Holds structures that a picture may be about.
+struct Subject {
+  std::string title;               ///< English: "organs", "urinary system", "everything"
+  std::vector<NodeId> structures;  ///< in tree order
+  bool everything = false;         ///< nothing is left to be context
+};
+
+/// Returns what the scene may be about, the likeliest first: lesions and ligands, organs, joints,
+/// vessels and nerves, bones, then each single system, at last everything. Hidden structures do not
+/// count; each set of structures is returned once. Empty where nothing is visible.
+std::vector<Subject> subjectsOf(const Scene& scene);
+
+}  // namespace sline::model
