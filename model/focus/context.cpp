@@ -13,6 +13,8 @@ namespace sline::model {
 namespace {
 
 constexpr float focusGamma = 4.3f;
+/// The amount by which every structure of a known tissue begins to appear.
+constexpr float latestStart = 0.45f;
 /// The pen of structures that are faded out; it is thin in case the user shows them by hand.
 constexpr float faintPen = 0.4f;
 
@@ -88,6 +90,7 @@ Growth frontGrowth(Growth growth) {
   growth.lowPen = 0.3f;
   growth.highPen = 0.5f;
   growth.covering = 0.0f;
+  growth.start = std::min(growth.start, latestStart);
   return growth;
 }
 
@@ -118,6 +121,7 @@ Growth tissueGrowth(Growth growth, const Relation& r) {
   }
   growth.tone = 0.0f;
   growth.covering = 1.0f;
+  growth.start = std::min(growth.start, latestStart);
   return growth;
 }
 
@@ -153,6 +157,7 @@ Style targetStyle() {
   style.fill = Fill::paper;
   style.opacity = Opacity::clamped(1.0f);
   style.penWeight = 1.0f;
+  style.hatchTone = HatchTone::clamped(1.0f);
   return style;
 }
 
@@ -181,8 +186,7 @@ Style contextStyle(const Relation& relation, ContextAmount amount) {
   style.penWeight = there * glm::mix(growth.lowPen, growth.highPen, x * x);
   if (!*style.visible)
     style.penWeight = faintPen;
-  if (growth.tone != 1.0f)
-    style.hatchTone = HatchTone::clamped(growth.tone);
+  style.hatchTone = HatchTone::clamped(growth.tone);
   return style;
 }
 

@@ -23,9 +23,10 @@ struct ContextWishes {
   bool operator==(const ContextWishes&) const = default;
 };
 
-/// Returns a style that answers Γ, fill, opacity, pen and visibility. With the amount more of each
-/// structure becomes visible, never less, and without jumps: its Γ and pen grow, its pen from
-/// nothing. Only structures that hide nothing of the targets are filled with paper.
+/// Returns a style that answers Γ, fill, opacity, pen, tone of hatching and visibility. With the
+/// amount more of each structure becomes visible, never less, and without jumps: its Γ and pen
+/// grow, its pen from nothing. Only structures that hide nothing of the targets are filled with
+/// paper.
 Style contextStyle(const Relation& relation, ContextAmount amount);
 
 /// Gives these styles to the analysed structures that are in the scene and not locked. Hidden ones

@@ -82,7 +82,7 @@ float comingFrom(const Surroundings& surroundings, float likely, const Party& st
     return stem.form->tree->closest(place, 0.0f, farthest).distance;
   });
   // A vessel that lies along another does not spring from it.
-  constexpr double most = 0.3;
+  constexpr double most = 0.6;
   return cut.ends && cut.share <= most ? share : 0.0f;
 }
 

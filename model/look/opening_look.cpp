@@ -29,13 +29,21 @@ Ids idsOf(const std::vector<NodeId>& structures) {
   return ids;
 }
 
-/// Gives each structure an ink of its own colour, dark enough for lines; an ink that the scene says
+/// Tells whether the ink is one that a look has chosen.
+bool isChosen(const Colour& ink, const Colour& colour) {
+  return ink == legibleOn(paper, colour, contextContrast) ||
+         ink == legibleOn(paper, colour, subjectContrast);
+}
+
+/// Gives each structure an ink of its own colour, dark enough for lines. An ink that a person chose
 /// stays, and so does black where no colour tells structures apart.
 Scene inked(const Scene& scene, const Ids& subject) {
   const std::vector<ResolvedStyle> styles = resolveAll(scene);
   std::vector<Node> nodes = scene.nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].isGroup() || styles[i].inkColour || scene.isLocked(nodes[i].id))
+    const std::optional<Colour>& own = styles[i].inkColour;
+    if (nodes[i].isGroup() || (own && !isChosen(*own, styles[i].colour)) ||
+        scene.isLocked(nodes[i].id))
       continue;
     const bool asked = subject.contains(nodes[i].id.value);
     nodes[i].style.inkColour =
@@ -61,6 +69,9 @@ Style everythingStyle() {
   Style style;
   style.gamma = Gamma::clamped(plainGamma);
   style.fill = Fill::paper;
+  style.opacity = Opacity::clamped(1.0f);
+  style.penWeight = 1.0f;
+  style.hatchTone = HatchTone::clamped(1.0f);
   return style;
 }
 

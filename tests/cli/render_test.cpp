@@ -21,6 +21,7 @@ class RenderTest : public QObject {
   void innermostNameWins();
   void onlyDrawsWhatIsNamed();
   void focusFollowsTheAmount();
+  void opensAsAPlate();
   void sidesStaySides_data();
   void sidesStaySides();
   void sectionsKeepTheirSide_data();
@@ -163,6 +164,28 @@ void RenderTest::focusFollowsTheAmount() {
   const Pixels plain =
       rendered(base + QStringList{"--focus", "kidney", "--context", "0", "--gamma", "0"});
   QVERIFY(shaded.rgba != plain.rgba);
+}
+
+void RenderTest::opensAsAPlate() {
+  // The kidney is the subject and shaded; of the plain drawing the lines alone are left.
+  const auto coloured = [](const Pixels& picture) {
+    int count = 0;
+    for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4)
+      count += std::abs(int(picture.rgba[i]) - int(picture.rgba[i + 2])) > 20 ? 1 : 0;
+    return count;
+  };
+  const Pixels plate = rendered({});
+  const Pixels plain = rendered({"--look", "plain"});
+  QVERIFY(!plate.rgba.empty() && !plain.rgba.empty());
+  QVERIFY(coloured(plate) > plate.width * plate.height / 20);
+  QCOMPARE(coloured(plain), 0);
+  // What is said of all of it is taken for its look.
+  QCOMPARE(rendered({"--gamma", "2"}).rgba, plain.rgba);
+  QVERIFY(coloured(rendered({"--gamma", "renal vein=1"})) > plate.width * plate.height / 20);
+  const Finished wrong =
+      runSline({"render", m_sample, "-o", m_folder.filePath("x.png"), "--look", "nice"});
+  QCOMPARE(wrong.code, 2);
+  QVERIFY(wrong.err.contains("--look"));
 }
 
 void RenderTest::sidesStaySides_data() {

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests the look that a scene opens with on small scenes whose answer is plain to see.
+#include "model/look/opening_look.h"
+
+#include <QTest>
+
+#include "model/base/contrast.h"
+#include "model/edit/look.h"
+#include "model/edit/visibility.h"
+#include "model/scene/resolved_styles.h"
+#include "tests/support/shapes.h"
+#include "tests/support/suite.h"
+
+namespace sline::model {
+
+class OpeningLookTest : public QObject {
+  Q_OBJECT
+
+  static NodeId add(Scene& scene, const char* name, float radius, const glm::vec3& at,
+                    NodeId group = rootId, const Colour& colour = {200, 120, 90}) {
+    Node node{.parent = group, .name = name};
+    node.mesh = test::moved(*test::sphere(radius, 3), 1.0f, at);
+    node.style.colour = colour;
+    return scene.append(std::move(node));
+  }
+  /// A liver with a tumour and its vein, a vertebra behind, ribs in front at either side.
+  static Scene body() {
+    Scene scene;
+    add(scene, "liver", 40.0f, {0, 0, 0});
+    add(scene, "portal vein", 6.0f, {0, 0, -47}, rootId, {40, 60, 180});
+    add(scene, "vertebra L1", 20.0f, {0, 80, 0}, rootId, {248, 234, 214});
+    add(scene, "vertebra L2", 20.0f, {0, 80, -45}, rootId, {248, 234, 214});
+    add(scene, "left rib 9", 12.0f, {60, -20, 0}, rootId, {248, 234, 214});
+    add(scene, "right rib 9", 12.0f, {-60, -30, 10}, rootId, {248, 234, 214});
+    add(scene, "rectus abdominis muscle", 30.0f, {0, -90, 0}, rootId, {100, 42, 36});
+    return scene;
+  }
+  static std::string firstTitle(const Scene& scene) { return subjectsOf(scene).front().title; }
+  static OpeningLook look(const Scene& scene, const OpeningWishes& wishes = {}) {
+    FormIndex forms;
+    return *openingLook(scene, forms, wishes);
+  }
+  static ResolvedStyle styleOf(const Scene& scene, const char* name) {
+    return scene.resolve(scene.named(name).front());
+  }
+
+ private slots:
+  void subjects() {
+    Scene scene = body();
+    QCOMPARE(firstTitle(scene), std::string("organs"));
+    add(scene, "liver tumour", 10.0f, {10, 0, 0});
+    QCOMPARE(firstTitle(scene), std::string("lesions"));
+    scene = withOnlyVisible(scene, scene.named("liver")).scene;
+    QCOMPARE(firstTitle(scene), std::string("everything"));
+    QVERIFY(subjectsOf(Scene()).empty());
+  }
+  void ligandsComeFirst() {
+    Scene scene;
+    const NodeId ligands = scene.append({.name = "Ligands"});
+    add(scene, "ANP", 5.0f, {0, 0, 0}, ligands);
+    add(scene, "Chain A", 40.0f, {0, 0, 0});
+    QCOMPARE(firstTitle(scene), std::string("ligands"));
+  }
+  void vesselsInAnOrgan() {
+    Scene scene;
+    add(scene, "liver", 60.0f, {0, 0, 0});
+    for (const char* vessel : {"portal vein", "hepatic artery", "middle hepatic vein"})
+      add(scene, vessel, 8.0f, {float(scene.nodes().size()) * 9.0f - 25.0f, 0, 0});
+    const Subject subject = subjectsOf(scene).front();
+    QCOMPARE(subject.structures.size(), std::size_t(3));
+    const OpeningLook opened = look(scene);
+    QVERIFY(styleOf(opened.scene, "liver").gamma.value() < 1.0f);
+  }
+  void subjectsAreNamedOnceEach() {
+    const std::vector<Subject> all = subjectsOf(body());
+    QVERIFY(all.back().everything && all.size() > 3);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        QVERIFY(all[i].structures != all[k].structures);
+  }
+
+  void subjectInDetailContextQuiet() {
+    const OpeningLook opened = look(body());
+    const ResolvedStyle liver = styleOf(opened.scene, "liver");
+    QVERIFY(liver.gamma.value() > 4.0f && liver.fill == Fill::paper);
+    // What is in front is a silhouette, what is behind is filled.
+    QVERIFY(styleOf(opened.scene, "rectus abdominis muscle").gamma.value() < 0.5f);
+    QVERIFY(styleOf(opened.scene, "rectus abdominis muscle").fill == Fill::none);
+    const ResolvedStyle bone = styleOf(opened.scene, "vertebra L1");
+    QVERIFY(bone.gamma.value() > 3.0f && bone.fill == Fill::paper);
+    QVERIFY(opened.view == AnatomicalView::anterior);
+  }
+  void kinIsTreatedAlike() {
+    const OpeningLook opened = look(body());
+    for (const auto& [a, b] :
+         {std::pair("left rib 9", "right rib 9"), std::pair("vertebra L1", "vertebra L2")}) {
+      ResolvedStyle one = styleOf(opened.scene, a);
+      ResolvedStyle other = styleOf(opened.scene, b);
+      QCOMPARE(one, other);
+    }
+  }
+  void inksAreLegible() {
+    const OpeningLook opened = look(body());
+    for (const ResolvedStructure& each : resolvedBelow(opened.scene, std::array{rootId})) {
+      QVERIFY(each.style.inkColour);
+      QVERIFY(contrastBetween({255, 255, 255}, *each.style.inkColour) >= 4.5);
+    }
+    Scene grey = body();
+    std::vector<Node> nodes = grey.nodes();
+    for (Node& node : nodes)
+      node.style.colour = Colour{255, 255, 255};
+    grey.setNodes(std::move(nodes));
+    QVERIFY(!styleOf(look(grey).scene, "liver").inkColour);  // black where no colour tells anything
+  }
+  void viewThatShowsMost() {
+    Scene scene;
+    add(scene, "liver", 30.0f, {0, 0, 0});
+    add(scene, "sternum", 80.0f, {0, -115, 0}, rootId, {248, 234, 214});
+    QVERIFY(look(scene).view != AnatomicalView::anterior);
+    QVERIFY(look(scene, {.view = AnatomicalView::left}).view == AnatomicalView::left);
+    const Camera camera = anatomicalCamera(AnatomicalView::superior, scene.visibleBounds(), 1.0f);
+    QVERIFY(look(scene, {.camera = camera}).camera == camera);
+  }
+  void sameSceneSameLook() {
+    const Scene scene = body();
+    QVERIFY(look(scene).scene == look(scene).scene);
+    QVERIFY(look(scene).camera == look(scene).camera);
+  }
+  void theUsersChoicesStay() {
+    Scene scene = body();
+    scene = withOnlyVisible(scene, std::vector{scene.named("liver").front(),
+                                               scene.named("vertebra L1").front()})
+                .scene;
+    const OpeningLook opened = look(scene);
+    QVERIFY(!styleOf(opened.scene, "portal vein").visible);
+    QCOMPARE(styleOf(opened.scene, "liver").colour, (Colour{200, 120, 90}));
+  }
+  void aSceneThatSaysItsLook() {
+    Scene scene = body();
+    QVERIFY(hasNoLook(scene));
+    const NodeId liver = scene.named("liver").front();
+    QVERIFY(!hasNoLook(withLook(scene, {&liver, 1}, {.gamma = Gamma::clamped(2.0f)}).scene));
+    QVERIFY(!hasNoLook(withLook(scene, {&liver, 1}, {.fill = Fill::none}).scene));
+    QVERIFY(hasNoLook(withLook(scene, {&liver, 1}, {.colour = Colour{1, 2, 3}}).scene));
+    QVERIFY(!hasNoLook(look(scene).scene));
+    View view{.name = "front"};
+    scene.setViews({view});
+    QVERIFY(hasNoLook(scene));
+    view.looks = std::vector<Look>{{.node = liver, .style = {.gamma = Gamma::clamped(1.0f)}}};
+    scene.setViews({view});
+    QVERIFY(!hasNoLook(scene));
+  }
+  void stops() {
+    FormIndex forms;
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(!openingLook(body(), forms, {}, stop.get_token()));
+    QVERIFY(!openingLook(Scene(), forms));
+  }
+};
+
+}  // namespace sline::model
+
+SLINE_TEST(sline::model::OpeningLookTest)
+#include "opening_look_test.moc"
