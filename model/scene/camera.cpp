@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/scene/free_sides.h"
+#include "model/scene/camera_axes.h"
 
 namespace sline::model {
 
@@ -20,120 +20,12 @@ namespace {
 /// 1 in 4096 leaves 12 of a 24-bit depth buffer's bits at the far end.
 constexpr double nearestShare = 1.0 / 4096.0;
 
-struct Axes {
-  glm::dvec3 right;
-  glm::dvec3 up;
-  glm::dvec3 back;
-};
-
-/// Returns the axes in double precision, so that a scene a billion times smaller gives the same
-/// picture.
-Axes axesOf(const Camera& camera) {
-  const glm::dvec3 back = glm::normalize(glm::dvec3(camera.eye) - glm::dvec3(camera.target));
-  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(camera.up), back));
-  return {right, glm::cross(back, right), back};
-}
-
-double halfTangent(const Camera& camera) {
-  constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
-  return std::tan(0.5 * double(camera.fovyDegrees) * radiansPerDegree);
-}
-
-struct Interval {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  void add(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  double middle() const { return 0.5 * (low + high); }
-  double length() const { return high - low; }
-};
-
-/// Holds the extent of points along the camera's axes: right, up, back.
-struct Extent {
-  Interval right;
-  Interval up;
-  Interval back;
-  double size() const { return std::max({right.length(), up.length(), back.length()}); }
-};
-
-/// Says how far points may lie from the line of sight per unit of depth from the eye, towards
-/// smaller and towards larger coordinates. One of the two may be negative.
-struct Slopes {
-  double low;
-  double high;
-};
-
-/// Returns the slopes between the shares `low` and `high` of a picture; `tangent` is that of half
-/// its opening angle.
-Slopes slopesWithin(double tangent, double low, double high) {
-  return {(1.0 - 2.0 * low) * tangent, (1.0 - 2.0 * high) * tangent};
-}
-
-/// Fits one axis of a perspective. A point at (lateral r, depth b) is seen from an eye at (er, eb)
-/// where r − er ≤ high·(eb − b) and er − r ≤ low·(eb − b): each point gives two half-planes, of
-/// which only the outermost count.
-struct Support {
-  Slopes slopes;
-  double above = -std::numeric_limits<double>::infinity();  ///< max of r + high·b
-  double below = -std::numeric_limits<double>::infinity();  ///< max of −r + low·b
-  void add(double lateral, double depth) {
-    above = std::max(above, lateral + slopes.high * depth);
-    below = std::max(below, -lateral + slopes.low * depth);
-  }
-  double nearestEye() const { return (above + below) / (slopes.low + slopes.high); }
-};
-
-/// Returns the lateral eye position from which the outermost points on both sides lie equally far
-/// from their ends of the picture; found by bisection, since the difference of the two falls
-/// monotonically.
-double centredEye(std::span<const glm::dvec2> lateralAndDepth, const Interval& range,
-                  double eyeDepth, const Slopes& allowed) {
-  const double aside = allowed.high - allowed.low;
-  double farthest = 0.0;
-  for (const glm::dvec2& p : lateralAndDepth)
-    farthest = std::max(farthest, eyeDepth - p.y);
-  double low = range.low - std::max(aside, 0.0) * farthest;
-  double high = range.high + std::max(-aside, 0.0) * farthest;
-  for (int step = 0; step < 40 && low < high; ++step) {
-    const double eye = 0.5 * (low + high);
-    Interval slopes;
-    for (const glm::dvec2& p : lateralAndDepth)
-      slopes.add((p.x - eye) / (eyeDepth - p.y));
-    (slopes.low + slopes.high > aside ? low : high) = eye;
-  }
-  return 0.5 * (low + high);
-}
-
-/// Returns the position of the eye in the camera's axes.
-glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const Extent& extent,
-                          const Slopes& across, const Slopes& upwards) {
-  Support horizontal{across};
-  Support vertical{upwards};
-  for (const glm::dvec3& p : points) {
-    horizontal.add(p.x, p.z);
-    vertical.add(p.y, p.z);
-  }
-  // This keeps the eye out of the points where they form a needle along the line of sight.
-  const double clear = extent.back.high + 1e-3 * extent.size();
-  const double depth = std::max({horizontal.nearestEye(), vertical.nearestEye(), clear});
-
-  std::vector<glm::dvec2> lateral(points.size());
-  std::transform(points.begin(), points.end(), lateral.begin(),
-                 [](const glm::dvec3& p) { return glm::dvec2(p.x, p.z); });
-  const double right = centredEye(lateral, extent.right, depth, across);
-  std::transform(points.begin(), points.end(), lateral.begin(),
-                 [](const glm::dvec3& p) { return glm::dvec2(p.y, p.z); });
-  return {right, centredEye(lateral, extent.up, depth, upwards), depth};
-}
-
 /// Returns near and far along the line of sight, a little outside the box.
-Interval depthRange(const Camera& camera, const Box& bounds) {
-  const Axes axes = axesOf(camera);
+CameraInterval depthRange(const Camera& camera, const Box& bounds) {
+  const CameraAxes axes = axesOf(camera);
   const glm::dvec3 eye(camera.eye);
   const double focus = glm::length(eye - glm::dvec3(camera.target));
-  Interval depth;
+  CameraInterval depth;
   if (bounds.empty()) {
     depth.add(0.0);
     depth.add(2.0 * focus);
@@ -143,7 +35,7 @@ Interval depthRange(const Camera& camera, const Box& bounds) {
   }
   // The last term keeps rounding from clipping a flat box; it grows with the coordinates.
   const double room = 1e-3 * depth.length() + 1e-5 * (std::abs(depth.middle()) + focus);
-  Interval range{depth.low - room, depth.high + room};
+  CameraInterval range{depth.low - room, depth.high + room};
   if (camera.projection == Projection::perspective) {
     if (range.high <= 0.0)  // the whole box lies behind the eye: nothing to see, but a valid matrix
       range.high = focus;
@@ -224,59 +116,13 @@ std::optional<AnatomicalView> anatomicalViewOf(const Camera& camera) {
   return along && glm::dot(frame.up, direction.up) > nearly ? std::optional(nearest) : std::nullopt;
 }
 
-Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect) {
-  return fitted(camera, points, aspect, FreeSides());
-}
-
-Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect,
-              const FreeSides& sides) {
-  if (points.empty())
-    return camera;
-  const Axes axes = axesOf(camera);
-  std::vector<glm::dvec3> local(points.size());
-  Extent extent;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const glm::dvec3 p(points[i]);
-    local[i] = {glm::dot(p, axes.right), glm::dot(p, axes.up), glm::dot(p, axes.back)};
-    extent.right.add(local[i].x);
-    extent.up.add(local[i].y);
-    extent.back.add(local[i].z);
-  }
-
-  const double focus = glm::length(glm::dvec3(camera.eye) - glm::dvec3(camera.target));
-  glm::dvec3 eye(extent.right.middle(), extent.up.middle(), extent.back.middle() + focus);
-  if (camera.projection == Projection::orthographic) {
-    const double height =
-        std::max(extent.up.length() / (1.0 - sides.top - sides.bottom),
-                 extent.right.length() / double(aspect) / (1.0 - sides.left - sides.right));
-    if (height > 0.0) {
-      camera.heightMm = float(height);
-      eye.x -= 0.5 * height * double(aspect) * (sides.left - sides.right);
-      eye.y -= 0.5 * height * (sides.bottom - sides.top);
-    }
-    if (extent.size() > 0.0)
-      eye.z = extent.back.high + extent.size();
-  } else if (extent.size() > 0.0) {
-    const double tangent = halfTangent(camera);
-    eye = perspectiveFit(local, extent,
-                         slopesWithin(tangent * double(aspect), sides.left, sides.right),
-                         slopesWithin(tangent, sides.bottom, sides.top));
-  }
-  const auto world = [&axes](const glm::dvec3& p) {
-    return glm::vec3(p.x * axes.right + p.y * axes.up + p.z * axes.back);
-  };
-  camera.target = world({eye.x, eye.y, extent.back.middle()});
-  camera.eye = world(eye);
-  return camera;
-}
-
 CameraFrame cameraFrame(const Camera& camera) {
-  const Axes axes = axesOf(camera);
+  const CameraAxes axes = axesOf(camera);
   return {glm::vec3(axes.right), glm::vec3(axes.up), glm::vec3(axes.back)};
 }
 
 glm::mat4 viewMatrix(const Camera& camera) {
-  const Axes axes = axesOf(camera);
+  const CameraAxes axes = axesOf(camera);
   const glm::dvec3 eye(camera.eye);
   glm::dmat4 view(1.0);
   const std::array<glm::dvec3, 3> rows{axes.right, axes.up, axes.back};
@@ -290,7 +136,7 @@ glm::mat4 viewMatrix(const Camera& camera) {
 }
 
 glm::mat4 projectionMatrix(const Camera& camera, const Box& bounds, float aspect) {
-  const Interval depth = depthRange(camera, bounds);
+  const CameraInterval depth = depthRange(camera, bounds);
   const double span = depth.length();
   glm::dmat4 projection(0.0);
   if (camera.projection == Projection::orthographic) {

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <optional>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "render/labels/shapes.h"
@@ -64,21 +64,12 @@ struct ColumnPlacement {
 };
 
 /// Returns the height of the items one above the other, with those gaps.
-float heightOf(const std::vector<ColumnItem>& items, float gap = columnGap);
+float heightOf(std::span<const ColumnItem> items, float gap = columnGap);
 
 /// Places boxes in the order of the items from the top, each as near its wanted height as the
 /// others allow: in each free span the sum of squares is the least (by pooling adjacent violators).
 /// They must fit.
 std::vector<ColumnPlacement> placesIn(const Column& column, const std::vector<ColumnItem>& items);
-
-/// Returns two items of which the leaders cross, or one's leader runs through the other's box.
-/// Neighbours come first, as exchanging them moves least.
-std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
-    const std::vector<ColumnPlacement>& places);
-
-/// Bends leaders, as few and as little as it finds necessary, until no two cross; boxes stay. It
-/// returns false, and changes nothing, where that is impossible.
-bool bendApart(const Column& column, std::vector<ColumnPlacement>& places);
 
 /// Exchanges items until no two leaders cross, as few as it finds necessary. Exchanging two that
 /// cross makes leaders shorter, so that it comes to an end (Bekos et al., lemma on type-s leaders);

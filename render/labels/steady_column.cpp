@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "render/labels/leader_bends.h"
+
 namespace sline::render {
 
 namespace {

@@ -14,6 +14,7 @@
 #include "render/export/formats/export_formats.h"
 #include "tests/cli/sline_process.h"
 #include "tests/model/import/dicom/written_dicom.h"
+#include "tests/model/import/dicom/written_structures.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/marker_scan.h"
 #include "tests/support/shapes.h"

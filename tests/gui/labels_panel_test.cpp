@@ -1,80 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the panel of labels: list, words, kinds, views, how they are shown; labels for many at
-// once.
+// Tests the panel of labels: list, words, kinds, how they are shown; labels for many at once.
 #include <QApplication>
 #include <QCheckBox>
 #include <QColorDialog>
-#include <QComboBox>
-#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QMenu>
 #include <QStatusBar>
 #include <QToolButton>
-#include <QTreeView>
 
-#include "model/edit/views.h"
-#include "tests/gui/labels_fixture.h"
+#include "tests/gui/labels_panel_fixture.h"
 #include "tests/support/suite.h"
 
 namespace sline::test {
-
-namespace {
-
-struct Panel : Labels {
-  using Labels::Labels;
-  void open() {
-    control<QDockWidget>("annotationsPanel").raise();
-    QCoreApplication::processEvents();
-    if (!list().isVisible())
-      qFatal("the panel is not there");
-  }
-  QTreeView& list() { return control<QTreeView>("annotationList"); }
-  QModelIndex cell(int row, int column) { return list().model()->index(row, column); }
-  QString said(int row, int column) { return cell(row, column).data().toString(); }
-  void choose(int row) {
-    QTest::mouseClick(list().viewport(), Qt::LeftButton, {},
-                      list().visualRect(cell(row, 1)).center());
-  }
-  QPlainTextEdit& words() { return control<QPlainTextEdit>("annotationText"); }
-  QComboBox& box(const char* name) { return control<QComboBox>(name); }
-  /// Chooses by keys, as a user would.
-  void pick(const char* name, int row) {
-    QComboBox& there = box(name);
-    there.setFocus();
-    while (there.currentIndex() > row)
-      QTest::keyClick(&there, Qt::Key_Up);
-    while (there.currentIndex() < row)
-      QTest::keyClick(&there, Qt::Key_Down);
-  }
-  /// Makes a label where no other one is in the way of the click.
-  void makeBeside(model::NodeId on, const QString& text) {
-    key(Qt::Key_T);
-    click(middleOf(on) + QPoint(0, areaOf(on).height() / 4));
-    if (!typing())
-      qFatal("no words can be typed");
-    QTest::keyClicks(&editor(), text);
-    QTest::keyClick(&editor(), Qt::Key_Return);
-    key(Qt::Key_Escape);
-    if (!settled())
-      qFatal("no picture with the label");
-  }
-  QStringList rowsOf(const char* name) {
-    QStringList all;
-    for (int i = 0; i < box(name).count(); ++i)
-      all << box(name).itemText(i);
-    return all;
-  }
-  void press(const char* name) { QTest::mouseClick(&control<QToolButton>(name), Qt::LeftButton); }
-};
-
-}  // namespace
 
 class LabelsPanelTest : public QObject {
   Q_OBJECT
 
  private slots:
   void listSaysWhatThereIs() {
-    Panel f;
+    LabelsPanelFixture f;
     f.make(f.liver, {});
     f.make(f.bladder, QStringLiteral("<b>x</b>"), Qt::Key_P, Qt::ShiftModifier);
     f.open();
@@ -98,7 +42,7 @@ class LabelsPanelTest : public QObject {
   }
 
   void ticksShowAndHide() {
-    Panel f;
+    LabelsPanelFixture f;
     f.make(f.liver, {});
     f.make(f.bladder, {});
     f.open();
@@ -112,7 +56,7 @@ class LabelsPanelTest : public QObject {
   }
 
   void wordsAreWrittenHere() {
-    Panel f;
+    LabelsPanelFixture f;
     f.make(f.liver, {});
     f.open();
     f.choose(0);
@@ -145,7 +89,7 @@ class LabelsPanelTest : public QObject {
 
   /// The list, its tips and the field's hint for another language show the words alone.
   void calloutsAreMarkedUpHere() {
-    Panel f;
+    LabelsPanelFixture f;
     f.make(f.liver, {}, Qt::Key_T, Qt::ShiftModifier);
     f.open();
     f.choose(0);
@@ -181,7 +125,7 @@ class LabelsPanelTest : public QObject {
   }
 
   void kindLockAndPlaceAreChanged() {
-    Panel f;
+    LabelsPanelFixture f;
     f.make(f.liver, {});
     f.open();
     f.choose(0);
@@ -203,7 +147,7 @@ class LabelsPanelTest : public QObject {
   }
 
   void colourIsChosen() {
-    Panel f;
+    LabelsPanelFixture f;
     f.make(f.liver, {});
     f.open();
     f.choose(0);
@@ -221,7 +165,7 @@ class LabelsPanelTest : public QObject {
   }
 
   void delTakesAway() {
-    Panel f;
+    LabelsPanelFixture f;
     f.make(f.liver, {});
     f.make(f.bladder, {});
     f.open();
@@ -240,147 +184,8 @@ class LabelsPanelTest : public QObject {
     QCOMPARE(f.annotations().size(), std::size_t(2));
   }
 
-  void labelsAreBoundToViews() {
-    Panel f;
-    f.make(f.liver, {});
-    f.make(f.bladder, {});
-    f.open();
-    f.choose(0);
-    QVERIFY(!f.box("annotationViews").isEnabled());
-    for (const Qt::Key side : {Qt::Key_A, Qt::Key_P}) {
-      f.key(side);
-      f.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
-    }
-    QVERIFY(f.settled());
-    f.choose(0);
-    QCOMPARE(f.rowsOf("annotationViews"),
-             QStringList({"In all views", "Only in View 1", "Only in View 2"}));
-    QCOMPARE(f.box("annotationViews").currentIndex(), 0);
-    f.pick("annotationViews", 2);
-    const model::AnnotationId id = f.annotations().front().id;
-    QCOMPARE(model::viewsShowing(f.session.scene(), id), std::vector<std::size_t>{1});
-    QCOMPARE(f.step(), QStringLiteral("Views of a Label"));
-    // The current picture stays; a view shows the labels it has.
-    QCOMPARE(f.shownLines(), QStringList({"liver", "bladder"}));
-    const QList<QAction*> views = f.control<QMenu>("savedViews").actions();
-    views.at(0)->trigger();
-    QCOMPARE(f.shownLines(), QStringList{"bladder"});
-    views.at(1)->trigger();
-    QCOMPARE(f.shownLines(), QStringList({"liver", "bladder"}));
-    f.choose(0);
-    f.pick("annotationViews", 0);
-    QCOMPARE(model::viewsShowing(f.session.scene(), id).size(), std::size_t(2));
-    // The keys passed the other view on their way.
-    f.session.undo();
-    f.session.undo();
-    QCOMPARE(model::viewsShowing(f.session.scene(), id), std::vector<std::size_t>{1});
-  }
-
-  /// A label made after views were saved is shown by the chosen view and by those that show all
-  /// there is.
-  void labelsMadeLaterAreInTheViews() {
-    Panel f;
-    f.make(f.bladder, {});
-    for (const Qt::Key side : {Qt::Key_A, Qt::Key_P}) {
-      f.key(side);
-      f.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
-    }
-    QVERIFY(f.settled());
-    const auto goTo = [&f](int view) {
-      f.control<QMenu>("savedViews").actions().at(view)->trigger();
-      return f.settled();
-    };
-    QVERIFY(goTo(0));
-    const auto last = [&] {
-      return model::viewsShowing(f.session.scene(), f.annotations().back().id);
-    };
-    const std::vector<std::size_t> both{0, 1};
-    const int before = f.steps();
-    f.make(f.liver, {});
-    QCOMPARE(f.steps(), before + 1);
-    QCOMPARE(last(), both);
-    QVERIFY(f.window.statusBar()->currentMessage().isEmpty());
-    f.open();
-    QCOMPARE(f.box("annotationViews").currentText(), QStringLiteral("In all views"));
-    QVERIFY(goTo(1));
-    QCOMPARE(f.shownLines().size(), qsizetype(2));
-    QVERIFY(goTo(0));
-    // A view that leaves out a label gets no others, unless it is the chosen one.
-    f.choose(0);
-    f.pick("annotationViews", 1);
-    f.makeBeside(f.liver, QStringLiteral("second"));
-    QCOMPARE(last(), std::vector<std::size_t>{0});
-    QVERIFY2(f.window.statusBar()->currentMessage().contains("1 of 2"),
-             qPrintable(f.window.statusBar()->currentMessage()));
-    f.session.apply(
-        "delete", model::withoutAnnotations(
-                      f.session.scene(), std::array{f.annotations()[1].id, f.annotations()[2].id}));
-    QVERIFY(goTo(1));
-    f.session.select({f.liver});
-    f.key(Qt::Key_T, Qt::ControlModifier);
-    QTRY_COMPARE(f.annotations().size(), std::size_t(2));
-    QCOMPARE(last(), both);
-    f.session.undo();
-    QCOMPARE(f.session.scene().views()[1].annotations->size(), std::size_t(0));
-  }
-
-  void severalAreTickedAtOnce() {
-    Panel f;
-    f.make(f.liver, {});
-    f.make(f.bladder, {});
-    f.makeBeside(f.liver, QStringLiteral("third"));
-    for (const Qt::Key side : {Qt::Key_A, Qt::Key_P}) {
-      f.key(side);
-      f.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
-    }
-    QVERIFY(f.settled());
-    f.open();
-    f.choose(0);
-    QTest::mouseClick(f.list().viewport(), Qt::LeftButton, Qt::ControlModifier,
-                      f.list().visualRect(f.cell(2, 1)).center());
-    QCOMPARE(f.list().selectionModel()->selectedRows().size(), qsizetype(2));
-    const auto ticks = [&] {
-      QMenu& menu = f.control<QMenu>("annotationViewMenu");
-      emit menu.aboutToShow();
-      return menu.actions();
-    };
-    const auto showing = [&](std::size_t row) {
-      return model::viewsShowing(f.session.scene(), f.annotations()[row].id);
-    };
-    using Places = std::vector<std::size_t>;
-    QCOMPARE(ticks().at(0)->text(), QStringLiteral("View 1"));
-    QVERIFY(ticks().at(0)->isCheckable() && ticks().at(0)->isChecked());
-    const int before = f.steps();
-    ticks().at(0)->trigger();
-    QCOMPARE(f.steps(), before + 1);
-    QCOMPARE(showing(0), Places{1});
-    QCOMPARE(showing(1), (Places{0, 1}));
-    QCOMPARE(showing(2), Places{1});
-    QVERIFY(!ticks().at(0)->isChecked());
-    QCOMPARE(f.list().selectionModel()->selectedRows().size(), qsizetype(2));
-    QCOMPARE(f.box("annotationViews").currentText(), QStringLiteral("Only in View 2"));
-    // The list changes both, too.
-    f.pick("annotationViews", 1);
-    QCOMPARE(showing(0), Places{0});
-    QCOMPARE(showing(2), Places{0});
-    QTest::mouseClick(f.list().viewport(), Qt::LeftButton, Qt::ShiftModifier,
-                      f.list().visualRect(f.cell(0, 1)).center());
-    QCOMPARE(f.list().selectionModel()->selectedRows().size(), qsizetype(3));
-    QCOMPARE(f.box("annotationViews").currentText(), QStringLiteral("In different views"));
-    QVERIFY(!ticks().at(1)->isChecked());
-    QVERIFY(ticks().at(1)->text().contains("some"));
-    ticks().at(4)->trigger();  // below a separator
-    QVERIFY(showing(0).empty() && showing(1).empty() && showing(2).empty());
-    ticks().at(3)->trigger();
-    QCOMPARE(showing(1), (Places{0, 1}));
-    f.list().setFocus();
-    QTest::keyClick(&f.list(), Qt::Key_Delete);
-    QVERIFY(f.annotations().empty());
-    QCOMPARE(f.step(), QStringLiteral("Delete Labels"));
-  }
-
   void howTheyAreShown() {
-    Panel f;
+    LabelsPanelFixture f;
     f.make(f.liver, {});
     f.open();
     f.pick("annotationMode", 1);
@@ -396,7 +201,7 @@ class LabelsPanelTest : public QObject {
 
   /// The keyboard makes labels, too.
   void selectedAreLabelled() {
-    Panel f;
+    LabelsPanelFixture f;
     f.make(f.liver, QStringLiteral("mine"));
     f.session.select({f.liver, f.bladder});
     f.key(Qt::Key_T, Qt::ControlModifier);
@@ -415,7 +220,7 @@ class LabelsPanelTest : public QObject {
 
   /// Points that a file has in space, and texts of all kinds, are listed.
   void pointsInSpaceAreListed() {
-    Panel f;
+    LabelsPanelFixture f;
     f.session.apply("pin", model::withAnnotation(f.session.scene(),
                                                  {.kind = model::AnnotationKind::pin,
                                                   .anchors = {glm::vec3(0.0f, -5.0f, 0.0f)}}));

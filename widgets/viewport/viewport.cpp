@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles pictures and cameras; input is in viewport_input.cpp.
+// Handles the scene and what lies over its picture; graphics are in viewport_graphics.cpp, cameras
+// in viewport_camera.cpp and input in viewport_input.cpp.
 #include "widgets/viewport/viewport.h"
 
 #include <QOpenGLContext>
-#include <QOpenGLFunctions>
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "render/strokes/surface_fill.h"
 #include "widgets/viewport/framing.h"
 #include "widgets/viewport/tools/points.h"
 
@@ -18,17 +15,10 @@ namespace {
 
 /// Milliseconds without a move after which the camera counts as resting.
 constexpr int restAfter = 150;
-/// Milliseconds that a flight takes.
-constexpr int flightTime = 220;
-/// Milliseconds that a flight takes in which looks change: long enough to follow each change.
-constexpr int travelTime = 700;
+/// Milliseconds between the steps of a flight.
 constexpr int flightStep = 15;
 /// Milliseconds that the mouse rests on a structure before its name is shown.
 constexpr int nameAfter = 180;
-
-int scaled(int pixels, float scale) {
-  return std::max(1, int(std::lround(float(pixels) * scale)));
-}
 
 QSurfaceFormat pictureFormat() {
   QSurfaceFormat format;
@@ -82,210 +72,6 @@ Viewport::~Viewport() {
   closeGraphics();
 }
 
-render::gpu::TextureSize Viewport::pixels() const {
-  const double ratio = devicePixelRatioF();
-  return {.width = std::max(1, int(std::lround(width() * ratio))),
-          .height = std::max(1, int(std::lround(height() * ratio)))};
-}
-
-void Viewport::initializeGL() {
-  // A widget that moves to another window, or has lost its context, begins anew.
-  closeGraphics();
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::closeGraphics,
-          Qt::UniqueConnection);
-  const auto text = [gl = context()->functions()](GLenum name) {
-    return QString::fromUtf8(reinterpret_cast<const char*>(gl->glGetString(name)));
-  };
-  m_driver = text(GL_RENDERER) + QStringLiteral(", ") + text(GL_VERSION);
-  openGraphics();
-}
-
-void Viewport::openGraphics() {
-  m_handoff = std::make_unique<render::gpu::Handoff>();
-  m_thread = std::make_unique<RenderThread>(*context(), *m_handoff, m_factory);
-  connect(m_thread.get(), &RenderThread::drawn, this, &Viewport::took);
-  connect(m_thread.get(), &RenderThread::labelled, this, [this](const LabelSheetPtr& sheet) {
-    m_labels->took(sheet, m_drawnCamera.value_or(m_camera));
-  });
-  connect(m_thread.get(), &RenderThread::previewed, this, &Viewport::previewed);
-  connect(m_thread.get(), &RenderThread::failed, this, &Viewport::failure);
-  refresh();
-}
-
-void Viewport::closeGraphics() {
-  if (!m_handoff)
-    return;
-  m_thread.reset();
-  makeCurrent();
-  m_handoff->releaseShowing();
-  m_handoff.reset();
-  doneCurrent();
-  m_shown = 0;
-}
-
-void Viewport::failure(const Error& error) {
-  // Recovery is tried once: a lost context is made anew, with all that was drawn in it. A second
-  // failure has another reason.
-  if (m_rebuilt || !context()) {
-    emit failed(error);
-    return;
-  }
-  m_rebuilt = true;
-  // Graphics must not be rebuilt within a signal of the thread that is then destroyed.
-  QMetaObject::invokeMethod(this, &Viewport::rebuildGraphics, Qt::QueuedConnection);
-}
-
-void Viewport::rebuildGraphics() {
-  if (!m_handoff || !context())
-    return;
-  closeGraphics();
-  openGraphics();
-}
-
-void Viewport::paintGL() {
-  if (!m_handoff)
-    return;
-  if (m_shown == 0) {
-    // The background is shown until there is a picture.
-    const glm::vec4 paper = render::backgroundColour(m_background);
-    context()->functions()->glClearColor(paper.r, paper.g, paper.b, 1.0f);
-    context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
-    m_handoff->warmUp();
-  }
-  const std::uint64_t shown = m_handoff->show(pixels());
-  if (shown == m_shown)
-    return;
-  m_shown = shown;
-  // Receivers may ask for things that must not happen within a paint event.
-  QMetaObject::invokeMethod(this, &Viewport::pictureShown, Qt::QueuedConnection);
-}
-
-void Viewport::resizeGL(int, int) {
-  refresh();
-}
-
-void Viewport::refresh() {
-  refresh(m_blend ? m_blend->at(flownPart()) : shownScene());
-}
-
-void Viewport::refresh(model::Scene scene) {
-  if (!m_thread)
-    return;
-  // A moving section keeps to the scale of the camera's moves, because another size draws
-  // everything anew.
-  m_askedScale = m_moving ? m_quality.scale() : 1.0f;
-  const render::gpu::TextureSize size = pixels();
-  PictureRequest request{.number = ++m_asked,
-                         .scene = std::move(scene),
-                         .camera = m_camera,
-                         .settings = {.width = scaled(size.width, m_askedScale),
-                                      .height = scaled(size.height, m_askedScale),
-                                      .environment = environment()},
-                         .scale = m_askedScale,
-                         .moving = m_moving,
-                         .labels = m_labels->wish(m_moving)};
-  m_thread->ask(std::move(request));
-}
-
-void Viewport::askPreviews(PreviewRequest request) {
-  if (m_thread)
-    m_thread->ask(std::move(request));
-}
-
-void Viewport::took(const PictureReport& report) {
-  m_rebuilt = false;
-  m_took = report.number;
-  m_lastMilliseconds = report.milliseconds;
-  m_lastLayersDrawn = report.layersDrawn;
-  // Only pictures of a moving camera are drawn anew as a whole; others keep most layers.
-  if (report.moving && !m_cutting)
-    m_quality.took(report.milliseconds, report.scale);
-  m_marks->showTime(report.milliseconds, report.scale);
-  m_drawnCamera = report.camera;
-  m_labels->took(report.labels, report.camera);
-  const bool first = m_marksAwait != 0 && m_took >= m_marksAwait;
-  if (first)
-    m_marksAwait = 0;
-  if (report.moving || first)
-    placeMarks();
-  else
-    showTools();
-  if (m_took == m_asked)
-    dragOn();
-  update();
-}
-
-bool Viewport::upToDate() const {
-  return m_shown != 0 && m_shown == m_asked && m_took == m_asked && m_askedScale == 1.0f &&
-         !m_moving && !m_flight && m_labels->ready();
-}
-
-void Viewport::keepMoving() {
-  m_moving = true;
-  m_rest.start();
-  forgetName();
-}
-
-void Viewport::move(const model::Camera& camera) {
-  if (camera == m_camera || model::cameraFault(camera))
-    return;
-  m_camera = camera;
-  m_cutting = false;
-  keepMoving();
-  // The marks follow with the picture, because a software driver redraws the whole window to paint
-  // them.
-  refresh();
-  emit cameraChanged();
-}
-
-void Viewport::rest() {
-  m_moving = false;
-  m_cutting = false;
-  const bool arrived = std::exchange(m_arrived, false) && m_labels->arrive();
-  if (arrived || m_askedScale != 1.0f || m_labels->waits() || m_labels->outgrown())
-    refresh();
-}
-
-void Viewport::stopFlight() {
-  m_flight.reset();
-  m_flightTick.stop();
-  if (!m_blend)
-    return;
-  m_blend.reset();
-  refresh();
-}
-
-double Viewport::flownPart() const {
-  return double(m_flown.elapsed()) / double(m_flightTime);
-}
-
-void Viewport::startFlight(const model::Camera& camera, int milliseconds) {
-  m_flight.emplace(m_camera, camera);
-  m_flightTime = milliseconds;
-  m_flown.start();
-  m_flightTick.start();
-}
-
-void Viewport::travelTo(const model::Camera& camera, const model::Scene& from,
-                        const model::Scene& to) {
-  if (model::cameraFault(camera))
-    return;
-  m_pivot = camera.target;
-  if (!m_flights || !isVisible()) {
-    stopFlight();
-    m_camera = camera;
-    placeMarks();
-    // The looks that will be the document's are shown at once, because there is no picture in
-    // between.
-    refresh(to);
-    emit cameraChanged();
-    return;
-  }
-  m_blend.emplace(from, to);
-  startFlight(camera, travelTime);
-  keepMoving();
-}
-
 const model::Scene& Viewport::shownScene() const {
   return m_instead ? *m_instead : m_session.scene();
 }
@@ -295,82 +81,6 @@ void Viewport::showInstead(std::optional<model::Scene> scene) {
   m_labels->setShut(m_instead.has_value());
   forgetName();
   refresh();
-}
-
-void Viewport::setCamera(const model::Camera& camera) {
-  stopFlight();
-  if (camera == m_camera || model::cameraFault(camera))
-    return;
-  m_camera = camera;
-  placeMarks();
-  refresh();
-  emit cameraChanged();
-}
-
-void Viewport::flyTo(const model::Camera& camera) {
-  if (!m_flights || !isVisible() || camera == m_camera || model::cameraFault(camera)) {
-    setCamera(camera);
-    return;
-  }
-  stopFlight();
-  startFlight(camera, flightTime);
-}
-
-void Viewport::flyOn() {
-  if (!m_flight)
-    return;
-  const double part = flownPart();
-  const model::Camera camera = m_flight->at(part);
-  const bool looks = m_blend.has_value();
-  if (part >= 1.0) {
-    m_arrived = true;
-    m_flight.reset();
-    m_blend.reset();
-    m_flightTick.stop();
-  }
-  if (looks && camera == m_camera) {
-    keepMoving();
-    refresh();
-  }
-  move(camera);
-}
-
-void Viewport::pivotToMiddle() {
-  const model::Box bounds = shownScene().visibleBounds();
-  if (!bounds.empty())
-    m_pivot = bounds.centre();
-}
-
-void Viewport::setPivot(const glm::vec3& pivot) {
-  m_pivot = pivot;
-  placeMarks();
-}
-
-float Viewport::aspectBesideLabels(const model::Camera& camera) const {
-  return aspect() * m_labels->shareBeside(m_session.scene(), camera);
-}
-
-void Viewport::showFrom(model::AnatomicalView view) {
-  pivotToMiddle();
-  const model::Scene& scene = m_session.scene();
-  const model::Camera there = cameraFrom(scene, view, aspect());
-  flyTo(cameraFrom(scene, view, aspectBesideLabels(there)));
-}
-
-void Viewport::viewFrom(const CubeDirection& from) {
-  flyTo(turnedTo(m_camera, m_pivot, glm::vec3(from), upwardsFrom(from)));
-}
-
-void Viewport::fitAll() {
-  fitTo({model::rootId});
-}
-
-void Viewport::fitTo(const NodeIds& ids) {
-  const model::Box bounds = visibleBounds(m_session.scene(), ids);
-  if (bounds.empty())
-    return;
-  m_pivot = bounds.centre();
-  flyTo(fitted(m_camera, m_session.scene(), ids, aspectBesideLabels(m_camera)));
 }
 
 void Viewport::setBackground(render::Background background) {

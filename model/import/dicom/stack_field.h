@@ -31,7 +31,4 @@ struct FieldBox {
 /// slices; the values are empty where it says no.
 FieldBox fieldOf(const ContourStack& stack, double samples, const std::function<bool()>& goesOn);
 
-/// Returns how many samples the shape needs and its number of points justifies.
-double samplesFor(const ContourStack& stack);
-
 }  // namespace sline::model

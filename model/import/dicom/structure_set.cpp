@@ -9,7 +9,7 @@
 
 #include "model/import/dicom/contour_stack.h"
 #include "model/import/dicom/contour_surface.h"
-#include "model/import/dicom/stack_field.h"
+#include "model/import/dicom/stack_sampling.h"
 
 namespace sline::model {
 

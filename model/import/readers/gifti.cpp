@@ -6,9 +6,8 @@
 
 #include "model/base/letters.h"
 #include "model/import/readers/cortical_name.h"
+#include "model/import/readers/gifti_numbers.h"
 #include "model/import/readers/readers.h"
-#include "model/import/source/base64.h"
-#include "model/import/source/packed_bytes.h"
 #include "model/import/source/surface_assembly.h"
 #include "model/import/source/text_cursor.h"
 #include "model/import/source/xml_tags.h"
@@ -16,16 +15,6 @@
 namespace sline::model {
 
 namespace {
-
-/// Describes one DataArray: pieces of the file.
-struct GiftiArray {
-  XmlTag tag;
-  std::string_view intent;
-  std::string_view data;
-  std::string_view space;    ///< the space of the vertices
-  std::string_view toSpace;  ///< the space to which the matrix leads
-  std::string_view matrix;
-};
 
 /// Returns the text with which `rest` begins, blanks around it left out.
 std::string_view textBefore(std::string_view rest) {
@@ -41,136 +30,6 @@ std::string_view textBefore(std::string_view rest) {
     text.remove_suffix(1);
   return text;
 }
-
-std::optional<ScalarType> giftiType(std::string_view name) {
-  if (name == "NIFTI_TYPE_FLOAT32")
-    return ScalarType::float32;
-  if (name == "NIFTI_TYPE_FLOAT64")
-    return ScalarType::float64;
-  if (name == "NIFTI_TYPE_INT32")
-    return ScalarType::int32;
-  if (name == "NIFTI_TYPE_UINT32")
-    return ScalarType::uint32;
-  if (name == "NIFTI_TYPE_UINT8")
-    return ScalarType::uint8;
-  return std::nullopt;
-}
-
-/// Reads the numbers of an array of three columns, wherever they are.
-class GiftiNumbers {
- public:
-  GiftiNumbers(const Source& source, const GiftiArray& array) : m_source(source), m_array(array) {}
-
-  Status open() {
-    if (const Status status = readShape(); !status)
-      return status.error();
-    const std::string_view encoding = m_array.tag.attribute("Encoding");
-    if (encoding == "ASCII") {
-      m_text = true;
-      if (rows() > (m_array.data.size() + 1) / 2 / 3)
-        return tooFew(m_array.data.size());
-      return Unit{};
-    }
-    if (encoding == "ExternalFileBinary")
-      return fault("has its numbers in a file of its own, which is not read",
-                   "Convert it to GIFTI with base64, as wb_command -gifti-convert does");
-    const bool packed = encoding == "GZipBase64Binary";
-    if (!packed && encoding != "Base64Binary")
-      return fault("has its numbers in an unknown encoding, " + inQuotes(encoding));
-    std::optional<std::string> bytes = decodeBase64(m_array.data);
-    if (!bytes)
-      return fault("has data that are no base64");
-    return packed ? unpack(*bytes) : take(std::move(*bytes));
-  }
-
-  std::size_t rows() const { return m_rows; }
-
-  /// Calls put(row, column, values) for each number in the order of the file; `values` gives the
-  /// number.
-  template <class Put>
-  Status each(const Put& put) {
-    if (m_text)
-      return eachOf(TextValues(m_array.data.data(), m_array.data.data() + m_array.data.size()),
-                    put);
-    const bool little = m_array.tag.attribute("Endian") != "BigEndian";
-    return eachOf(BinaryValues(m_bytes.data(), m_bytes.data() + m_bytes.size(),
-                               little ? std::endian::little : std::endian::big),
-                  put);
-  }
-
-  ScalarType type() const { return m_type; }
-  const char* place() const { return m_array.tag.begin(); }
-
- private:
-  Status fault(const std::string& reason, std::string remedy = {}) const {
-    return m_source.atLine(place(), "an array " + reason, std::move(remedy));
-  }
-  Status tooFew(std::uint64_t held) const {
-    return fault("promises " + std::to_string(m_rows) + " × 3 numbers, more than its " +
-                 std::to_string(held) + " bytes hold");
-  }
-
-  Status readShape() {
-    const std::optional<ScalarType> type = giftiType(m_array.tag.attribute("DataType"));
-    if (!type)
-      return fault("is of type " + inQuotes(m_array.tag.attribute("DataType")) +
-                   ", which is none of a surface");
-    m_type = *type;
-    const auto size = [&](const char* key) {
-      std::int64_t value = -1;
-      TextCursor(m_array.tag.attribute(key)).integer(value);
-      return value;
-    };
-    const std::int64_t count = size("Dim0");
-    if (count < 1 || size("Dim1") != 3)
-      return fault("has no three numbers for each of its rows");
-    if (std::uint64_t(count) > std::max(m_source.limits().vertices, m_source.limits().triangles))
-      return fault("promises " + std::to_string(count) + " rows, more than the limit",
-                   "Reduce the mesh");
-    m_rows = std::size_t(count);
-    m_columnsFirst = m_array.tag.attribute("ArrayIndexingOrder") == "ColumnMajorOrder";
-    return Unit{};
-  }
-
-  Status take(std::string bytes) {
-    if (bytes.size() / (3 * sizeOf(m_type)) < m_rows)
-      return tooFew(bytes.size());
-    m_bytes = std::move(bytes);
-    return Unit{};
-  }
-
-  Status unpack(const std::string& packed) {
-    const std::uint64_t wanted = std::uint64_t(m_rows) * 3 * sizeOf(m_type);
-    if (wanted >
-        std::min(mostUnpacked(packed.size(), Packing::deflated), mostOfSurface(packed.size())))
-      return tooFew(packed.size());
-    m_bytes.resize(std::size_t(wanted));
-    PackedBytes bytes(packed, Packing::deflated);
-    if (bytes.read(m_bytes.data(), m_bytes.size()) != m_bytes.size())
-      return fault("has packed data that end early or are damaged", "Copy the file again");
-    return Unit{};
-  }
-
-  template <class Values, class Put>
-  Status eachOf(Values values, const Put& put) const {
-    const std::size_t all = 3 * m_rows;
-    for (std::size_t i = 0; i < all; ++i) {
-      const std::size_t row = m_columnsFirst ? i % m_rows : i / 3;
-      const auto column = int(m_columnsFirst ? i / m_rows : i % 3);
-      if (!put(row, column, values))
-        return fault("has no number as its number " + std::to_string(i + 1));
-    }
-    return Unit{};
-  }
-
-  const Source& m_source;
-  const GiftiArray& m_array;
-  ScalarType m_type = ScalarType::float32;
-  std::size_t m_rows = 0;
-  bool m_columnsFirst = false;
-  bool m_text = false;
-  std::string m_bytes;
-};
 
 class GiftiParser {
  public:

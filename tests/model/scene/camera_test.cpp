@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Tests cameras: what they show, at what scale and depth, and their faults.
 #include "model/scene/camera.h"
 
 #include <QTest>
@@ -8,51 +9,16 @@
 #include <limits>
 
 #include "model/scene/free_sides.h"
+#include "tests/model/scene/projected_boxes.h"
 #include "tests/support/suite.h"
 
 namespace sline::model {
+
+using namespace test;
+
 namespace {
 
 const float nan = std::numeric_limits<float>::quiet_NaN();
-
-Box boxOf(const glm::vec3& low, const glm::vec3& high) {
-  Box box;
-  box.add(low);
-  box.add(high);
-  return box;
-}
-
-std::vector<glm::vec3> corners(const Box& box) {
-  std::vector<glm::vec3> points;
-  for (int i = 0; i < 8; ++i)
-    points.emplace_back((i & 1) != 0 ? box.high.x : box.low.x,
-                        (i & 2) != 0 ? box.high.y : box.low.y,
-                        (i & 4) != 0 ? box.high.z : box.low.z);
-  return points;
-}
-
-/// Returns normalised device coordinates, −1 … 1.
-glm::vec3 project(const Camera& camera, const Box& bounds, float aspect, const glm::vec3& p) {
-  const glm::vec4 clip =
-      projectionMatrix(camera, bounds, aspect) * viewMatrix(camera) * glm::vec4(p, 1.0f);
-  return glm::vec3(clip) / clip.w;
-}
-
-/// Returns the part of the picture that the points take, in normalised device coordinates.
-Box projectedBounds(const Camera& camera, const Box& bounds, float aspect,
-                    const std::vector<glm::vec3>& points) {
-  Box projected;
-  for (const glm::vec3& p : points)
-    projected.add(project(camera, bounds, aspect, p));
-  return projected;
-}
-
-bool close(float a, float b, float tolerance) {
-  return std::abs(a - b) <= tolerance;
-}
-bool close(const glm::vec3& a, const glm::vec3& b, float tolerance) {
-  return glm::distance(a, b) <= tolerance;
-}
 
 }  // namespace
 
@@ -62,18 +28,10 @@ class CameraTest : public QObject {
  private slots:
   void viewsShowTheirSide_data();
   void viewsShowTheirSide();
-  void fitsBoxWithMargin_data();
-  void fitsBoxWithMargin();
-  void fitsPointsTighterThanTheirBox();
-  void fitsWithinSides_data();
-  void fitsWithinSides();
-  void fitKeepsDirection();
   void scaledSceneGivesSamePicture_data();
   void scaledSceneGivesSamePicture();
   void depthIsTightAndSound_data();
   void depthIsTightAndSound();
-  void degenerateExtentsStaySound_data();
-  void degenerateExtentsStaySound();
   void faults_data();
   void faults();
   void pixelSize();
@@ -124,110 +82,6 @@ void CameraTest::viewsShowTheirSide() {
   rolled.up = frame.right;
   QCOMPARE(anatomicalViewOf(rolled), std::nullopt);
   QCOMPARE(nearestAnatomicalView(rolled), *named);
-}
-
-void CameraTest::fitsBoxWithMargin_data() {
-  QTest::addColumn<int>("view");
-  QTest::addColumn<float>("aspect");
-  QTest::addColumn<float>("fovy");
-  QTest::addColumn<bool>("orthographic");
-  for (int view = 0; view < 6; ++view)
-    for (const float aspect : {0.5f, 1.0f, 16.0f / 9.0f})
-      for (const float fovy : {10.0f, 30.0f, 90.0f})
-        for (const bool orthographic : {false, true})
-          QTest::addRow("%d aspect %.2f fovy %.0f %s", view, double(aspect), double(fovy),
-                        orthographic ? "orthographic" : "perspective")
-              << view << aspect << fovy << orthographic;
-}
-
-void CameraTest::fitsBoxWithMargin() {
-  QFETCH(int, view);
-  QFETCH(float, aspect);
-  QFETCH(float, fovy);
-  QFETCH(bool, orthographic);
-  const Box box = boxOf({12, -60, -200}, {140, 90, 260});
-  Camera camera = anatomicalCamera(AnatomicalView(view), box, aspect);
-  camera.fovyDegrees = fovy;
-  camera.projection = orthographic ? Projection::orthographic : Projection::perspective;
-  camera = fitted(camera, corners(box), aspect);
-  QVERIFY(!cameraFault(camera).has_value());
-
-  const Box seen = projectedBounds(camera, box, aspect, corners(box));
-  const float tightest = std::max({-seen.low.x, seen.high.x, -seen.low.y, seen.high.y});
-  QVERIFY2(close(tightest, 0.9f, 2e-4f), qPrintable(QString::number(double(tightest))));
-  QVERIFY2(close(seen.low.x, -seen.high.x, 2e-4f), "centred left to right");
-  QVERIFY2(close(seen.low.y, -seen.high.y, 2e-4f), "centred bottom to top");
-  QVERIFY(seen.low.z >= -1.0f && seen.high.z <= 1.0f);
-}
-
-void CameraTest::fitsPointsTighterThanTheirBox() {
-  // There is a needle from corner to corner and one point beside it: the box is much larger than
-  // they are.
-  std::vector<glm::vec3> points;
-  for (int i = 0; i <= 20; ++i)
-    points.emplace_back(10.0f * float(i), 5.0f * float(i), 7.0f * float(i));
-  points.emplace_back(30.0f, 0.0f, 90.0f);
-  Box box;
-  for (const glm::vec3& p : points)
-    box.add(p);
-  const float aspect = 1.2f;
-  Camera camera;
-  camera.eye = {300, -400, 200};
-  camera.target = {0, 0, 0};
-  camera = fitted(camera, points, aspect);
-  const Box seen = projectedBounds(camera, box, aspect, points);
-  QVERIFY(close(std::max({-seen.low.x, seen.high.x, -seen.low.y, seen.high.y}), 0.9f, 2e-4f));
-  QVERIFY(close(seen.low.x, -seen.high.x, 2e-4f));
-  QVERIFY(close(seen.low.y, -seen.high.y, 2e-4f));
-}
-
-void CameraTest::fitsWithinSides_data() {
-  QTest::addColumn<QList<double>>("sides");  // left, right, top, bottom
-  QTest::addColumn<bool>("orthographic");
-  for (const bool orthographic : {false, true}) {
-    const char* how = orthographic ? "orthographic" : "perspective";
-    QTest::addRow("as usual, %s", how) << QList{0.05, 0.05, 0.05, 0.05} << orthographic;
-    QTest::addRow("wide at the left, %s", how) << QList{0.3, 0.1, 0.02, 0.02} << orthographic;
-    QTest::addRow("all in the right half, %s", how) << QList{0.55, 0.05, 0.2, 0.02} << orthographic;
-    QTest::addRow("low and at the left, %s", how) << QList{0.02, 0.4, 0.6, 0.02} << orthographic;
-  }
-}
-
-void CameraTest::fitsWithinSides() {
-  QFETCH(QList<double>, sides);
-  QFETCH(bool, orthographic);
-  const Box box = boxOf({12, -60, -200}, {140, 90, 260});
-  const float aspect = 1.4f;
-  Camera camera = anatomicalCamera(AnatomicalView::anterior, box, aspect);
-  camera.projection = orthographic ? Projection::orthographic : Projection::perspective;
-  const CameraFrame before = cameraFrame(camera);
-  camera = fitted(camera, corners(box), aspect,
-                  {.left = sides[0], .right = sides[1], .top = sides[2], .bottom = sides[3]});
-  QVERIFY(close(cameraFrame(camera).back, before.back, 1e-6f));
-  const Box seen = projectedBounds(camera, box, aspect, corners(box));
-  // This is the space left beyond the sides, in halves of the picture.
-  const float left = seen.low.x + 1.0f - 2.0f * float(sides[0]);
-  const float right = 1.0f - seen.high.x - 2.0f * float(sides[1]);
-  const float top = 1.0f - seen.high.y - 2.0f * float(sides[2]);
-  const float bottom = seen.low.y + 1.0f - 2.0f * float(sides[3]);
-  QVERIFY(close(left, right, 1e-3f));
-  QVERIFY(close(top, bottom, 1e-3f));
-  QVERIFY(close(std::min(left, top), 0.0f, 1e-3f));
-}
-
-void CameraTest::fitKeepsDirection() {
-  Camera camera;
-  camera.eye = {300, -400, 200};
-  camera.target = {1, 2, 3};
-  camera.up = {0.1f, 0.2f, 1.0f};
-  const CameraFrame before = cameraFrame(camera);
-  const Camera after = fitted(camera, corners(boxOf({-5, -6, -7}, {50, 60, 70})), 1.0f);
-  const CameraFrame frame = cameraFrame(after);
-  QVERIFY(close(before.right, frame.right, 1e-5f));
-  QVERIFY(close(before.up, frame.up, 1e-5f));
-  QVERIFY(close(before.back, frame.back, 1e-5f));
-  QCOMPARE(after.fovyDegrees, camera.fovyDegrees);
-  QCOMPARE(fitted(camera, {}, 1.0f), camera);
 }
 
 void CameraTest::scaledSceneGivesSamePicture_data() {
@@ -290,31 +144,6 @@ void CameraTest::depthIsTightAndSound() {
       QVERIFY(project(camera, box, 1.0f, {0, -100, 0}).z < -0.9f);
       QVERIFY(project(camera, box, 1.0f, {0, 100, 0}).z > 0.9f);
     }
-  }
-}
-
-void CameraTest::degenerateExtentsStaySound_data() {
-  QTest::addColumn<QList<float>>("size");
-  QTest::newRow("point") << QList<float>{0, 0, 0};
-  QTest::newRow("needle along the line of sight") << QList<float>{0, 50, 0};
-  QTest::newRow("needle across") << QList<float>{50, 0, 0};
-  QTest::newRow("sheet across") << QList<float>{50, 0, 80};
-  QTest::newRow("sheet along") << QList<float>{0, 50, 80};
-}
-
-void CameraTest::degenerateExtentsStaySound() {
-  QFETCH(QList<float>, size);
-  const glm::vec3 low(1000, 2000, -3000);
-  const Box box = boxOf(low, low + glm::vec3(size[0], size[1], size[2]));
-  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
-    Camera camera = anatomicalCamera(AnatomicalView::anterior, box, 1.3f);
-    camera.projection = projection;
-    camera = fitted(camera, corners(box), 1.3f);
-    QVERIFY(!cameraFault(camera).has_value());
-    const Box seen = projectedBounds(camera, box, 1.3f, corners(box));
-    QVERIFY(seen.low.x >= -0.91f && seen.high.x <= 0.91f);
-    QVERIFY(seen.low.y >= -0.91f && seen.high.y <= 0.91f);
-    QVERIFY(seen.low.z >= -1.0f && seen.high.z <= 1.0f);
   }
 }
 

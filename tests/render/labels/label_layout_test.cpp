@@ -1,53 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the promises of a layout on random labels, with mathematics of the test's own.
 #include <QtTest>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <random>
 
 #include "render/labels/layout.h"
+#include "tests/render/labels/layout_promises.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
+using namespace sline::test;
 using namespace sline::render;
 
 namespace {
-
-struct Line {
-  glm::dvec2 a;
-  glm::dvec2 b;
-};
-
-std::vector<Line> linesOf(const Leader& leader) {
-  std::vector<Line> lines;
-  for (std::size_t i = 1; i < leader.size(); ++i)
-    lines.push_back({leader[i - 1], leader[i]});
-  return lines;
-}
-
-/// Tells whether the lines meet by solving a + s (b − a) = c + t (d − c); parallel lines count as
-/// not meeting.
-bool meet(const Line& one, const Line& two) {
-  const glm::dvec2 r = one.b - one.a;
-  const glm::dvec2 q = two.b - two.a;
-  const glm::dvec2 w = two.a - one.a;
-  const double determinant = r.x * q.y - r.y * q.x;
-  if (std::abs(determinant) < 1e-12)
-    return false;
-  const double s = (w.x * q.y - w.y * q.x) / determinant;
-  const double t = (w.x * r.y - w.y * r.x) / determinant;
-  constexpr double rim = 1e-6;
-  return s > rim && s < 1.0 - rim && t > rim && t < 1.0 - rim;
-}
-
-bool meets(const Line& line, const LabelBox& box) {
-  for (int i = 0; i <= 400; ++i) {
-    const glm::vec2 p(line.a + double(i) / 400.0 * (line.b - line.a));
-    if (box.contains(p))
-      return true;
-  }
-  return false;
-}
 
 LabelRequest randomRequest(std::uint32_t seed, int most) {
   std::mt19937 random(seed);
@@ -89,19 +54,6 @@ std::vector<LabelBox> marksOf(const glm::vec2& size) {
           {{middle.x - 4.0f, 2.0f}, {middle.x + 4.0f, 7.0f}}};
 }
 
-/// Returns a label or leader that lies where it must not; empty if there is none.
-QString inReserved(const LabelRequest& request, const LabelLayout& layout) {
-  for (const PlacedLabel& label : layout.labels)
-    for (const LabelBox& mark : request.space.reserved) {
-      if (overlap(label.box, mark))
-        return QString("%1 covers a mark").arg(label.id.value);
-      for (const Line& line : linesOf(label.leader))
-        if (label.post != LabelPost::byHand && meets(line, mark))
-          return QString("the leader of %1 runs through a mark").arg(label.id.value);
-    }
-  return {};
-}
-
 /// Returns the cosine of the sharpest turn of the leader: 1 if it goes on straight, negative if it
 /// turns back.
 double sharpestTurn(const Leader& leader) {
@@ -114,71 +66,6 @@ double sharpestTurn(const Leader& leader) {
       sharpest = std::min(sharpest, (a.x * b.x + a.y * b.y) / lengths);
   }
   return sharpest;
-}
-
-/// Returns what is wrong between a label and its own place: its leader runs through its text, or
-/// the text covers the dot or the measured line.
-QString broken(const LabelItem& item, const PlacedLabel& label) {
-  constexpr float rounding = 0.01f;  // leaders end at the box's side
-  for (const Line& line : linesOf(label.leader))
-    if (meets(line, label.box.grown(-rounding)))
-      return QString("%1 runs through itself").arg(label.id.value);
-  if (label.post == LabelPost::byHand)
-    return {};
-  constexpr float dot = 0.8f;  // the largest dot, that of a pin
-  for (const glm::vec2& place : item.places)
-    if (glm::length(place - glm::clamp(place, label.box.low, label.box.high)) < dot)
-      return QString("%1 covers its dot").arg(label.id.value);
-  for (const Line& line : linesOf(item.places))
-    if (meets(line, label.box))
-      return QString("%1 covers what it measures").arg(label.id.value);
-  return {};
-}
-
-/// Returns a promise that does not hold; empty if all do.
-QString broken(const LabelRequest& request, const LabelLayout& layout) {
-  if (layout.labels.size() + layout.leftOut.size() != request.items.size())
-    return "labels are lost";
-  for (const LabelItem& item : request.items)
-    if (const PlacedLabel* label = layout.find(item.id))
-      if (const QString fault = broken(item, *label); !fault.isEmpty())
-        return fault;
-  const LabelSpace& space = request.space;
-  for (const PlacedLabel& one : layout.labels) {
-    if (one.box.low.x < -space.sideMargin || one.box.low.y < 0.0f ||
-        one.box.high.x > space.size.x + space.sideMargin || one.box.high.y > space.size.y)
-      return QString("%1 is outside").arg(one.id.value);
-    for (const PlacedLabel& two : layout.labels) {
-      if (one.id == two.id)
-        continue;
-      if (overlap(one.box, two.box))
-        return QString("%1 and %2 overlap").arg(one.id.value).arg(two.id.value);
-      for (const Line& line : linesOf(one.leader)) {
-        if (meets(line, two.box))
-          return QString("%1 runs through %2").arg(one.id.value).arg(two.id.value);
-        for (const Line& other : linesOf(two.leader))
-          if (meet(line, other))
-            return QString("%1 and %2 cross").arg(one.id.value).arg(two.id.value);
-      }
-    }
-  }
-  return {};
-}
-
-/// Returns eight structures' places in the middle of a wide picture.
-LabelRequest roomy() {
-  LabelRequest request;
-  request.space.size = {340.0f, 190.0f};
-  for (int i = 0; i < 8; ++i)
-    request.items.push_back({.id = {std::uint64_t(i + 1)},
-                             .places = {{130.0f + 11.0f * float(i), 40.0f + 13.0f * float(i)}},
-                             .box = {30.0f, 4.5f}});
-  request.obstacles = {.columns = 1,
-                       .rows = 1,
-                       .size = request.space.size,
-                       .taken = {0},
-                       .extent = LabelBox{{110.0f, 10.0f}, {230.0f, 180.0f}}};
-  return request;
 }
 
 }  // namespace
@@ -282,162 +169,12 @@ class LabelLayoutTest : public QObject {
     QVERIFY2(placed > 2000, qPrintable(QString("only %1 labels found room").arg(placed)));
   }
 
-  /// Beside a mark in the middle of a column's edge there is room above and below it.
-  void columnsGoAroundMarks() {
-    LabelRequest request = roomy();
-    for (LabelItem& item : request.items)
-      item.places.front() = {112.0f, 90.0f + 0.5f * float(item.id.value)};
-    request.items.push_back({.id = {9}, .places = {{228.0f, 95.0f}}, .box = {30.0f, 4.5f}});
-    request.space.reserved = {{{2.0f, 85.0f}, {108.0f, 105.0f}}};
-    const LabelLayout layout = layOutLabels(request);
-    QCOMPARE(layout.leftOut.size(), std::size_t(0));
-    QCOMPARE(inReserved(request, layout), QString());
-    const auto above = std::count_if(layout.labels.begin(), layout.labels.end(), [](const auto& l) {
-      return l.post == LabelPost::left && l.box.high.y <= 85.0f;
-    });
-    const auto below = std::count_if(layout.labels.begin(), layout.labels.end(), [](const auto& l) {
-      return l.post == LabelPost::left && l.box.low.y >= 105.0f;
-    });
-    QVERIFY2(above >= 2 && below >= 2,
-             qPrintable(QString("%1 above, %2 below").arg(above).arg(below)));
-  }
-
   void leadersDoNotTurnBack() {
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
       const LabelRequest request = randomRequest(seed, 40);
       for (const PlacedLabel& label : layOutLabels(request).labels)
         QVERIFY2(sharpestTurn(label.leader) > -1e-3,
                  qPrintable(QString("seed %1: %2 turns back").arg(seed).arg(label.id.value)));
-    }
-  }
-
-  /// Places lie one below the other, and their labels stand in that order.
-  void orderAlongColumnsIsThatOfPlaces() {
-    LabelRequest request = roomy();
-    std::mt19937 random(3);
-    std::vector<float> heights;
-    for (LabelItem& item : request.items) {
-      item.places.front() = {item.id.value % 2 == 0 ? 125.0f : 215.0f,
-                             float(random() % 1700) / 10.0f + 10.0f};
-      item.box.y = item.id.value % 3 == 0 ? 13.0f : 4.5f;
-    }
-    const LabelLayout layout = layOutLabels(request);
-    QCOMPARE(layout.labels.size(), request.items.size());
-    for (const PlacedLabel& one : layout.labels)
-      for (const PlacedLabel& two : layout.labels)
-        if (one.post == two.post && one.leader.front().y < two.leader.front().y)
-          QVERIFY(one.box.middle().y < two.box.middle().y);
-  }
-
-  /// A long label takes none of the other column's room.
-  void columnsAreAsWideAsWhatStandsInThem() {
-    LabelRequest request = roomy();
-    request.space.size.x = 210.0f;
-    for (LabelItem& item : request.items)
-      item.places.front().x -= 70.0f;
-    request.obstacles.size = request.space.size;
-    request.obstacles.extent = LabelBox{{37.0f, 10.0f}, {158.0f, 180.0f}};
-    request.items.back().box.x = 45.0f;  // belongs to the rightmost place
-    const LabelLayout layout = layOutLabels(request);
-    QCOMPARE(layout.leftOut.size(), std::size_t(0));
-    QCOMPARE(layout.find({8})->post, LabelPost::right);
-    for (const PlacedLabel& label : layout.labels)
-      QVERIFY2(!overlap(label.box, *request.obstacles.extent), "a label covers the anatomy");
-  }
-
-  /// A label that has no room in a column widens none, and the labels beside it stay where they
-  /// were.
-  void tooWideForColumnsIsLeftOut() {
-    const LabelRequest request = roomy();
-    const LabelLayout first = layOutLabels(request);
-    for (const glm::vec2 box : {glm::vec2(200.0f, 4.5f), glm::vec2(30.0f, 400.0f)})
-      for (const LabelLayout* before : {static_cast<const LabelLayout*>(nullptr), &first}) {
-        LabelRequest with = request;
-        with.items.insert(with.items.begin() + 3,
-                          {.id = {9}, .places = {{180.0f, 100.0f}}, .box = box});
-        const LabelLayout layout = layOutLabels(with, before);
-        QCOMPARE(layout.leftOut, std::vector{model::AnnotationId{9}});
-        QCOMPARE(layout.edges, first.edges);
-        for (const PlacedLabel& label : layout.labels)
-          QCOMPARE(label.post, first.find(label.id)->post);
-      }
-  }
-
-  /// If letters are so large that no label is as narrow as a column may be, one is shown.
-  void oneThatIsTooWideStandsAlone() {
-    LabelRequest request = roomy();
-    for (LabelItem& item : request.items)
-      item.box = {200.0f, 40.0f};
-    const LabelLayout layout = layOutLabels(request);
-    QCOMPARE(layout.labels.size(), std::size_t(1));
-    QCOMPARE(layout.labels.front().id, model::AnnotationId{1});
-    QCOMPARE(broken(request, layout), QString());
-    QVERIFY(layOutLabels(request, &layout).find({1}));
-  }
-
-  /// When a label is put into a column, those there make room in their column, and none is lost.
-  void othersGiveWayToTheHand() {
-    const LabelRequest before = roomy();
-    const LabelLayout first = layOutLabels(before);
-    int changedSides = 0;
-    for (std::size_t moved = 0; moved < before.items.size(); ++moved)
-      for (std::size_t onto = 0; onto < before.items.size(); ++onto) {
-        if (moved == onto)
-          continue;
-        LabelRequest request = before;
-        const glm::vec2 there = first.find(request.items[onto].id)->box.middle();
-        request.items[moved].offset = there - request.items[moved].places.front();
-        const LabelLayout layout = layOutLabels(request, &first);
-        QCOMPARE(layout.leftOut.size(), std::size_t(0));
-        QCOMPARE(layout.find(request.items[moved].id)->box.middle(), there);
-        QVERIFY2(broken(request, layout).isEmpty(), qPrintable(broken(request, layout)));
-        for (const PlacedLabel& label : layout.labels)
-          changedSides +=
-              label.id != request.items[moved].id && label.post != first.find(label.id)->post;
-      }
-    // Of 392 labels, these have leaders that would cross that of the one that was moved. They were
-    // 120 when labels did not make room in their column.
-    QVERIFY2(changedSides < 95, qPrintable(QString("%1 change sides").arg(changedSides)));
-  }
-
-  /// The camera is so near that there is anatomy behind the columns: a label that points there
-  /// stands above or below its place, not on it.
-  void placesBehindColumns() {
-    LabelRequest request = roomy();
-    request.space.size = {180.0f, 160.0f};
-    request.obstacles.size = request.space.size;
-    request.obstacles.extent = LabelBox{{3.0f, 3.0f}, {177.0f, 157.0f}};
-    for (std::size_t i = 0; i < request.items.size(); ++i)
-      request.items[i].places.front() = {i % 2 == 0 ? 10.0f : 168.0f, 25.0f + 14.0f * float(i)};
-    const LabelLayout layout = layOutLabels(request);
-    QCOMPARE(layout.leftOut.size(), std::size_t(0));
-    QCOMPARE(broken(request, layout), QString());
-    for (std::size_t i = 0; i < request.items.size(); ++i) {
-      const PlacedLabel label = *layout.find(request.items[i].id);
-      const glm::vec2 place = request.items[i].places.front();
-      QCOMPARE(label.post, i % 2 == 0 ? LabelPost::left : LabelPost::right);
-      QVERIFY(std::abs(label.box.middle().y - place.y) < 8.0f);
-      QCOMPARE(label.leader.front(), place);
-      QVERIFY2(!label.box.grown(0.01f).contains(place) &&
-                   label.box.grown(0.01f).contains(label.leader.back()),
-               "a leader does not end at its text");
-    }
-  }
-
-  /// Text stands beside the line that it measures, in whichever direction that goes.
-  void measuresAreNotCovered() {
-    for (int turn = 0; turn < 12; ++turn) {
-      LabelRequest request = roomy();
-      request.items.resize(1);
-      const float angle = float(turn) * 0.2618f;
-      const glm::vec2 way = 40.0f * glm::vec2(std::cos(angle), std::sin(angle));
-      const glm::vec2 middle(170.0f, 95.0f);
-      request.items[0].kind = model::AnnotationKind::distance;
-      request.items[0].places = {middle - way, middle + way};
-      const LabelLayout layout = layOutLabels(request);
-      QCOMPARE(layout.labels.size(), std::size_t(1));
-      QCOMPARE(layout.labels[0].post, LabelPost::beside);
-      QCOMPARE(broken(request, layout), QString());
     }
   }
 

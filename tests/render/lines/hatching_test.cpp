@@ -1,80 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the properties that hatching must have whatever it looks like: its places, that seeds stay,
-// that strokes keep apart and grow evenly, that a mirror mirrors it.
+// Tests the properties that hatching must have whatever it looks like: its places, that strokes
+// keep apart, that a mirror mirrors it.
 #include "render/lines/hatching.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <set>
-#include <tuple>
 
-#include "render/lines/clipping.h"
 #include "render/lines/view_fields.h"
 #include "render/lines/view_scale.h"
+#include "tests/render/lines/hatched_subject.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "tests/support/torus.h"
 
 using namespace sline;
+using namespace sline::test;
 
 namespace {
 const test::Torus ring{10.0, 7.0};
-
-model::Camera orthographic(const glm::vec3& direction, float heightMm) {
-  return {.projection = model::Projection::orthographic,
-          .eye = 80.0f * glm::normalize(direction),
-          .target = {0, 0, 0},
-          .up = {0, 0.1f, 1},
-          .heightMm = heightMm};
-}
-const glm::vec3 slanted{0.2f, -0.7f, 0.8f};
-
-constexpr float longest = render::longestHatchStroke / render::hatchSpacing;
-
-struct Subject {
-  model::SurfacePtr surface;
-  mutable render::StrokeLayout layout;
-
-  explicit Subject(const model::MeshPtr& mesh, float length = longest)
-      : surface(model::prepareSurface(mesh)), layout(surface, length) {}
-  render::Hatching hatched(const model::Camera& camera,
-                           const render::HatchingRequest& request = {}) const {
-    return render::extractHatching(layout, camera, request);
-  }
-};
-
-Subject torusSubject() {
-  return Subject(test::torus(10.0f, 7.0f, 200, 100));
-}
-
-std::span<const render::HatchPoint> pointsOf(const render::Hatching& h,
-                                             const render::HatchStroke& s) {
-  return std::span(h.points).subspan(s.first, s.count);
-}
-
-/// Returns where a stroke is widest.
-glm::vec3 widest(std::span<const render::HatchPoint> points) {
-  return std::max_element(points.begin(), points.end(),
-                          [](const auto& a, const auto& b) { return a.halfWidth < b.halfWidth; })
-      ->position;
-}
-
-/// Returns the ink in λ², overlaps and hidden parts included.
-double ink(const render::Hatching& hatching, const model::Camera& camera) {
-  const render::ViewScale scale(camera);
-  double sum = 0.0;
-  for (const render::HatchStroke& s : hatching.strokes) {
-    const auto points = pointsOf(hatching, s);
-    for (std::size_t i = 1; i < points.size(); ++i)
-      sum += double(glm::distance(scale.project(points[i - 1].position).at,
-                                  scale.project(points[i].position).at)) *
-             double(points[i - 1].halfWidth + points[i].halfWidth);
-  }
-  return sum;
-}
 
 /// Returns the direction of the light that leaves shadows.
 glm::vec3 lightOf(const model::Camera& camera) {
@@ -83,10 +29,6 @@ glm::vec3 lightOf(const model::Camera& camera) {
   return light.x * frame.right + light.y * frame.up + light.z * frame.back;
 }
 
-using SeedKey = std::tuple<int, int, int, int>;
-SeedKey keyOf(const render::HatchSeed& s) {
-  return {s.axis, s.level, s.i, s.j};
-}
 }  // namespace
 
 class HatchingTest : public QObject {
@@ -194,84 +136,6 @@ class HatchingTest : public QObject {
     }
   }
 
-  // METHOD §6.7: zooming by 4 moves no seed, and all keep their strokes.
-  void zoomingMovesNoSeed() {
-    const Subject torus = torusSubject();
-    // A lattice line may pierce the surface twice; the visible part of a stroke may be far from its
-    // seed.
-    std::multimap<SeedKey, std::array<glm::vec3, 2>> before;
-    const model::Camera far = orthographic(slanted, 40.0f);
-    const render::Hatching hatching = torus.hatched(far);
-    for (const render::HatchStroke& s : hatching.strokes)
-      before.emplace(keyOf(s.seed), std::array{s.seedPosition, widest(pointsOf(hatching, s))});
-    QVERIFY(before.size() > 10);
-    for (const float zoom : {1.3f, 2.0f, 4.0f}) {
-      const model::Camera near = orthographic(slanted, 40.0f / zoom);
-      const render::ViewScale scale(near);
-      std::multimap<SeedKey, glm::vec3> after;
-      for (const render::HatchStroke& s : torus.hatched(near).strokes)
-        after.emplace(keyOf(s.seed), s.seedPosition);
-      int found = 0;
-      int expected = 0;
-      for (const auto& [key, places] : before) {
-        const glm::vec2 ink = scale.project(places[1]).at;
-        if (std::abs(ink.x) > 600.0f || std::abs(ink.y) > 330.0f)
-          continue;
-        const glm::vec2 at = scale.project(places[0]).at;
-        ++expected;
-        const auto [first, last] = after.equal_range(key);
-        found += std::any_of(first, last, [&](const auto& seed) {
-          return glm::distance(scale.project(seed.second).at, at) < 0.01f;
-        });
-      }
-      QVERIFY(expected > 3);
-      QVERIFY2(found == expected,
-               qPrintable(QString("zoom %1: %2 of %3").arg(zoom).arg(found).arg(expected)));
-    }
-  }
-
-  // New strokes grow from nothing: over a zoom of 1 % the ink on the torus hardly changes, though
-  // over a zoom of 2 many strokes come.
-  void strokesGrowFromNothing() {
-    const Subject torus = torusSubject();
-    double last = 0.0;
-    double largest = 0.0;
-    for (int i = 0; i <= 70; ++i) {
-      const model::Camera camera = orthographic(slanted, 40.0f * std::pow(0.99f, float(i)));
-      const render::ViewScale scale(camera);
-      const double now = ink(torus.hatched(camera), camera) /
-                         std::pow(double(scale.project(glm::vec3(0.0f)).perMm), 2.0);
-      if (i > 0)
-        largest = std::max(largest, std::abs(now - last) / std::max(now, last));
-      last = now;
-    }
-    QVERIFY2(largest < 0.12, qPrintable(QString::number(largest)));
-  }
-
-  // On a thin tube there is hardly room for strokes, and some are seen along their length: the rest
-  // of them is still no dot.
-  void strokesAreLongerThanWide() {
-    const Subject tube(test::torus(10.0f, 0.8f, 200, 24));
-    for (const float height : {24.0f, 60.0f}) {
-      const model::Camera camera = orthographic(slanted, height);
-      const render::ViewScale scale(camera);
-      const render::Hatching hatching = tube.hatched(camera);
-      QVERIFY(hatching.strokes.size() > 20);
-      for (const render::HatchStroke& stroke : hatching.strokes) {
-        float length = 0.0f;
-        float widest = 0.0f;
-        const auto points = pointsOf(hatching, stroke);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-          widest = std::max(widest, 2.0f * points[i].halfWidth);
-          if (i > 0)
-            length += glm::distance(scale.project(points[i - 1].position).at,
-                                    scale.project(points[i].position).at);
-        }
-        QVERIFY2(length > 2.0f * widest, qPrintable(QString("%1 %2").arg(length).arg(widest)));
-      }
-    }
-  }
-
   // Strokes of one sheet never touch: between their middles there is room for both half widths.
   void strokesDoNotTouch() {
     const Subject torus = torusSubject();
@@ -294,20 +158,6 @@ class HatchingTest : public QObject {
           }
     QVERIFY(pairs > 100);
     QVERIFY2(close <= pairs / 100, qPrintable(QString("%1 of %2").arg(close).arg(pairs)));
-  }
-
-  // METHOD §7 ▲: ink grows evenly with T_H.
-  void inkGrowsEvenly() {
-    const Subject torus = torusSubject();
-    const model::Camera camera = orthographic(slanted, 24.0f);
-    const double all = ink(torus.hatched(camera), camera);
-    QVERIFY(all > 0.0);
-    for (const float t : {0.2f, 0.4f, 0.6f, 0.8f}) {
-      const double share = ink(torus.hatched(camera, {.entered = t}), camera) / all;
-      QVERIFY2(std::abs(share - double(t)) < 0.2,
-               qPrintable(QString("T %1: %2").arg(t).arg(share)));
-    }
-    QVERIFY(torus.hatched(camera, {.entered = 0.0f}).strokes.empty());
   }
 
   void aMirrorMirrorsStrokes() {
@@ -345,73 +195,6 @@ class HatchingTest : public QObject {
     const render::Hatching b = large.hatched(camera);
     QVERIFY(!a.strokes.empty());
     QVERIFY(std::abs(double(a.strokes.size()) / double(b.strokes.size()) - 1.0) < 0.02);
-  }
-
-  void stipplingIsDots() {
-    const Subject torus(test::torus(10.0f, 7.0f, 200, 100), 0.0f);
-    const render::Hatching dots = torus.hatched(orthographic(slanted, 24.0f), {.spacing = 4.5f});
-    QVERIFY(dots.strokes.size() > 50);
-    for (const render::HatchStroke& s : dots.strokes)
-      QCOMPARE(s.count, 1u);
-  }
-
-  // Twice the density gives twice the strokes, thinner ones, of the same ink.
-  void densityIsTheNumberOfStrokes_data() {
-    QTest::addColumn<float>("density");
-    QTest::newRow("a quarter") << 0.25f;
-    QTest::newRow("half") << 0.5f;
-    QTest::newRow("a little less") << 0.9f;
-    QTest::newRow("a little more") << 1.1f;
-    QTest::newRow("twice") << 2.0f;
-    QTest::newRow("most") << 4.0f;
-  }
-  void densityIsTheNumberOfStrokes() {
-    QFETCH(float, density);
-    const Subject torus = torusSubject();
-    const model::Camera camera = orthographic(slanted, 22.0f);
-    const render::Hatching usual = torus.hatched(camera);
-    const render::Hatching other =
-        torus.hatched(camera, {.spacing = render::spacingOf(HatchDensity::clamped(density))});
-    const double strokes = double(other.strokes.size()) / double(usual.strokes.size());
-    QVERIFY2(strokes > 0.7 * double(density) && strokes < 1.4 * double(density),
-             qPrintable(QString::number(strokes)));
-    const double tone = ink(other, camera) / ink(usual, camera);
-    QVERIFY2(std::abs(tone - 1.0) < 0.12, qPrintable(QString::number(tone)));
-  }
-
-  // As with a zoom, no stroke moves while density is dragged, and each thickens evenly.
-  void densityChangesEvenly() {
-    const Subject torus = torusSubject();
-    const model::Camera camera = orthographic(slanted, 22.0f);
-    std::map<SeedKey, float> before;
-    for (float density = 0.5f; density <= 2.0f; density *= 1.02f) {
-      const render::Hatching hatching =
-          torus.hatched(camera, {.spacing = render::spacingOf(HatchDensity::clamped(density))});
-      std::map<SeedKey, float> now;
-      for (const render::HatchStroke& s : hatching.strokes)
-        for (const render::HatchPoint& p : pointsOf(hatching, s))
-          now[keyOf(s.seed)] = std::max(now[keyOf(s.seed)], p.halfWidth);
-      if (!before.empty())
-        for (const auto& [seed, width] : now)
-          QVERIFY(std::abs(width - (before.contains(seed) ? before[seed] : 0.0f)) < 0.35f);
-      before = std::move(now);
-    }
-  }
-
-  void toneIsInk() {
-    const Subject torus = torusSubject();
-    const model::Camera camera = orthographic(slanted, 22.0f);
-    QVERIFY(torus.hatched(camera, {.tone = 0.0f}).strokes.empty());
-    double before = 0.0;
-    for (const float tone : {0.25f, 0.5f, 0.8f, 1.0f, 1.25f, 1.6f, 2.0f, 4.0f}) {
-      const render::Hatching hatching = torus.hatched(camera, {.tone = tone});
-      const double now = ink(hatching, camera);
-      QVERIFY2(now > 1.02 * before, qPrintable(QString::number(now)));
-      before = now;
-      // Some white is left between the darkest strokes.
-      for (const render::HatchPoint& p : hatching.points)
-        QVERIFY(p.halfWidth < 0.451f * render::hatchSpacing);
-    }
   }
 
   // Seen from within a closed body, as by an endoscope, the wall is a tube's inner side.

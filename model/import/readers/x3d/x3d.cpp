@@ -5,9 +5,7 @@
 #include "model/import/readers/x3d/x3d.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -15,8 +13,9 @@
 
 #include "model/base/letters.h"
 #include "model/import/readers/x3d/x3d_document.h"
+#include "model/import/readers/x3d/x3d_fields.h"
+#include "model/import/readers/x3d/x3d_geometry.h"
 #include "model/import/source/surface_assembly.h"
-#include "model/import/source/text_cursor.h"
 
 namespace sline::model {
 
@@ -36,55 +35,6 @@ struct X3dVisit {
   bool only = false;  ///< the one shape among its group's nodes
 };
 
-/// Returns all numbers of a field, separated by blanks, commas and comments; they end at text that
-/// is none.
-std::vector<double> numbersIn(std::string_view field) {
-  std::string plain(field);
-  bool comment = false;
-  for (char& c : plain) {
-    comment = (comment || c == '#') && !TextCursor::isLineEnd(c);
-    if (comment || c == ',')
-      c = ' ';
-  }
-  std::vector<double> numbers;
-  TextCursor cursor(plain);
-  for (double value = 0.0; cursor.skipSpace(), cursor.number(value);)
-    numbers.push_back(value);
-  return numbers;
-}
-
-/// Returns the field as `n` numbers, else the default that applies when it is absent.
-template <std::size_t n>
-std::array<double, n> fixedNumbers(const X3dNode& node, std::string_view key,
-                                   const std::array<double, n>& otherwise) {
-  const std::vector<double> numbers = numbersIn(node.field(key));
-  std::array<double, n> values = otherwise;
-  if (numbers.size() == n)
-    std::copy(numbers.begin(), numbers.end(), values.begin());
-  return values;
-}
-
-glm::dmat4 rotationOf(const std::array<double, 4>& r) {
-  const glm::dvec3 axis(r[0], r[1], r[2]);
-  return glm::length(axis) > 0.0 ? glm::rotate(glm::dmat4(1.0), r[3], glm::normalize(axis))
-                                 : glm::dmat4(1.0);
-}
-
-/// Returns the transform by ISO/IEC 19775-1 §10.4.4: translation · centre · rotation · scale in its
-/// own axes · −centre.
-glm::dmat4 transformOf(const X3dNode& node) {
-  const auto vector = [&](std::string_view key, double otherwise) {
-    const auto v = fixedNumbers<3>(node, key, {otherwise, otherwise, otherwise});
-    return glm::dvec3(v[0], v[1], v[2]);
-  };
-  const glm::dvec3 centre = vector("center", 0.0);
-  const glm::dmat4 turned = rotationOf(fixedNumbers<4>(node, "scaleOrientation", {0, 0, 1, 0}));
-  glm::dmat4 matrix = glm::translate(glm::dmat4(1.0), vector("translation", 0.0) + centre);
-  matrix *= rotationOf(fixedNumbers<4>(node, "rotation", {0, 0, 1, 0})) * turned;
-  matrix = glm::scale(matrix, vector("scale", 1.0)) * glm::transpose(turned);
-  return glm::translate(matrix, -centre);
-}
-
 const X3dNode* childOf(const X3dNode& node, std::initializer_list<std::string_view> types) {
   for (const X3dNode* child : node.nodes)
     if (std::find(types.begin(), types.end(), child->type) != types.end())
@@ -94,86 +44,6 @@ const X3dNode* childOf(const X3dNode& node, std::initializer_list<std::string_vi
 
 bool isFalse(std::string_view text) {
   return equalsIgnoringCase(text, "false");
-}
-
-/// Says how the corners of a geometry make faces.
-enum class CornerRuns { polygons, triangles, quads, strips, fans };
-struct X3dGeometry {
-  std::string_view type;
-  CornerRuns runs;
-  std::string_view corners;  ///< the field with indices; empty: all points in turn
-  std::string_view counts;   ///< the field that says how many of them make a strip or fan
-};
-constexpr std::array<X3dGeometry, 9> x3dGeometries{
-    {{"IndexedFaceSet", CornerRuns::polygons, "coordIndex", ""},
-     {"IndexedTriangleSet", CornerRuns::triangles, "index", ""},
-     {"IndexedQuadSet", CornerRuns::quads, "index", ""},
-     {"IndexedTriangleStripSet", CornerRuns::strips, "index", ""},
-     {"IndexedTriangleFanSet", CornerRuns::fans, "index", ""},
-     {"TriangleSet", CornerRuns::triangles, "", ""},
-     {"QuadSet", CornerRuns::quads, "", ""},
-     {"TriangleStripSet", CornerRuns::strips, "", "stripCount"},
-     {"TriangleFanSet", CornerRuns::fans, "", "fanCount"}}};
-
-/// Returns corners in runs that −1 ends.
-std::vector<std::uint32_t> cornersOf(const X3dNode& node, const X3dGeometry& kind,
-                                     std::size_t points) {
-  std::vector<std::uint32_t> corners;
-  if (!kind.corners.empty()) {
-    // A value that is no index becomes one beyond all points, which is reported when faces are
-    // judged.
-    for (const double value : numbersIn(node.field(kind.corners)))
-      corners.push_back(value == -1.0                           ? noVertex
-                        : value >= 0.0 && value < noVertex - 1u ? std::uint32_t(value)
-                                                                : noVertex - 1u);
-    return corners;
-  }
-  std::vector<double> counts = kind.counts.empty() ? std::vector<double>{double(points)}
-                                                   : numbersIn(node.field(kind.counts));
-  std::size_t at = 0;
-  for (const double count : counts) {
-    for (double i = 0.0; i < count && at < points; ++i)
-      corners.push_back(std::uint32_t(at++));
-    corners.push_back(noVertex);
-  }
-  return corners;
-}
-
-void addRun(std::span<const std::uint32_t> run, CornerRuns runs, FaceList& faces,
-            const char* place) {
-  const auto face = [&](std::initializer_list<std::uint32_t> corners) {
-    for (const std::uint32_t corner : corners)
-      faces.add(corner, place);
-    faces.close();
-  };
-  if (runs == CornerRuns::strips) {
-    addStrip(run, faces, place);
-  } else if (runs == CornerRuns::fans) {
-    for (std::size_t i = 2; i < run.size(); ++i)
-      face({run[0], run[i - 1], run[i]});
-  } else {
-    const std::size_t step = runs == CornerRuns::triangles ? 3
-                             : runs == CornerRuns::quads   ? 4
-                                                           : std::max<std::size_t>(1, run.size());
-    for (std::size_t i = 0; i + step <= run.size() && !run.empty(); i += step) {
-      for (const std::uint32_t corner : run.subspan(i, step))
-        faces.add(corner, place);
-      faces.close();
-    }
-  }
-}
-
-FaceList facesIn(const X3dNode& node, const X3dGeometry& kind, std::size_t points) {
-  const std::vector<std::uint32_t> corners = cornersOf(node, kind, points);
-  FaceList faces;
-  for (std::size_t begin = 0; begin < corners.size();) {
-    const auto end =
-        std::size_t(std::find(corners.begin() + std::ptrdiff_t(begin), corners.end(), noVertex) -
-                    corners.begin());
-    addRun(std::span(corners).subspan(begin, end - begin), kind.runs, faces, node.place);
-    begin = end + 1;
-  }
-  return faces;
 }
 
 class X3dReader {

@@ -5,6 +5,7 @@
 #include "model/import/kinds/file_kinds.h"
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
+#include "tests/model/import/dicom/written_structures.h"
 #include "tests/support/suite.h"
 
 using namespace sline;

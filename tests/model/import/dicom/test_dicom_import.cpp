@@ -11,6 +11,8 @@
 #include "model/scene_file/scene_file.h"
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_images.h"
+#include "tests/model/import/dicom/written_segmentation.h"
+#include "tests/model/import/dicom/written_structures.h"
 #include "tests/support/suite.h"
 
 using namespace sline;

@@ -13,6 +13,8 @@
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
 #include "tests/model/import/dicom/written_images.h"
+#include "tests/model/import/dicom/written_segmentation.h"
+#include "tests/model/import/dicom/written_structures.h"
 #include "tests/support/mutator.h"
 #include "tests/support/process_memory.h"
 #include "tests/support/suite.h"

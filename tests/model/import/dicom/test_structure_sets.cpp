@@ -7,6 +7,7 @@
 
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
+#include "tests/model/import/dicom/written_structures.h"
 #include "tests/support/suite.h"
 
 using namespace sline;

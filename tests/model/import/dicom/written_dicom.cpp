@@ -4,8 +4,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace sline::test {
 
@@ -149,78 +147,6 @@ QByteArray deflated(const QByteArray& bytes) {
   return packed;
 }
 
-QByteArray decimals(const glm::dvec3& p) {
-  return QByteArray::number(p.x, 'f', 3) + "\\" + QByteArray::number(p.y, 'f', 3) + "\\" +
-         QByteArray::number(p.z, 'f', 3);
-}
-
-WrittenSet region(const WrittenRegion& written, int number) {
-  WrittenSet item;
-  if (written.colour)
-    item.push_back(text({0x3006, 0x002a}, "IS",
-                        QByteArray::number(written.colour->red) + "\\" +
-                            QByteArray::number(written.colour->green) + "\\" +
-                            QByteArray::number(written.colour->blue)));
-  std::vector<WrittenSet> contours;
-  for (const auto& contour : written.contours) {
-    QByteArray data;
-    for (const glm::dvec3& p : contour)
-      data += (data.isEmpty() ? "" : "\\") + decimals(p);
-    contours.push_back({text({0x3006, 0x0042}, "CS", written.geometry),
-                        text({0x3006, 0x0046}, "IS", QByteArray::number(qsizetype(contour.size()))),
-                        // A DS with more than 64 kB does not fit two bytes of length.
-                        text({0x3006, 0x0050}, data.size() > 0xfffe ? "UT" : "DS", data)});
-  }
-  if (!contours.empty())
-    item.push_back(sequence({0x3006, 0x0040}, std::move(contours)));
-  item.push_back(text({0x3006, 0x0084}, "IS", QByteArray::number(number)));
-  return item;
-}
-
-QByteArray bitsOf(const std::vector<std::uint8_t>& pixels) {
-  QByteArray bytes(qsizetype((pixels.size() + 7) / 8), '\0');
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    if (pixels[i] != 0)
-      bytes[qsizetype(i / 8)] = char(bytes[qsizetype(i / 8)] | (1 << (i % 8)));
-  return bytes;
-}
-
-/// Returns one frame's bytes as they stand in the file; bits only if all frames' are whole bytes.
-QByteArray bytesOf(const WrittenSegmentation& written, const std::vector<std::uint8_t>& pixels) {
-  if (written.bits == 1)
-    return bitsOf(pixels);
-  QByteArray bytes;
-  for (const std::uint8_t pixel : pixels) {
-    bytes += char(pixel);
-    if (written.bits == 16)
-      bytes += '\0';
-  }
-  return bytes;
-}
-
-WrittenElement pixelsOf(const WrittenSegmentation& written) {
-  std::vector<QByteArray> packed;
-  std::vector<std::uint8_t> all;
-  for (const WrittenFrame& frame : written.frames) {
-    all.insert(all.end(), frame.pixels.begin(), frame.pixels.end());
-    if (written.runLength)
-      packed.push_back(runs({bytesOf(written, frame.pixels)}));
-    else if (written.pack)
-      packed.push_back(written.pack(frame));
-  }
-  if (!packed.empty())
-    return pieces(packed);
-  return {{0x7fe0, 0x0010}, written.bits == 16 ? "OW" : "OB", bytesOf(written, all), {}};
-}
-
-const char* typeOf(const WrittenSegmentation& written) {
-  return written.labelMap ? "LABELMAP" : written.fractional ? "FRACTIONAL" : "BINARY";
-}
-
-WrittenSet code(const QByteArray& meaning) {
-  return {text({0x0008, 0x0100}, "SH", "123"), text({0x0008, 0x0104}, "LO", meaning)};
-}
-
 }  // namespace
 
 WrittenElement text(Tag tag, const char* vr, const QByteArray& value) {
@@ -291,6 +217,11 @@ WrittenElement sequence(Tag tag, std::vector<WrittenSet> items) {
   return {tag, "SQ", {}, std::move(items)};
 }
 
+QByteArray decimals(const glm::dvec3& p) {
+  return QByteArray::number(p.x, 'f', 3) + "\\" + QByteArray::number(p.y, 'f', 3) + "\\" +
+         QByteArray::number(p.z, 'f', 3);
+}
+
 QByteArray dicomFile(const WrittenSet& set, const Manner& manner) {
   const QByteArray body = encoded(set, {manner.syntax != Syntax::implicitLittle, manner.openLengths,
                                         manner.syntax == Syntax::explicitBig});
@@ -337,115 +268,6 @@ WrittenSet identifying(const char* sopClass) {
           text({0x0010, 0x1040}, "LO", id[13]),   text({0x0020, 0x000d}, "UI", id[14]),
           text({0x0020, 0x000e}, "UI", id[15]),   text({0x0020, 0x0010}, "SH", id[16]),
           text({0x0020, 0x0052}, "UI", id[17])};
-}
-
-WrittenSet structureSet(const std::vector<WrittenRegion>& regions) {
-  const auto& id = identities();
-  WrittenSet set = identifying("1.2.840.10008.5.1.4.1.1.481.3");
-  set.push_back(text({0x3006, 0x0002}, "SH", id[18]));
-  std::vector<WrittenSet> names;
-  std::vector<WrittenSet> contours;
-  std::vector<WrittenSet> observed;
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    const QByteArray number = QByteArray::number(qsizetype(i) + 1);
-    names.push_back({text({0x3006, 0x0022}, "IS", number), text({0x3006, 0x0024}, "UI", id[17]),
-                     text({0x3006, 0x0026}, "LO", regions[i].name),
-                     text({0x3006, 0x0028}, "ST", id[19])});
-    contours.push_back(region(regions[i], int(i) + 1));
-    observed.push_back({text({0x3006, 0x0084}, "IS", number),
-                        text({0x3006, 0x00a4}, "CS", regions[i].type),
-                        text({0x3006, 0x00a6}, "PN", id[20])});
-  }
-  set.push_back(sequence({0x3006, 0x0020}, std::move(names)));
-  set.push_back(sequence({0x3006, 0x0039}, std::move(contours)));
-  set.push_back(sequence({0x3006, 0x0080}, std::move(observed)));
-  return set;
-}
-
-std::vector<glm::dvec3> circle(const glm::dvec3& centre, double radius, int corners) {
-  std::vector<glm::dvec3> points;
-  for (int i = 0; i < corners; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / corners;
-    points.push_back(centre + radius * glm::dvec3(std::cos(angle), std::sin(angle), 0.0));
-  }
-  return points;
-}
-
-std::vector<std::vector<glm::dvec3>> ball(const glm::dvec3& centre, double radius, double first,
-                                          double step) {
-  std::vector<std::vector<glm::dvec3>> contours;
-  for (double z = first; z < centre.z + radius; z += step)
-    if (std::abs(z - centre.z) < radius)
-      contours.push_back(circle({centre.x, centre.y, z},
-                                std::sqrt(radius * radius - (z - centre.z) * (z - centre.z))));
-  return contours;
-}
-
-std::vector<std::vector<glm::dvec3>> rod(const glm::dvec3& centre, double radius,
-                                         const std::vector<double>& heights) {
-  std::vector<std::vector<glm::dvec3>> contours;
-  for (const double height : heights)
-    contours.push_back(circle({centre.x, centre.y, height}, radius));
-  return contours;
-}
-
-WrittenSet segmentation(const WrittenSegmentation& written) {
-  const auto& id = identities();
-  WrittenSet set = identifying(written.labelMap ? "1.2.840.10008.5.1.4.1.1.66.7"
-                                                : "1.2.840.10008.5.1.4.1.1.66.4");
-  set.push_back(shorts({0x0028, 0x0002}, {1}));
-  set.push_back(text({0x0028, 0x0004}, "CS", "MONOCHROME2"));
-  set.push_back(text({0x0028, 0x0008}, "IS", QByteArray::number(qsizetype(written.frames.size()))));
-  set.push_back(shorts({0x0028, 0x0010}, {std::uint16_t(written.rows)}));
-  set.push_back(shorts({0x0028, 0x0011}, {std::uint16_t(written.columns)}));
-  set.push_back(shorts({0x0028, 0x0100}, {std::uint16_t(written.bits)}));
-  set.push_back(shorts({0x0028, 0x0101}, {std::uint16_t(written.bits)}));
-  set.push_back(shorts({0x0028, 0x0102}, {std::uint16_t(written.bits - 1)}));
-  set.push_back(shorts({0x0028, 0x0103}, {0}));
-  if (written.padding)
-    set.push_back(shorts({0x0028, 0x0120}, {*written.padding}));
-  set.push_back(text({0x0062, 0x0001}, "CS", typeOf(written)));
-  std::vector<WrittenSet> segments;
-  for (const WrittenSegment& segment : written.segments) {
-    WrittenSet item;
-    if (!segment.category.isEmpty())
-      item.push_back(sequence({0x0062, 0x0003}, {code(segment.category)}));
-    item.push_back(shorts({0x0062, 0x0004}, {segment.number}));
-    item.push_back(text({0x0062, 0x0005}, "LO", segment.label));
-    if (!segment.lab.empty())
-      item.push_back(shorts({0x0062, 0x000d}, segment.lab));
-    item.push_back(sequence({0x0062, 0x000f}, {code("Named by type")}));
-    segments.push_back(std::move(item));
-  }
-  set.push_back(sequence({0x0062, 0x0002}, std::move(segments)));
-  if (written.fractional)
-    set.push_back(shorts({0x0062, 0x000e}, {255}));
-  set.push_back(text({0x0070, 0x0084}, "PN", id[22]));
-  const auto orientation =
-      sequence({0x0020, 0x9116}, {{text({0x0020, 0x0037}, "DS", written.orientation)}});
-  const auto number = [](double value) { return QByteArray::number(value, 'f', 4); };
-  WrittenSet shared{
-      sequence({0x0028, 0x9110},
-               {{text({0x0018, 0x0088}, "DS", number(written.sliceSpacing)),
-                 text({0x0028, 0x0030}, "DS",
-                      number(written.rowSpacing) + "\\" + number(written.columnSpacing))}})};
-  if (written.sharedOrientation)
-    shared.insert(shared.begin(), orientation);
-  set.push_back(sequence({0x5200, 0x9229}, {shared}));
-  std::vector<WrittenSet> frames;
-  for (const WrittenFrame& frame : written.frames) {
-    WrittenSet item{
-        sequence({0x0008, 0x9124}, {{text({0x0008, 0x1155}, "UI", id[21])}}),
-        sequence({0x0020, 0x9113}, {{text({0x0020, 0x0032}, "DS", decimals(frame.position))}})};
-    if (!written.sharedOrientation)
-      item.push_back(orientation);
-    if (!written.labelMap)
-      item.push_back(sequence({0x0062, 0x000a}, {{shorts({0x0062, 0x000b}, {frame.segment})}}));
-    frames.push_back(std::move(item));
-  }
-  set.push_back(sequence({0x5200, 0x9230}, std::move(frames)));
-  set.push_back(pixelsOf(written));
-  return set;
 }
 
 }  // namespace sline::test

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests saved views, fiducials and bundles of 3D Slicer.
+// Tests saved views and bundles of 3D Slicer.
 #include <QDir>
 #include <QtTest>
 #include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
 
 #include "model/disk/zip_archive.h"
 #include "model/edit/views.h"
 #include "model/import/plan/import.h"
-#include "model/import/slicer/fiducials.h"
+#include "tests/model/import/slicer/slicer_folder.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
+using namespace sline::test;
 
 namespace {
 
@@ -39,14 +38,6 @@ QByteArray group(const char* more) {
          "/><ModelDisplay id=\"DG\" color=\"0 0 1\" visibility=\"false\"/>";
 }
 
-QByteArray fiducial(const char* visible) {
-  return QByteArray(
-             "<AnnotationFiducials id=\"F\" name=\"tip\" ctrlPtsCoord=\"10 -20 30\" "
-             "locked=\"1\" displayNodeRef=\"DF DT\" visible=\"") +
-         visible +
-         "\"/><AnnotationPointDisplay id=\"DF\" color=\"0 1 0\" selectedColor=\"1 1 0\"/>";
-}
-
 QByteArray wholeScene() {
   return "<MRML version=\"Slicer4.4.0\">" + group("expanded=\"true\"") +
          model("A", "liver", "true") + model("B", "spleen", "true") + fiducial("1") +
@@ -59,39 +50,12 @@ QByteArray wholeScene() {
          "</SceneView></MRML>";
 }
 
-class Folder {
- public:
-  Folder() {
-    for (const char* name : {"liver", "spleen"})
-      test::writeMesh(m_folder.filePath(QString("Data/%1.ply").arg(name)),
-                      *test::octahedron({-70, 5, 10}, 20));
-  }
-  void write(const QString& name, const QByteArray& text) const {
-    test::writeText(m_folder.filePath(name), text);
-  }
-  Result<Imported> import(const QString& name) const {
-    return importInputs(std::array{std::filesystem::path(m_folder.filePath(name).toStdString())},
-                        {});
-  }
-  QByteArray read(const QString& name) const {
-    QFile file(m_folder.filePath(name));
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-  }
-
- private:
-  QTemporaryDir m_folder;
-};
-
 const View& viewNamed(const Scene& scene, const char* name) {
   static const View none;
   for (const View& view : scene.views())
     if (view.name == name)
       return view;
   return none;
-}
-
-bool near(const glm::vec3& a, const glm::vec3& b) {
-  return glm::length(a - b) < 1e-4f;
 }
 
 QByteArray zip(const std::vector<std::pair<QByteArray, QByteArray>>& files) {
@@ -111,12 +75,6 @@ class SlicerViewsTest : public QObject {
   Q_OBJECT
  private slots:
   void views();
-  void fiducialsOfAScene();
-  void tables_data();
-  void tables();
-  void markups_data();
-  void markups();
-  void sceneWithMarkupsBeside();
   void segmentations();
   void bundle();
   void brokenBundles_data();
@@ -126,7 +84,7 @@ class SlicerViewsTest : public QObject {
 };
 
 void SlicerViewsTest::views() {
-  const Folder folder;
+  const SlicerFolder folder;
   folder.write("s.mrml", wholeScene());
   const auto imported = folder.import("s.mrml");
   QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
@@ -161,172 +119,9 @@ void SlicerViewsTest::views() {
   QVERIFY(near(own.camera.eye, {0, -500, 0}) && !own.looks && !own.annotations);
 }
 
-void SlicerViewsTest::fiducialsOfAScene() {
-  const Folder folder;
-  folder.write("s.mrml",
-               "<MRML version=\"Slicer4\">" + fiducial("1") +
-                   "<LinearTransform id=\"T\" matrixTransformToParent=\"1 0 0 100 0 1 0 0 0 0 1 0 "
-                   "0 0 0 1\"/><AnnotationRuler id=\"R\" name=\"width\" transformNodeRef=\"T\" "
-                   "ctrlPtsCoord=\"1 2 3|4 5 6\" ctrlPtsSelected=\"0 0\"/>"
-                   "<AnnotationRuler id=\"R2\" name=\"cut\" ctrlPtsCoord=\"1 2 3\"/>"
-                   "<AnnotationROI id=\"R3\"/></MRML>");
-  const auto imported = folder.import("s.mrml");
-  QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
-  const auto& annotations = imported->scene.annotations();
-  QCOMPARE(annotations.size(), std::size_t(2));
-  QCOMPARE(annotations[0].text, std::string("tip"));
-  QVERIFY(annotations[0].kind == AnnotationKind::pin && annotations[0].locked);
-  QVERIFY(near(std::get<glm::vec3>(annotations[0].anchors[0]), {-10, 20, 30}));
-  QCOMPARE(annotations[0].colour, std::optional(Colour{255, 255, 0}));
-  QVERIFY(annotations[1].kind == AnnotationKind::distance);
-  QVERIFY(near(std::get<glm::vec3>(annotations[1].anchors[0]), {-101, -2, 3}));
-  QVERIFY(near(std::get<glm::vec3>(annotations[1].anchors[1]), {-104, -5, 6}));
-  const QString warnings = test::warningsOf(*imported);
-  QVERIFY2(warnings.contains("\"cut\" has no place") && warnings.contains("AnnotationROI"),
-           qPrintable(warnings));
-}
-
-void SlicerViewsTest::tables_data() {
-  QTest::addColumn<QByteArray>("text");
-  QTest::addColumn<QString>("expected");  // "text x y z visible locked", or part of the error
-  const auto row = [](const char* tag, const char* text, const char* expected) {
-    QTest::newRow(tag) << QByteArray(text) << QString(expected);
-  };
-  const QByteArray four("# Markups fiducial file version = 4.11\n# CoordinateSystem = ");
-  const QByteArray columns(
-      "\n# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n");
-  row("Slicer 3", "# columns = label,x,y,z,sel,vis\na,1,2.5,-3e1,1,1\n", "a -1 -2.5 -30 1 0");
-  row("without columns", "a,1,2,3,1,0\r\n", "a -1 -2 3 0 0");
-  row("all hidden", "# visibility = 0\na,1,2,3,1,1\n", "a -1 -2 3 0 0");
-  row("locked list", "# locked = 1\na,1,2,3,1,1\n", "a -1 -2 3 1 1");
-  for (const char* ras : {"0", "RAS"})
-    QTest::newRow(ras) << four + ras + columns + "i,1,2,3,0,0,0,1,1,1,0,F-1,,\n"
-                       << "F-1 -1 -2 3 1 0";
-  for (const char* lps : {"1", "LPS"})
-    QTest::newRow(lps) << four + lps + columns + "i,1,2,3,0,0,0,1,1,1,1,F-1,,\n"
-                       << "F-1 1 2 3 1 1";
-  QTest::newRow("quoted") << four + "1" + columns + "i,1,2,3,0,0,0,1,1,1,0,\"a, \"\"b\"\"\",text,\n"
-                          << "a, \"b\" 1 2 3 1 0";
-  QTest::newRow("voxels") << four + "2" + columns << "line 2: the coordinate system '2'";
-  row("cut", "a,1,2\n", "line 1: z is missing");
-  row("no number", "# name = x\n\na,1,2,drei,1,1\n", "line 3: z is no number: 'drei'");
-  row("a decimal comma", "a,1,5,2,3,1,1\n", "a -1 -5 2 1 0");
-  row("not finite", "a,1,2,inf,1,1\n", "line 1: z is no number");
-  row("a picture", "\x89PNG\r\n", "line 1: x is missing");
-  row("nothing", "", "empty");
-}
-
-void SlicerViewsTest::tables() {
-  QFETCH(QByteArray, text);
-  QFETCH(QString, expected);
-  const QTemporaryDir folder;
-  const QString path = folder.filePath("points.FCSV");
-  test::writeText(path, text);
-  const auto read = readFiducials(path.toStdString(), {});
-  if (!read.ok()) {
-    QVERIFY2(QString::fromStdString(read.error().text()).contains(expected),
-             read.error().text().c_str());
-    return;
-  }
-  QCOMPARE(read->items.size(), std::size_t(1));
-  const Annotation annotation = annotationOf(read->items[0]);
-  const glm::vec3 p = std::get<glm::vec3>(annotation.anchors[0]);
-  QCOMPARE(QString("%1 %2 %3 %4 %5 %6")
-               .arg(QString::fromStdString(annotation.text))
-               .arg(p.x)
-               .arg(p.y)
-               .arg(p.z)
-               .arg(int(annotation.visible))
-               .arg(int(annotation.locked)),
-           expected);
-}
-
-void SlicerViewsTest::markups_data() {
-  QTest::addColumn<QByteArray>("text");
-  QTest::addColumn<QString>("expected");
-  const auto row = [](const char* tag, const QByteArray& markup, const char* expected) {
-    QTest::newRow(tag) << "{\"markups\":[" + markup + "]}" << QString(expected);
-  };
-  const auto points = [](const char* type, const char* more, const char* list) {
-    return QByteArray("{\"type\":\"") + type + "\"," + more + "\"controlPoints\":[" + list + "]}";
-  };
-  const char* const one = "{\"label\":\"F-1\",\"position\":[1,2.5,-3]}";
-  row("LPS is what is not said", points("Fiducial", "", one), "pin F-1 1 2.5 -3 1");
-  row("LPS", points("Fiducial", "\"coordinateSystem\":\"LPS\",", one), "pin F-1 1 2.5 -3 1");
-  row("RAS", points("Fiducial", "\"coordinateSystem\":\"RAS\",", one), "pin F-1 -1 -2.5 -3 1");
-  row("metres", points("Fiducial", "\"coordinateUnits\":\"m\",", one), "pin F-1 1000 2500 -3000 1");
-  row("coded", points("Fiducial", "\"coordinateUnits\":[\"mm\",\"UCUM\",\"millimeter\"],", one),
-      "pin F-1 1 2.5 -3 1");
-  row("hidden", points("Fiducial", "\"display\":{\"visibility\":false},", one),
-      "pin F-1 1 2.5 -3 0");
-  row("not yet set",
-      points("Fiducial", "", "{\"positionStatus\":\"undefined\",\"position\":[0,0,0]}"), "");
-  row("a line", points("Line", "", "{\"position\":[1,2,3]},{\"position\":[4,5,6]}"),
-      "distance points 1 2 3 4 5 6 1");
-  row("half a line", points("Line", "", "{\"position\":[1,2,3]}"), "");
-  row("a curve", points("Curve", "", one), "");
-  row("voxels", points("Fiducial", "\"coordinateSystem\":\"IJK\",", one),
-      "markups[0].coordinateSystem: the coordinate system is neither");
-  row("parsecs", points("Fiducial", "\"coordinateUnits\":\"pc\",", one), "none of mm");
-  row("two coordinates", points("Fiducial", "", "{\"position\":[1,2]}"),
-      "markups[0].controlPoints[0].position: ");
-  row("no type", "{}", "\"type\" is missing");
-  QTest::newRow("another JSON") << QByteArray("{\"asset\":{}}") << "\"markups\" is missing";
-  QTest::newRow("no JSON") << QByteArray("solid x") << "Save the markups again";
-}
-
-void SlicerViewsTest::markups() {
-  QFETCH(QByteArray, text);
-  QFETCH(QString, expected);
-  const QTemporaryDir folder;
-  const QString path = folder.filePath("points.mrk.json");
-  test::writeText(path, text);
-  const auto read = readFiducials(path.toStdString(), {});
-  if (!read.ok()) {
-    QVERIFY2(QString::fromStdString(read.error().text()).contains(expected) && !expected.isEmpty(),
-             read.error().text().c_str());
-    return;
-  }
-  QStringList told;
-  for (const Fiducial& fiducial : read->items) {
-    const Annotation annotation = annotationOf(fiducial);
-    told << (annotation.kind == AnnotationKind::pin ? "pin" : "distance")
-         << QString::fromStdString(annotation.text);
-    for (const Anchor& anchor : annotation.anchors)
-      for (int axis = 0; axis < 3; ++axis)
-        told << QString::number(std::get<glm::vec3>(anchor)[axis]);
-    told << QString::number(int(annotation.visible));
-  }
-  QCOMPARE(told.join(' '), expected);
-}
-
-void SlicerViewsTest::sceneWithMarkupsBeside() {
-  const Folder folder;
-  folder.write("Data/F 1.mrk.json",
-               "{\"markups\":[{\"type\":\"Fiducial\",\"coordinateSystem\":\"LPS\","
-               "\"controlPoints\":[{\"label\":\"hilum\",\"position\":[1,2,3]}]}]}");
-  folder.write("s.mrml",
-               "<MRML version=\"Slicer 5.2.2\"><MarkupsFiducial id=\"F\" name=\"points\" "
-               "locked=\"1\" references=\"display:D;storage:S;\"/>"
-               "<MarkupsFiducialDisplay id=\"D\" color=\"0 0 1\" selectedColor=\"0 1 0\" "
-               "visibility=\"false\"/>"
-               "<MarkupsFiducialStorage id=\"S\" fileName=\"Data/F%201.mrk.json\"/>"
-               "<MarkupsFiducial id=\"F2\" references=\"storage:S2;\"/>"
-               "<MarkupsFiducialStorage id=\"S2\" fileName=\"../away.fcsv\"/></MRML>");
-  const auto imported = folder.import("s.mrml");
-  QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
-  QCOMPARE(imported->scene.annotations().size(), std::size_t(1));
-  const Annotation& annotation = imported->scene.annotations()[0];
-  QCOMPARE(annotation.text, std::string("hilum"));
-  QVERIFY(near(std::get<glm::vec3>(annotation.anchors[0]), {1, 2, 3}));
-  QVERIFY(annotation.locked && !annotation.visible);
-  QCOMPARE(annotation.colour, std::optional(Colour{0, 255, 0}));
-  QVERIFY(test::warningsOf(*imported).contains("outside its folder"));
-}
-
 /// Any file with several surfaces stands for a segmentation here.
 void SlicerViewsTest::segmentations() {
-  const Folder folder;
+  const SlicerFolder folder;
   folder.write("Data/seg.obj",
                "o kidney\nv 1 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\no thing\nf 2 3 4\n"
                "f 1 4 3\n");
@@ -352,7 +147,7 @@ void SlicerViewsTest::segmentations() {
 }
 
 void SlicerViewsTest::bundle() {
-  const Folder folder;
+  const SlicerFolder folder;
   const QByteArray mesh = folder.read("Data/liver.ply");
   QByteArray scene = wholeScene();
   scene.replace("Data/liver.ply", "Data/my%20liver.ply");
@@ -407,7 +202,7 @@ void SlicerViewsTest::brokenBundles_data() {
 void SlicerViewsTest::brokenBundles() {
   QFETCH(QByteArray, bytes);
   QFETCH(QString, reason);
-  const Folder folder;
+  const SlicerFolder folder;
   folder.write("s.mrb", bytes);
   const auto imported = folder.import("s.mrb");
   QVERIFY(!imported.ok());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests scans: intensities as they stand in files, structures made of them by thresholds, and scans
-// that are kept with the scene.
+// Tests scans: intensities as they stand in files, and structures made of them by thresholds.
 #include <QElapsedTimer>
 #include <QFile>
 #include <QtTest>
@@ -8,18 +7,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "model/import/plan/kept_scans.h"
-#include "model/import/plan/plan.h"
-#include "model/import/plan/reload.h"
 #include "model/import/volumes/threshold_presets.h"
 #include "model/import/volumes/volume_readers.h"
-#include "model/import/volumes/volume_surfaces.h"
-#include "model/scene_file/scene_file.h"
-#include "model/scene_file/scene_json.h"
 #include "tests/model/import/readers/mesh_files.h"
+#include "tests/model/import/volumes/scan_phantoms.h"
 #include "tests/model/import/volumes/written_volumes.h"
 #include "tests/model/import/written_meshes.h"
-#include "tests/support/mutator.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -27,64 +20,6 @@ using namespace sline::model;
 using namespace sline::test;
 
 namespace {
-
-constexpr glm::dvec3 centre{12.0, 3.0, -2.0};
-constexpr double radius = 11.3;
-
-/// Returns a ball to the left, as dense as bone in soft tissue: its edge is as soft as a scanner
-/// makes it.
-int ballAt(const glm::dvec3& p) {
-  const double out = glm::distance(p, centre) - radius;
-  return int(std::lround(std::clamp(200.0 - 100.0 * out, -900.0, 900.0)));
-}
-
-glm::dmat4 gridOf(double side, const glm::ivec3& size) {
-  glm::dmat4 grid(side);
-  for (int i = 0; i < 3; ++i)
-    grid[3][i] = -0.5 * side * double(size[i] - 1);
-  grid[3][3] = 1.0;
-  return grid;
-}
-
-WrittenVolume ball() {
-  const glm::ivec3 size(32, 28, 26);
-  return sampled(size, gridOf(2.0, size), ballAt);
-}
-
-/// Returns a body of fat and muscle around a lung, a bone in it, specks of bone, on a table apart
-/// from it.
-int bodyAt(const glm::dvec3& p) {
-  const double out = std::hypot(p.x / 40.0, p.y / 30.0);
-  if (std::abs(p.x) < 45.0 && p.y > 36.0 && p.y < 42.0)
-    return 100;
-  if (out > 1.0)
-    return -1000;
-  if (glm::distance(glm::dvec2(p), glm::dvec2(-15.0, 0.0)) < 10.0)
-    return -850;
-  if (glm::distance(glm::dvec2(p), glm::dvec2(18.0, 0.0)) < 16.0)
-    return 700;
-  if (glm::distance(p, glm::dvec3(1.0, 19.0, 10.0)) < 1.5)
-    return 500;
-  return 40;
-}
-
-WrittenVolume body() {
-  const glm::ivec3 size(50, 50, 25);
-  return sampled(size, gridOf(2.0, size), bodyAt);
-}
-
-std::filesystem::path written(const QTemporaryDir& folder, const char* name,
-                              const QByteArray& bytes) {
-  const QString path = folder.filePath(QLatin1String(name));
-  writeText(path, bytes);
-  return path.toStdString();
-}
-
-ImportOptions with(std::vector<Threshold> thresholds) {
-  ImportOptions options;
-  options.thresholds = std::move(thresholds);
-  return options;
-}
 
 std::string told(const std::vector<std::string>& notes) {
   std::string all;
@@ -118,12 +53,6 @@ class ScansTest : public QObject {
   void whatIsRefused_data();
   void whatIsRefused();
   void amongLabels();
-  void keptWithTheScene();
-  void spoiledScenes();
-  void plannedAnew();
-  void reloaded();
-  void cancelled();
-  void spoiledCopies();
   void realCt();
 };
 
@@ -206,10 +135,10 @@ void ScansTest::surfaceLiesWhereIntensitiesCross() {
     const Node& bone = named(imported->scene, "bone");
     QVERIFY(bone.mesh);
     for (const glm::vec3& p : bone.mesh->positions()) {
-      const double off = glm::distance(glm::dvec3(p), centre) - radius;
+      const double off = glm::distance(glm::dvec3(p), ballCentre) - ballRadius;
       QVERIFY2(std::abs(off) < 0.3, qPrintable(QString::number(off)));
     }
-    const double expected = 4.0 / 3.0 * 3.14159265 * radius * radius * radius;
+    const double expected = 4.0 / 3.0 * 3.14159265 * ballRadius * ballRadius * ballRadius;
     QVERIFY(std::abs(volumeOf(*bone.mesh) / expected - 1.0) < 0.01);
     QVERIFY(bone.provenance.intensities && bone.provenance.intensities->low == 200.0f);
     QCOMPARE(bone.provenance.part, std::string("bone"));
@@ -222,9 +151,9 @@ void ScansTest::boundsOnBothSides() {
   const auto imported = importInputs(inputs, with({{"rind", 0.0, 500.0}}));
   QVERIFY(imported.ok());
   const Box box = named(imported->scene, "rind").mesh->bounds();
-  QVERIFY(std::abs(double(box.size().x) - 2.0 * (radius + 2.0)) < 0.6);
-  const double inner = radius - 3.0;
-  const double outer = radius + 2.0;
+  QVERIFY(std::abs(double(box.size().x) - 2.0 * (ballRadius + 2.0)) < 0.6);
+  const double inner = ballRadius - 3.0;
+  const double outer = ballRadius + 2.0;
   const double expected = 4.18879 * (outer * outer * outer - inner * inner * inner);
   QVERIFY(std::abs(volumeOf(*named(imported->scene, "rind").mesh) / expected - 1.0) < 0.03);
 }
@@ -309,171 +238,6 @@ void ScansTest::amongLabels() {
   QVERIFY(both.ok());
   QVERIFY(named(both->scene, "bone").mesh && named(both->scene, "liver").mesh);
   QCOMPARE(named(both->scene, "bone").provenance.file, std::string("ct.nii"));
-}
-
-void ScansTest::keptWithTheScene() {
-  QTemporaryDir folder;
-  const WrittenVolume volume = ball();
-  const std::array inputs{written(folder, "ct.nii.gz", gzipped(niftiFile(volume, Number::int16)))};
-  ImportOptions options = with({{"bone", {}, {}}});
-  options.keepScans = true;
-  const auto imported = importInputs(inputs, options);
-  QVERIFY(imported.ok());
-  QCOMPARE(QString::fromStdString(scanText(imported->scene.scans().front())),
-           QString("CT, 32 × 28 × 26 voxels of 2 × 2 × 2 mm, 0.1 MB unpacked"));
-  const auto bytes = sceneFileBytes({.scene = imported->scene});
-  QVERIFY(bytes.ok());
-  const auto again = documentFromBytes(*bytes);
-  QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
-  QVERIFY(again->others.empty());
-  QCOMPARE(again->scene.scans().size(), std::size_t(1));
-  const Scan& scan = again->scene.scans().front();
-  QVERIFY(*scan.voxels == *imported->scene.scans().front().voxels);
-  QVERIFY(scan.toLps == imported->scene.scans().front().toLps);
-  QVERIFY(scan.size == volume.size && scan.hounsfield);
-  QCOMPARE(scan.name, std::string("CT"));
-  QCOMPARE(scan.file, std::string("ct.nii.gz"));
-  // A voxel's middle is the place where the intensity was sampled.
-  const glm::dvec4 p = scan.toLps * glm::dvec4(20, 15, 12, 1);
-  QCOMPARE(
-      scan.intensity((*scan.voxels)[std::size_t((12 * volume.size.y + 15) * volume.size.x + 20)]),
-      double(ballAt(glm::dvec3(p))));
-  Scene without = imported->scene;
-  without.setScans({});
-  const std::size_t scanBytes = bytes->size() - sceneFileBytes({.scene = without})->size();
-  QVERIFY2(scanBytes < scan.voxels->size(), "half of what its numbers take");
-  QCOMPARE(*sceneFileBytes(*again), *bytes);
-  // A frame chosen by the user turns both the structure and the scan.
-  options.frame = Frame::lps;
-  const auto turned = importInputs(inputs, options);
-  const glm::dvec4 q = turned->scene.scans().front().toLps * glm::dvec4(20, 15, 12, 1);
-  QVERIFY(std::abs(q.x + p.x) < 1e-4 && std::abs(q.y + p.y) < 1e-4 && q.z == p.z);
-  QVERIFY(named(turned->scene, "bone").mesh->bounds().high.x < 0.0f);
-  // Scenes that are put together have both scans.
-  const auto file = folder.filePath("a.sline").toStdString();
-  QVERIFY(writeSceneFile(file, {.scene = imported->scene}).ok());
-  const auto together =
-      importInputs(std::array<std::filesystem::path, 2>{file, inputs[0]}, options);
-  QVERIFY(together.ok());
-  QCOMPARE(together->scene.scans().size(), std::size_t(2));
-}
-
-/// Each fault is reported with its place.
-void ScansTest::spoiledScenes() {
-  QTemporaryDir folder;
-  const std::array inputs{written(folder, "ct.nii", niftiFile(ball(), Number::int16))};
-  ImportOptions options;
-  options.keepScans = true;
-  const auto imported = importInputs(inputs, options);
-  QVERIFY(imported.ok());
-  const std::string json = sceneJson(imported->scene);
-  const VoxelsByName voxels{{"scans/1.scan", imported->scene.scans().front().voxels}};
-  QVERIFY(sceneFromJson(*parseJson(json), {}, voxels).ok());
-  struct Row {
-    const char* before;
-    const char* after;
-    const char* reason;
-  };
-  for (const Row& row :
-       {Row{"32,\n", "33,\n", "as many voxels"}, Row{"\"slope\": 1.0", "\"slope\": 0.0", "scale"},
-        Row{"scans/1.scan", "scans/2.scan", "no such member"},
-        Row{"\"size\": [", "\"size\": [1, ", "3 numbers"}}) {
-    std::string spoiled = json;
-    const std::size_t at = spoiled.find(row.before);
-    QVERIFY2(at != std::string::npos, row.before);
-    spoiled.replace(at, std::strlen(row.before), row.after);
-    const auto scene = sceneFromJson(*parseJson(spoiled), {}, voxels);
-    QVERIFY2(!scene.ok() && scene.error().reason.find(row.reason) != std::string::npos, row.after);
-    QVERIFY(scene.error().where.starts_with("scans[0]"));
-  }
-  const std::string bytes = *sceneFileBytes({.scene = imported->scene});
-  Mutator mutated(17, {});
-  int read = 0;
-  for (int i = 0; i < 200; ++i) {
-    const QByteArray copy = mutated(QByteArray::fromStdString(bytes));
-    const auto document =
-        documentFromBytes(std::string_view(copy.data(), std::size_t(copy.size())));
-    read += document.ok();
-    QVERIFY(document.ok() || !document.error().reason.empty());
-  }
-  QVERIFY(read < 200);
-}
-
-/// Structures made from a scan in memory need no second reading.
-void ScansTest::plannedAnew() {
-  QTemporaryDir folder;
-  const std::array inputs{written(folder, "ct.nii", niftiFile(body(), Number::int16))};
-  auto plan = planImport(inputs, {});
-  QVERIFY2(plan.ok(), plan.ok() ? "" : plan.error().text().c_str());
-  QVERIFY(plan->scene.nodes().empty());
-  QVERIFY2(!checkChoices(*plan).ok(), "nothing is made of it yet");
-  QVERIFY(QFile::remove(QString::fromStdString(inputs[0].string())));
-  plan->options.thresholds = {{"bone", {}, {}}, {"skin", {}, {}}};
-  plan = planAgain(*plan);
-  QVERIFY2(plan.ok(), plan.ok() ? "" : plan.error().text().c_str());
-  QCOMPARE(plan->parts.size(), std::size_t(2));
-  plan->choices[plan->scene.named("bone").front()].name = "rib";
-  plan->options.thresholds.pop_back();
-  plan = planAgain(*plan);
-  QVERIFY(plan.ok());
-  QCOMPARE(plan->parts.size(), std::size_t(1));
-  plan->options.keepScans = true;
-  const auto imported = carryOut(*plan);
-  QVERIFY(imported.ok());
-  QVERIFY(named(imported->scene, "rib").mesh);
-  QCOMPARE(imported->scene.scans().size(), std::size_t(1));
-}
-
-void ScansTest::reloaded() {
-  QTemporaryDir folder;
-  const std::array inputs{written(folder, "ct.nii", niftiFile(ball(), Number::int16))};
-  const auto imported = importInputs(inputs, with({{"bone", 200.0, {}}}));
-  QVERIFY(imported.ok());
-  WrittenVolume brighter = ball();
-  for (int& value : brighter.values)
-    value = std::min(900, value + 200);
-  written(folder, "ct.nii", niftiFile(brighter, Number::int16));
-  const Reloaded again = reload(imported->scene, inputs);
-  QVERIFY2(again.changed, again.files.empty() ? "" : again.files.front().reason.c_str());
-  const float width = named(again.scene, "bone").mesh->bounds().size().x;
-  QVERIFY(std::abs(double(width) - 2.0 * (radius + 2.0)) < 0.6);
-}
-
-void ScansTest::cancelled() {
-  QTemporaryDir folder;
-  const auto file = written(folder, "ct.nii", niftiFile(body(), Number::int16));
-  const auto read = readGreyVolume(file, {});
-  QVERIFY(read.ok());
-  for (const int after : {0, 1, 5, 30}) {
-    int asked = 0;
-    ReadOptions options{.goesOn = [&] { return asked++ < after; },
-                        .thresholds = {{"skin", {}, {}}}};
-    const auto made = scanSurfaces({"ct.nii", read->volume}, options);
-    QVERIFY(!made.ok());
-    QVERIFY(made.error().reason.find("cancelled") != std::string::npos);
-  }
-}
-
-void ScansTest::spoiledCopies() {
-  QTemporaryDir folder;
-  const glm::ivec3 size(15);
-  const WrittenVolume volume = sampled(size, gridOf(4.0, size), ballAt);
-  struct Row {
-    const char* name;
-    QByteArray bytes;
-  };
-  for (const Row& row : {Row{"s.nii", niftiFile(volume, Number::int16)},
-                         Row{"s.nrrd", nrrdFile(volume, "LPS", "gzip", Number::float32)},
-                         Row{"s.mha", metaImageFile(volume, true, Number::int32)}}) {
-    Mutator mutated(7, {});
-    for (int i = 0; i < 200; ++i) {
-      const auto file = written(folder, row.name, mutated(row.bytes));
-      const ReadOptions options{.thresholds = {{"bone", {}, {}}, {"skin", {}, {}}}};
-      const auto read = readSurfaces(file, options);
-      QVERIFY(read.ok() ? !read->meshes.empty()
-                        : !read.error().file.empty() && !read.error().remedy.empty());
-    }
-  }
 }
 
 void ScansTest::realCt() {

@@ -5,6 +5,8 @@
 
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_images.h"
+#include "tests/model/import/dicom/written_segmentation.h"
+#include "tests/model/import/dicom/written_structures.h"
 #include "tests/model/import/foreign/written_scenes.h"
 #include "tests/model/import/worker/spoiled_copies.h"
 #include "tests/support/suite.h"

@@ -4,103 +4,22 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "model/demo/pelvis/pelvis.h"
 #include "model/import/plan/import.h"
 #include "render/export/gltf/gltf_document.h"
 #include "render/export/gltf/gltf_file.h"
+#include "tests/render/export/gltf/gltf_sample.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
+using namespace sline::test;
 
 namespace {
-
-model::NodeId add(model::Scene& scene, const std::string& name, model::NodeId parent,
-                  const model::MeshPtr& mesh = nullptr) {
-  model::Node node;
-  node.name = name;
-  node.parent = parent;
-  node.mesh = mesh;
-  return scene.append(std::move(node));
-}
-
-model::MeshPtr meshOf(std::vector<glm::vec3> positions, std::vector<model::Triangle> triangles) {
-  return std::make_shared<const model::Mesh>(
-      std::move(model::Mesh::create(std::move(positions), std::move(triangles))).value());
-}
-
-void setStyle(model::Scene& scene, model::NodeId id, const model::Style& style) {
-  std::vector<model::Node> nodes = scene.nodes();
-  for (model::Node& node : nodes)
-    if (node.id == id)
-      node.style = style;
-  scene.setNodes(std::move(nodes));
-}
-
-/// Holds a scene that differs from its mirror image, with something of all that a scene can have.
-struct Sample {
-  model::Scene scene;
-  model::NodeId left;
-  model::NodeId front;
-  model::NodeId top;
-  model::NodeId hidden;
-};
-
-Sample sample() {
-  Sample s;
-  const auto organs = add(s.scene, "Organs", model::rootId);
-  const auto ball = test::sphere(10.0f, 1);
-  s.left = add(s.scene, "left ball", organs, test::moved(*ball, 1.0f, {100.0f, 5.0f, 3.0f}));
-  s.front = add(s.scene, "front ball", organs, test::moved(*ball, 0.5f, {-7.0f, -80.0f, 2.0f}));
-  const auto more = add(s.scene, "More of them", model::rootId);
-  s.top = add(s.scene, "top ball", more, test::moved(*ball, 2.0f, {-9.0f, 4.0f, 150.0f}));
-  add(s.scene, "low ball", more, test::moved(*ball, 1.0f, {20.0f, 0.0f, -120.0f}));
-  s.hidden = add(s.scene, "hidden ball", organs, test::moved(*ball, 1.0f, {0.0f, 0.0f, -90.0f}));
-  setStyle(s.scene, s.left,
-           {.colour = Colour{255, 128, 0},
-            .inkColour = Colour{0, 0, 128},
-            .gamma = Gamma::clamped(3.5f),
-            .opacity = Opacity::clamped(0.5f)});
-  setStyle(s.scene, s.hidden, {.visible = false});
-  model::Annotation label;
-  label.text = "Bällchen „links“";
-  label.texts["la"] = "globulus";
-  label.anchors = {model::SurfacePoint{s.left, 3, {0.25f, 0.25f}}};
-  const auto shown = s.scene.appendAnnotation(label);
-  model::Annotation distance;
-  distance.kind = model::AnnotationKind::distance;
-  distance.anchors = {glm::vec3(1.0f, 2.0f, 3.0f), glm::vec3(4.0f, 5.0f, 6.0f)};
-  s.scene.appendAnnotation(distance);
-  label.text = "not seen";
-  label.visible = false;
-  s.scene.appendAnnotation(label);
-  model::View view{.name = "Von vorn", .camera = {}};
-  view.looks = {{s.front, {.gamma = Gamma::clamped(1.0f)}, {}}, {s.hidden, {.visible = true}, {}}};
-  view.annotations = {shown};
-  model::View flat{.name = "Flach", .camera = {.projection = model::Projection::orthographic}};
-  flat.sections = {{.name = "cut", .plane = {{1.0f, 0.0f, 0.0f}, 20.0f}}};
-  s.scene.setViews({view, flat});
-  s.scene.appendSection({.name = "middle", .plane = {{0.0f, 1.0f, 0.0f}, 10.0f}});
-  return s;
-}
-
-render::ExportOrder orderOf(model::Scene scene) {
-  render::ExportOrder order;
-  order.scene = std::move(scene);
-  return order;
-}
-
-std::string bytesOf(const model::Scene& scene) {
-  const auto bytes = render::glbBytes(orderOf(scene), {});
-  return bytes.ok() ? *bytes : std::string();
-}
 
 std::uint32_t number(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -146,22 +65,12 @@ bool near(const glm::dvec3& a, const glm::dvec3& b, double within = 1e-5) {
   return glm::length(a - b) < within;
 }
 
-QByteArray readAll(const QString& file) {
-  QFile source(file);
-  return source.open(QIODevice::ReadOnly) ? source.readAll() : QByteArray();
-}
-
 }  // namespace
 
 class GltfTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase();
-  void validates_data();
-  void validates();
-  void validatesTheAbdomen();
-  void validatorFindsFaults();
   void sidesStay();
   void coloursAreLinear();
   void saysHowItIsDrawn();
@@ -172,123 +81,8 @@ class GltfTest : public QObject {
   void stopsAndRefuses();
 
  private:
-  /// Returns the report of Khronos's validator on the bytes; an empty object if it did not run.
-  QJsonObject judged(const std::string& bytes);
-  QString m_node;
-  QString m_why;  ///< why there is no validator
   QTemporaryDir m_folder;
 };
-
-void GltfTest::initTestCase() {
-  m_node = QStandardPaths::findExecutable("node");
-  const QString npm = QStandardPaths::findExecutable("npm");
-  if (m_node.isEmpty() || npm.isEmpty()) {
-    m_why = "Node.js and npm are not installed: nobody asked Khronos's validator";
-    return;
-  }
-  const QDir folder(SLINE_VALIDATOR_FOLDER);
-  QVERIFY(folder.mkpath("."));
-  bool same = folder.exists("node_modules/gltf-validator/package.json");
-  for (const char* file : {"package.json", "package-lock.json"}) {
-    const QString source = QString(SLINE_VALIDATOR_FILES) + "/" + file;
-    same = same && readAll(folder.filePath(file)) == readAll(source);
-    QFile::remove(folder.filePath(file));
-    QVERIFY(QFile::copy(source, folder.filePath(file)));
-  }
-  if (same)
-    return;
-  QProcess install;
-  install.setWorkingDirectory(folder.path());
-  install.start(npm, {"ci", "--no-audit", "--no-fund", "--ignore-scripts"});
-  if (!install.waitForFinished(120'000) || install.exitCode() != 0) {
-    install.kill();
-    install.waitForFinished();
-    m_why = "npm cannot fetch Khronos's validator: " + install.readAllStandardError();
-  }
-}
-
-QJsonObject GltfTest::judged(const std::string& bytes) {
-  const QString file = m_folder.filePath("scene.glb");
-  QFile out(file);
-  if (!out.open(QIODevice::WriteOnly) || out.write(bytes.data(), qint64(bytes.size())) < 0)
-    return {};
-  out.close();
-  QProcess validator;
-  validator.setWorkingDirectory(SLINE_VALIDATOR_FOLDER);
-  validator.start(m_node, {QString(SLINE_VALIDATOR_FILES) + "/validate.cjs", file});
-  if (!validator.waitForFinished(120'000))
-    return {};
-  if (const QByteArray complaint = validator.readAllStandardError(); !complaint.isEmpty())
-    qWarning("%s", complaint.constData());
-  return QJsonDocument::fromJson(validator.readAllStandardOutput()).object();
-}
-
-void GltfTest::validates_data() {
-  QTest::addColumn<model::Scene>("scene");
-  QTest::addColumn<int>("triangles");
-  QTest::newRow("all there is") << sample().scene << 4 * 80;
-  QTest::newRow("empty") << model::Scene() << 0;
-  model::Scene hidden;
-  setStyle(hidden, add(hidden, "ball", model::rootId, test::sphere(10.0f, 1)), {.visible = false});
-  QTest::newRow("all hidden") << hidden << 0;
-  hidden.setViews({{.name = "A view of nothing", .camera = {}}});
-  QTest::newRow("a view of nothing") << hidden << 0;
-  model::Scene names;
-  const auto group = add(names, "器官 / \"органы\"", model::rootId);
-  add(names, "Ä\u0301\n\t\\ 🫀", group, test::sphere(1.0f, 0));
-  add(names, std::string("no UTF-8: \xff\xc3"), group, test::sphere(2.0f, 0));
-  add(names, "", group, test::sphere(3.0f, 0));
-  QTest::newRow("names") << names << 60;
-  model::Scene triangle;
-  add(triangle, "triangle", model::rootId,
-      meshOf({{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}, {{0, 1, 2}}));
-  QTest::newRow("one triangle") << triangle << 1;
-  model::Scene odd;
-  add(odd, "a vertex of none, one without area", model::rootId,
-      meshOf({{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {5, 5, 5}, {6, 6, 6}}, {{0, 1, 2}, {3, 3, 3}}));
-  add(odd, "no triangles", model::rootId, meshOf({{0, 0, 0}}, {}));
-  QTest::newRow("odd meshes") << odd << 2;
-  QTest::newRow("pelvis") << model::pelvisDemo(model::Sex::female) << 377370;
-}
-
-void GltfTest::validates() {
-  if (!m_why.isEmpty())
-    QSKIP(qPrintable(m_why));
-  QFETCH(model::Scene, scene);
-  const QJsonObject verdict = judged(bytesOf(scene));
-  const QByteArray messages = QJsonDocument(verdict["messages"].toArray()).toJson();
-  QVERIFY2(verdict["errors"].toInt(-1) == 0 && verdict["warnings"].toInt(-1) == 0,
-           messages.constData());
-  QTEST(verdict["triangles"].toInt(), "triangles");
-}
-
-void GltfTest::validatesTheAbdomen() {
-  if (!m_why.isEmpty())
-    QSKIP(qPrintable(m_why));
-  const std::filesystem::path data = std::filesystem::path(SLINE_TEST_DATA) / "abdomen";
-  if (!std::filesystem::exists(data))
-    SLINE_ABSENT("no data of the abdomen");
-  model::ImportOptions options;
-  options.smoothing = {.mode = model::Smoothing::Mode::off};
-  const std::array inputs{data};
-  const auto imported = model::importInputs(inputs, options);
-  QVERIFY(imported.ok());
-  const QJsonObject verdict = judged(bytesOf(imported->scene));
-  QCOMPARE(verdict["errors"].toInt(-1), 0);
-  QCOMPARE(verdict["warnings"].toInt(-1), 0);
-  QVERIFY(verdict["triangles"].toInt() > 1'000'000);
-}
-
-/// Without this the validator's silence would mean nothing.
-void GltfTest::validatorFindsFaults() {
-  if (!m_why.isEmpty())
-    QSKIP(qPrintable(m_why));
-  std::string bytes = bytesOf(sample().scene);
-  const std::size_t at = bytes.find("\"NORMAL\"");
-  QVERIFY(at != std::string::npos);
-  bytes.replace(at, 8, "\"NORMAA\"");
-  QVERIFY(judged(bytes)["errors"].toInt() > 0);
-}
 
 void GltfTest::sidesStay() {
   const QJsonObject root = jsonOf(bytesOf(sample().scene));

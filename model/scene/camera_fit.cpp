@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Moves cameras so that points fill their picture.
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "model/scene/camera.h"
+#include "model/scene/camera_axes.h"
+#include "model/scene/free_sides.h"
+
+namespace sline::model {
+
+namespace {
+
+/// Holds the extent of points along the camera's axes: right, up, back.
+struct Extent {
+  CameraInterval right;
+  CameraInterval up;
+  CameraInterval back;
+  double size() const { return std::max({right.length(), up.length(), back.length()}); }
+};
+
+/// Says how far points may lie from the line of sight per unit of depth from the eye, towards
+/// smaller and towards larger coordinates. One of the two may be negative.
+struct Slopes {
+  double low;
+  double high;
+};
+
+/// Returns the slopes between the shares `low` and `high` of a picture; `tangent` is that of half
+/// its opening angle.
+Slopes slopesWithin(double tangent, double low, double high) {
+  return {(1.0 - 2.0 * low) * tangent, (1.0 - 2.0 * high) * tangent};
+}
+
+/// Fits one axis of a perspective. A point at (lateral r, depth b) is seen from an eye at (er, eb)
+/// where r − er ≤ high·(eb − b) and er − r ≤ low·(eb − b): each point gives two half-planes, of
+/// which only the outermost count.
+struct Support {
+  Slopes slopes;
+  double above = -std::numeric_limits<double>::infinity();  ///< max of r + high·b
+  double below = -std::numeric_limits<double>::infinity();  ///< max of −r + low·b
+  void add(double lateral, double depth) {
+    above = std::max(above, lateral + slopes.high * depth);
+    below = std::max(below, -lateral + slopes.low * depth);
+  }
+  double nearestEye() const { return (above + below) / (slopes.low + slopes.high); }
+};
+
+/// Returns the lateral eye position from which the outermost points on both sides lie equally far
+/// from their ends of the picture; found by bisection, since the difference of the two falls
+/// monotonically.
+double centredEye(std::span<const glm::dvec2> lateralAndDepth, const CameraInterval& range,
+                  double eyeDepth, const Slopes& allowed) {
+  const double aside = allowed.high - allowed.low;
+  double farthest = 0.0;
+  for (const glm::dvec2& p : lateralAndDepth)
+    farthest = std::max(farthest, eyeDepth - p.y);
+  double low = range.low - std::max(aside, 0.0) * farthest;
+  double high = range.high + std::max(-aside, 0.0) * farthest;
+  for (int step = 0; step < 40 && low < high; ++step) {
+    const double eye = 0.5 * (low + high);
+    CameraInterval slopes;
+    for (const glm::dvec2& p : lateralAndDepth)
+      slopes.add((p.x - eye) / (eyeDepth - p.y));
+    (slopes.low + slopes.high > aside ? low : high) = eye;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Returns the position of the eye in the camera's axes.
+glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const Extent& extent,
+                          const Slopes& across, const Slopes& upwards) {
+  Support horizontal{across};
+  Support vertical{upwards};
+  for (const glm::dvec3& p : points) {
+    horizontal.add(p.x, p.z);
+    vertical.add(p.y, p.z);
+  }
+  // This keeps the eye out of the points where they form a needle along the line of sight.
+  const double clear = extent.back.high + 1e-3 * extent.size();
+  const double depth = std::max({horizontal.nearestEye(), vertical.nearestEye(), clear});
+
+  std::vector<glm::dvec2> lateral(points.size());
+  std::transform(points.begin(), points.end(), lateral.begin(),
+                 [](const glm::dvec3& p) { return glm::dvec2(p.x, p.z); });
+  const double right = centredEye(lateral, extent.right, depth, across);
+  std::transform(points.begin(), points.end(), lateral.begin(),
+                 [](const glm::dvec3& p) { return glm::dvec2(p.y, p.z); });
+  return {right, centredEye(lateral, extent.up, depth, upwards), depth};
+}
+
+}  // namespace
+
+Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect) {
+  return fitted(camera, points, aspect, FreeSides());
+}
+
+Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect,
+              const FreeSides& sides) {
+  if (points.empty())
+    return camera;
+  const CameraAxes axes = axesOf(camera);
+  std::vector<glm::dvec3> local(points.size());
+  Extent extent;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::dvec3 p(points[i]);
+    local[i] = {glm::dot(p, axes.right), glm::dot(p, axes.up), glm::dot(p, axes.back)};
+    extent.right.add(local[i].x);
+    extent.up.add(local[i].y);
+    extent.back.add(local[i].z);
+  }
+
+  const double focus = glm::length(glm::dvec3(camera.eye) - glm::dvec3(camera.target));
+  glm::dvec3 eye(extent.right.middle(), extent.up.middle(), extent.back.middle() + focus);
+  if (camera.projection == Projection::orthographic) {
+    const double height =
+        std::max(extent.up.length() / (1.0 - sides.top - sides.bottom),
+                 extent.right.length() / double(aspect) / (1.0 - sides.left - sides.right));
+    if (height > 0.0) {
+      camera.heightMm = float(height);
+      eye.x -= 0.5 * height * double(aspect) * (sides.left - sides.right);
+      eye.y -= 0.5 * height * (sides.bottom - sides.top);
+    }
+    if (extent.size() > 0.0)
+      eye.z = extent.back.high + extent.size();
+  } else if (extent.size() > 0.0) {
+    const double tangent = halfTangent(camera);
+    eye = perspectiveFit(local, extent,
+                         slopesWithin(tangent * double(aspect), sides.left, sides.right),
+                         slopesWithin(tangent, sides.bottom, sides.top));
+  }
+  const auto world = [&axes](const glm::dvec3& p) {
+    return glm::vec3(p.x * axes.right + p.y * axes.up + p.z * axes.back);
+  };
+  camera.target = world({eye.x, eye.y, extent.back.middle()});
+  camera.eye = world(eye);
+  return camera;
+}
+
+}  // namespace sline::model

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lays out the labels of one request. Labels choose their posts (layouter.cpp) and are given places
+// there (label_places.cpp), until none is in conflict with another.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "render/labels/column.h"
+#include "render/labels/label_room.h"
+
+namespace sline::render {
+
+/// Tracks an item in this layout.
+struct Fate {
+  LabelPost post = LabelPost::left;
+  bool tried = false;  ///< has also tried the other side
+  bool out = false;
+};
+
+class Layouter {
+ public:
+  Layouter(const LabelRequest& request, const LabelLayout* before)
+      : m_request(request),
+        m_before(before),
+        m_frame(frameOf(request.space)),
+        m_fates(request.items.size()),
+        m_placed(request.items.size()) {}
+
+  LabelLayout layOut();
+
+ private:
+  const LabelItem& item(std::size_t i) const { return m_request.items[i]; }
+  const PlacedLabel* before(std::size_t i) const {
+    return m_before ? m_before->find(item(i).id) : nullptr;
+  }
+  Column column(LabelPost post) const;
+
+  void setColumns();
+  /// Makes room for the widest box in each column. While layouts follow each other, columns only
+  /// grow, and at once far enough to need no further growth.
+  void widen();
+  /// Returns the heights of a column that are taken by things that do not give way, or by its
+  /// labels' dots.
+  std::vector<Span> blockedIn(LabelPost post) const;
+  bool fit(LabelPost post) const { return fitIn(column(post), inColumn(post)); }
+  /// Returns how many degrees the camera has turned since the label last jumped.
+  float calm(std::size_t i) const;
+  /// Returns where the camera was at the last jump; zero for a label that has not jumped.
+  glm::vec3 lastJump(std::size_t i) const;
+  /// Tells whether the label may not jump in this layout.
+  bool rests(std::size_t i) const { return m_request.moving && calm(i) <= restDegrees; }
+  /// Tells whether the box is wider than half of the frame, which is each column's share. One label
+  /// takes more only where no narrower one stands.
+  bool tooWide(std::size_t i) const { return item(i).box.x > 0.5f * m_frame.size().x; }
+  void choosePosts();
+  /// Lets a label that is too wide into a column where nothing else stands.
+  void letWideIn();
+  LabelPost sideOf(std::size_t i) const;
+  /// Moves the items nearest to the middle to the other side or out, until both columns' boxes fit
+  /// in.
+  void relieve(LabelPost post);
+  std::vector<ColumnItem> inColumn(LabelPost post) const;
+  float wantedHeight(std::size_t i) const;
+  void place();
+  void placeByHand(std::size_t i);
+  /// Tells whether part of the box is outside the frame or where something is reserved, or whether
+  /// it covers what it points at.
+  bool misplaced(std::size_t i) const;
+  void placeColumn(LabelPost post);
+  /// Places items so that those that were there before stay, except for those that must move;
+  /// returns false where that fails.
+  bool placeSteadily(LabelPost post, const std::vector<ColumnItem>& items);
+  void put(const ColumnItem& one, LabelPost post, const ColumnPlacement& place);
+  void placeBeside(std::size_t i);
+  bool fits(std::size_t i, const LabelBox& box) const;
+  std::optional<std::size_t> firstLoser() const;
+  bool inConflict(std::size_t i, std::size_t j) const;
+  std::size_t loserOf(std::size_t i, std::size_t j) const;
+  void giveWay(std::size_t i);
+  LabelLayout answer() const;
+
+  const LabelRequest& m_request;
+  const LabelLayout* m_before;
+  LabelBox m_frame;
+  std::array<float, 2> m_near{};  ///< the edges of columns that have room there
+  std::array<float, 2> m_edges{};
+  std::array<float, 2> m_widths{};
+  float m_middle = 0.0f;
+  float m_width = 0.0f;             ///< that of the anatomy
+  std::vector<std::size_t> m_wide;  ///< those that wait for a column without narrower labels
+  std::vector<Fate> m_fates;
+  std::vector<std::optional<PlacedLabel>> m_placed;
+};
+
+}  // namespace sline::render

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lays the strokes of one cube of a surface.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/lines/stroke_layout.h"
+
+namespace sline::render {
+
+/// The distance of marks along a stroke, in distances between strokes.
+inline constexpr float markStep = 0.35f;
+
+/// Lays one cube's strokes.
+class StrokeLayout::Placer {
+ public:
+  Placer(const StrokeLayout& layout, int level, StrokeSpacing& taken);
+
+  void place(const PlacedSeed& seed);
+  LaidTile take();
+
+ private:
+  struct Own {
+    StrokeSpacing::Mark mark;
+    float place;  ///< mm from the seed along the stroke, negative one way
+  };
+
+  class Arm;
+
+  bool meetsItself(const StrokeSpacing::Mark& mark, float place) const;
+  void keep(const PlacedSeed& seed);
+
+  const StrokeLayout& m_layout;
+  float m_distance;
+  float m_half;  ///< mm, the longest half of a stroke
+  float m_step;
+  StrokeSpacing& m_taken;
+  std::vector<SurfacePoint> m_points;
+  std::vector<Own> m_marks;
+  std::uint32_t m_seedPoint = 0;
+  LaidTile m_tile;
+};
+
+}  // namespace sline::render

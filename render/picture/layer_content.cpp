@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/picture/layer_content.h"
+
+#include <set>
+#include <vector>
+
+#include "model/base/parallel.h"
+
+namespace sline::render {
+
+namespace {
+
+bool needsLines(const PictureInput& input, const PreparedStructure& shown) {
+  return ((input.parts.lines || input.parts.hatching) && showsLines(shown.style)) ||
+         (input.parts.fills && showsEdges(shown.style)) || (input.parts.lines && shown.cut);
+}
+
+bool hatches(const PictureInput& input, const PreparedStructure& shown) {
+  return input.parts.hatching && !shown.printedHatching && showsHatching(shown.style);
+}
+
+}  // namespace
+
+SurfaceFill shownFill(const PictureInput& input, const PreparedStructure& shown) {
+  return input.parts.fills ? surfaceFill(shown, input.view, input.background) : SurfaceFill{};
+}
+
+void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
+                      std::span<const std::size_t> changed) {
+  std::set<CachedSurface*> hatched;
+  for (const std::size_t i : changed)
+    for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
+      const PreparedStructure& shown = layers[i].members[k];
+      const float shading = shownFill(input, shown).shading;
+      if ((shading > 0.0f && shading < 1.0f) || shown.printedHatching)
+        shown.cached->needShape();
+      if (hatches(input, shown) && !shown.cached->strokes)
+        hatched.insert(shown.cached);
+      if (!layers[i].coverage[k].ranges.empty())
+        shown.cached->needWhole();
+    }
+  const std::vector<CachedSurface*> each(hatched.begin(), hatched.end());
+  parallelFor(each.size(), 1, [&](std::size_t i) { each[i]->needStrokes(); });
+}
+
+void findLines(const PictureInput& input, std::span<const Layer> layers,
+               std::span<const std::size_t> changed, std::map<model::NodeId, StructureLines>& lines,
+               Stopwatch& stopwatch) {
+  struct Absent {
+    const PreparedStructure* shown;
+    StructureLines* lines;
+  };
+  std::vector<Absent> absent;
+  for (const std::size_t i : changed)
+    for (const PreparedStructure& shown : layers[i].members)
+      if (needsLines(input, shown))
+        if (const auto [it, fresh] = lines.try_emplace(shown.id); fresh)
+          absent.push_back({&shown, &it->second});
+  parallelFor(absent.size(), 1, [&](std::size_t i) {
+    const PreparedStructure& shown = *absent[i].shown;
+    absent[i].lines->lines = styledLines(shown.surface(), input.view, shown.style);
+  });
+  stopwatch.lines();
+  parallelFor(absent.size(), 1, [&](std::size_t i) {
+    const PreparedStructure& shown = *absent[i].shown;
+    StructureLines& drawn = *absent[i].lines;
+    if (hatches(input, shown))
+      drawn.hatching = styledHatching(*shown.cached->strokes, input.view, shown.style, input.light);
+    if (shown.cut)
+      cutLines(*shown.cut, drawn);
+    joinLines(shown.surface(), input.view, shown.style, drawn.lines);
+  });
+}
+
+}  // namespace sline::render

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws the surfaces, caps and ink of layers into the atlas.
+#include <algorithm>
+#include <optional>
+
+#include "render/picture/layer_content.h"
+#include "render/picture/layer_painter.h"
+#include "render/strokes/section_caps.h"
+#include "render/strokes/surface_fill.h"
+
+namespace sline::render {
+
+namespace {
+
+/// Returns the direction towards the key light, in the camera's frame.
+glm::vec3 keyLight(const PictureInput& input) {
+  return input.keyLight ? input.light : glm::vec3(0.0f);
+}
+
+}  // namespace
+
+void LayerPainter::clear(gpu::Device& device, std::span<const Layer> layers,
+                         std::span<const std::size_t> changed) const {
+  const auto clearBoth = [&](std::optional<PixelRect> area) {
+    device.clear(m_atlas.surfaceTarget(), {.colour = glm::vec4(0.0f), .depth = 1.0f, .area = area});
+    device.clear(m_atlas.inkTarget(), {.colour = glm::vec4(0.0f), .depth = 1.0f, .area = area});
+  };
+  if (m_freshAtlas)
+    clearBoth(std::nullopt);
+  else
+    for (const std::size_t i : changed)
+      clearBoth(layers[i].slot);
+}
+
+void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,
+                               DrawQueue& queue) const {
+  const passes::SurfaceView view{.viewProjection = input.view.viewProjection(),
+                                 .eye = input.view.eyeVector(),
+                                 .pictureSize = input.view.size(),
+                                 .key = input.view.toPatient(keyLight(input))};
+  for (std::size_t i = 0; i < layer.members.size(); ++i) {
+    const PreparedStructure& shown = layer.members[i];
+    const std::vector<glm::vec4> sections =
+        shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
+    passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
+                             .ranges = layer.coverage[i].ranges,
+                             .visible = layer.coverage[i].visible,
+                             .layer = layer.area,
+                             .slot = layer.slot,
+                             .fill = shownFill(input, shown),
+                             .sections = sections};
+    if (draw.visible.empty()) {
+      m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
+      for (const gpu::DrawRange& range : draw.ranges)
+        queue.addTriangles(device, range.count);
+      continue;
+    }
+    std::span<const std::uint32_t> left = draw.visible;
+    while (!left.empty()) {
+      draw.visible = left.first(std::min(left.size(), DrawQueue::mostIndices));
+      m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
+      queue.addTriangles(device, draw.visible.size());
+      left = left.subspan(draw.visible.size());
+    }
+  }
+}
+
+void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input,
+                            const Layer& layer) const {
+  for (const PreparedStructure& shown : layer.members) {
+    if (!hasCaps(shown))
+      continue;
+    const CapDraws caps = capDraws(shown, input.view, input.background, layer.area, layer.slot);
+    for (const passes::CapDraw& draw : caps.draws)
+      m_capPass->draw(device, m_atlas.surfaceTarget(), draw);
+  }
+}
+
+void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
+                                std::span<const Layer> layers,
+                                std::span<const std::size_t> changed) const {
+  DrawQueue queue;
+  for (const std::size_t i : changed)
+    if (layers[i].shows()) {
+      drawSurface(device, input, layers[i], queue);
+      drawCaps(device, input, layers[i]);
+    }
+  // Where a layer has a fill, it lies as deep as its surface; elsewhere only its ink counts. All
+  // copies come after all surfaces: a software driver starts anew at each change of target.
+  for (const std::size_t i : changed)
+    if (layers[i].shows() && layers[i].filled) {
+      device.copyDepth(m_atlas.surfaceTarget(), m_atlas.inkTarget(), layers[i].slot);
+      queue.addCopies(device, layers[i].slot);
+    }
+}
+
+passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& layer,
+                                      const PreparedStructure& shown) {
+  const ContourProbes probes = contourProbes(shown.surface(), input.view, shown.style);
+  return {.layer = layer.area,
+          .slot = layer.slot,
+          .projection = input.view.depthTerms(),
+          .probe = probes.probe,
+          .reach = probes.reach,
+          .sheet = probes.sheet};
+}
+
+void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
+                           std::vector<Layer>& layers, std::span<const std::size_t> changed) {
+  std::vector<Stroke> all;
+  const auto append = [&all](std::vector<Stroke>& some) {
+    all.insert(all.end(), some.begin(), some.end());
+    some = {};
+  };
+  // Collects all edges, then all strokes, so that the target changes once.
+  std::vector<passes::InkDraw> edges;
+  std::vector<passes::InkDraw> strokes;
+  for (const std::size_t i : changed)
+    for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
+      const PreparedStructure& shown = layers[i].members[k];
+      passes::InkDraw draw = inkDraw(input, layers[i], shown);
+      draw.first = all.size();
+      draw.count = layers[i].edges[k].size();
+      const SurfaceFill fill = shownFill(input, shown);
+      draw.kind = passes::InkKind::edges;
+      draw.paint = glm::vec4(fill.colour, fill.complete * fill.opacity);
+      draw.key = keyLight(input);
+      append(layers[i].edges[k]);
+      edges.push_back(draw);
+    }
+  for (const std::size_t i : changed) {
+    passes::InkDraw draw = inkDraw(input, layers[i], layers[i].members.front());
+    draw.first = all.size();
+    draw.count = firstContour(layers[i].strokes);
+    strokes.push_back(draw);
+    draw.kind = passes::InkKind::contours;
+    draw.first += draw.count;
+    draw.count = layers[i].strokes.size() - draw.count;
+    strokes.push_back(draw);
+    append(layers[i].strokes);
+  }
+  m_inkPass->upload(all);
+  DrawQueue queue;
+  const auto drawAll = [&](std::span<const passes::InkDraw> draws, const gpu::Target& target) {
+    for (const passes::InkDraw& draw : draws) {
+      const std::size_t end = draw.first + draw.count;
+      for (passes::InkDraw piece = draw; piece.first < end; piece.first += piece.count) {
+        piece.count = std::min(end - piece.first, DrawQueue::mostStrokes);
+        m_inkPass->draw(device, target, m_atlas.surfaceDepths(), piece);
+        queue.addStrokes(device, piece.count);
+      }
+    }
+  };
+  drawAll(edges, m_atlas.edgeTarget());
+  drawAll(strokes, m_atlas.inkTarget());
+}
+
+}  // namespace sline::render

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Returns a scene's JSON and its meshes by name.
+#pragma once
+
+#include "model/scene_file/scene_json.h"
+
+namespace sline::test {
+
+model::MeshesByName meshesByName(const model::Scene& scene);
+
+model::Json jsonOf(const model::Scene& scene);
+
+}  // namespace sline::test

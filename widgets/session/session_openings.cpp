@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// Opens, adds, reloads and closes what the document is made of.
+#include <filesystem>
+#include <utility>
+
+#include "model/edit/look.h"
+#include "model/import/kinds/file_kinds.h"
+#include "model/import/plan/scene_inputs.h"
+#include "widgets/session/session.h"
+
+namespace sline::widgets {
+
+namespace {
+
+Result<LoadedDocument> loadedDocument(Result<ReadDocument> read, const QString& title) {
+  if (!read.ok())
+    return read.error();
+  return LoadedDocument{.scene = std::move(read->scene),
+                        .title = title,
+                        .remarks = {},
+                        .file = std::move(read->file)};
+}
+
+QStringList remarksOf(const model::Reloaded& reloaded) {
+  using Fate = model::ReloadedFile::Fate;
+  QStringList remarks;
+  const auto renewed = int(reloaded.meshes.size());
+  remarks << (renewed == 0 ? Session::tr("No file that could be read again has changed")
+                           : Session::tr("%n structures were read again", nullptr, renewed));
+  for (const model::ReloadedFile& file : reloaded.files)
+    if (file.fate == Fate::absent || file.fate == Fate::failed)
+      remarks << QString::fromStdString(file.file + ": " + file.reason);
+  for (const model::ImportWarning& warning : reloaded.warnings)
+    remarks << QString::fromStdString(warning.file + ": " + warning.reason);
+  return remarks;
+}
+
+/// Returns where to look for files again, because scenes refer to files beside them.
+std::vector<std::filesystem::path> placesOf(std::vector<std::filesystem::path> sources) {
+  for (std::filesystem::path& path : sources)
+    if (!model::isSurfaceFile(path) && !std::filesystem::is_directory(path))
+      path = path.parent_path();
+  return sources;
+}
+
+/// Makes structures hide what is behind them unless the scene sets a fill, because a drawing in a
+/// window is read as solid.
+model::Scene solid(const model::Scene& scene) {
+  NodeIds top;
+  for (const model::Node& node : scene.nodes()) {
+    if (node.style.fill)
+      return scene;
+    if (node.parent == model::rootId)
+      top.push_back(node.id);
+  }
+  return model::withLook(scene, top, {.fill = model::Fill::paper}).scene;
+}
+
+}  // namespace
+
+void Session::openPaths(std::vector<std::filesystem::path> paths) {
+  const QString title = titleOf(paths);
+  startJob(title, [paths = std::move(paths), title, lock = file().lock](
+                      const model::ImportProgress& progress, const std::stop_token&) {
+    if (paths.size() == 1 && model::isSceneFile(paths.front())) {
+      Result<LoadedDocument> loaded = loadedDocument(readDocument(paths.front(), lock), title);
+      if (loaded.ok())
+        loaded->paths = paths;
+      return loaded;
+    }
+    auto imported = model::importInputs(paths, {}, progress);
+    if (!imported)
+      return Result<LoadedDocument>(imported.error());
+    return Result<LoadedDocument>(loadedDocument(std::move(*imported), paths));
+  });
+}
+
+void Session::openMade(const QString& title, SceneMaker maker) {
+  startJob(title, std::move(maker));
+}
+
+void Session::openRecovered(const model::Recoverable& found) {
+  const QString title = QString::fromStdString(found.source.title);
+  startJob(title, [found, title, lock = file().lock](const model::ImportProgress&,
+                                                     const std::stop_token&) {
+    return loadedDocument(readRecovered(found, lock), title);
+  });
+}
+
+void Session::reloadSources() {
+  startJob(m_document.title, [scene = sceneBeforePreview(), places = sources()](
+                                 const model::ImportProgress& progress, const std::stop_token&) {
+    const auto goesOn = [&progress] { return progress(0.0f, {}); };
+    model::Reloaded reloaded = model::reload(scene, placesOf(places), {.goesOn = goesOn});
+    return Result<LoadedDocument>(
+        LoadedDocument{.remarks = remarksOf(reloaded), .renewed = std::move(reloaded.meshes)});
+  });
+}
+
+void Session::revert() {
+  if (file().path.empty())
+    return;
+  startJob(title(), [path = file().path, lock = file().lock, opening = m_document.opening](
+                        const model::ImportProgress&, const std::stop_token&) {
+    Result<LoadedDocument> loaded = loadedDocument(readDocument(path, lock), {});
+    if (loaded.ok())
+      loaded->reverts = opening;
+    return loaded;
+  });
+}
+
+void Session::openEmpty(const QString& title) {
+  cancelJob();
+  cancelPreview();
+  addOpening({.scene = {}, .title = title}, {.saved = model::Scene()});
+}
+
+void Session::closeDocument() {
+  cancelJob();
+  cancelPreview();
+  if (m_document.opening != 0)
+    push(tr("Close %1").arg(title()), {}, {});
+}
+
+void Session::open(const LoadedDocument& loaded) {
+  cancelPreview();
+  m_sources[m_openings + 1] = loaded.paths;
+  DocumentFile file = loaded.file.value_or(DocumentFile());
+  Document document{.scene = solid(loaded.scene), .title = loaded.title};
+  if (!file.copy)
+    file.saved = document.scene;
+  if (model::hasNoLook(loaded.scene))
+    m_withoutLook.insert(m_openings + 1);
+  addOpening(std::move(document), std::move(file));
+  emit opened(loaded.paths);
+  if (!loaded.remarks.isEmpty())
+    emit remarked(loaded.remarks);
+}
+
+void Session::add(const LoadedDocument& loaded) {
+  cancelPreview();
+  model::Scene together = m_document.scene;
+  std::vector<model::NodeId> fresh;
+  for (const auto& [old, id] : model::append(together, solid(loaded.scene)))
+    if (old != model::rootId)
+      fresh.push_back(id);
+  std::vector<std::filesystem::path>& sources = m_sources[m_document.opening];
+  sources.insert(sources.end(), loaded.paths.begin(), loaded.paths.end());
+  apply(tr("Add %1").arg(loaded.title), {std::move(together), true});
+  select(fresh);
+  if (!loaded.remarks.isEmpty())
+    emit remarked(loaded.remarks);
+}
+
+void Session::renew(const LoadedDocument& loaded) {
+  apply(tr("Reload from source"),
+        {model::withNewMeshes(sceneBeforePreview(), *loaded.renewed), !loaded.renewed->empty()});
+  emit remarked(loaded.remarks);
+}
+
+void Session::goBack(const LoadedDocument& loaded) {
+  cancelPreview();
+  if (m_document.opening != loaded.reverts)
+    return;  // undo went to another document meanwhile
+  DocumentFile file = *loaded.file;
+  const model::Scene scene = solid(loaded.scene);
+  file.saved = scene;
+  m_files[loaded.reverts] = std::move(file);
+  if (!apply(tr("Revert to Saved"), {scene, !(scene == m_document.scene)}))
+    compareWithFile(true);
+}
+
+void Session::addOpening(Document document, DocumentFile file) {
+  document.opening = ++m_openings;
+  m_files[document.opening] = std::move(file);
+  if (m_document.opening == 0 && m_history.count() == 0)
+    set(std::move(document));  // there is nothing to go back to
+  else
+    push(tr("Open %1").arg(document.title), document, {});
+}
+
+void Session::startJob(const QString& title, SceneMaker maker) {
+  cancelJob();
+  m_job = new SceneJob(std::move(maker), this);
+  connect(m_job, &SceneJob::progressed, this,
+          [this, job = m_job](double done, const QString& what) {
+            if (job == m_job)
+              emit jobProgressed(done, what);
+          });
+  connect(m_job, &SceneJob::made, this, [this, job = m_job](const LoadedDocument& loaded) {
+    if (job != m_job)
+      return;
+    endJob();
+    if (loaded.renewed)
+      renew(loaded);
+    else if (loaded.added)
+      add(loaded);
+    else if (loaded.reverts != 0)
+      goBack(loaded);
+    else
+      open(loaded);
+  });
+  connect(m_job, &SceneJob::failed, this, [this, job = m_job](const Error& error) {
+    if (job != m_job)
+      return;
+    endJob();
+    emit failed(error);
+  });
+  emit jobStarted(title);
+  m_job->start();
+}
+
+void Session::cancelJob() {
+  if (!m_job)
+    return;
+  // The job is released at once and deletes itself when its thread has stopped.
+  connect(m_job, &SceneJob::cancelled, m_job, &QObject::deleteLater);
+  connect(m_job, &SceneJob::done, m_job, &QObject::deleteLater);
+  m_job->cancel();
+  m_job = nullptr;
+  emit jobEnded();
+}
+
+void Session::endJob() {
+  m_job->deleteLater();
+  m_job = nullptr;
+  emit jobEnded();
+}
+
+}  // namespace sline::widgets

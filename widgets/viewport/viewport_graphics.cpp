@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Has pictures drawn and puts them on screen.
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/strokes/surface_fill.h"
+#include "widgets/viewport/viewport.h"
+
+namespace sline::widgets {
+
+namespace {
+
+int scaled(int pixels, float scale) {
+  return std::max(1, int(std::lround(float(pixels) * scale)));
+}
+
+}  // namespace
+
+render::gpu::TextureSize Viewport::pixels() const {
+  const double ratio = devicePixelRatioF();
+  return {.width = std::max(1, int(std::lround(width() * ratio))),
+          .height = std::max(1, int(std::lround(height() * ratio)))};
+}
+
+void Viewport::initializeGL() {
+  // A widget that moves to another window, or has lost its context, begins anew.
+  closeGraphics();
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::closeGraphics,
+          Qt::UniqueConnection);
+  const auto text = [gl = context()->functions()](GLenum name) {
+    return QString::fromUtf8(reinterpret_cast<const char*>(gl->glGetString(name)));
+  };
+  m_driver = text(GL_RENDERER) + QStringLiteral(", ") + text(GL_VERSION);
+  openGraphics();
+}
+
+void Viewport::openGraphics() {
+  m_handoff = std::make_unique<render::gpu::Handoff>();
+  m_thread = std::make_unique<RenderThread>(*context(), *m_handoff, m_factory);
+  connect(m_thread.get(), &RenderThread::drawn, this, &Viewport::took);
+  connect(m_thread.get(), &RenderThread::labelled, this, [this](const LabelSheetPtr& sheet) {
+    m_labels->took(sheet, m_drawnCamera.value_or(m_camera));
+  });
+  connect(m_thread.get(), &RenderThread::previewed, this, &Viewport::previewed);
+  connect(m_thread.get(), &RenderThread::failed, this, &Viewport::failure);
+  refresh();
+}
+
+void Viewport::closeGraphics() {
+  if (!m_handoff)
+    return;
+  m_thread.reset();
+  makeCurrent();
+  m_handoff->releaseShowing();
+  m_handoff.reset();
+  doneCurrent();
+  m_shown = 0;
+}
+
+void Viewport::failure(const Error& error) {
+  // Recovery is tried once: a lost context is made anew, with all that was drawn in it. A second
+  // failure has another reason.
+  if (m_rebuilt || !context()) {
+    emit failed(error);
+    return;
+  }
+  m_rebuilt = true;
+  // Graphics must not be rebuilt within a signal of the thread that is then destroyed.
+  QMetaObject::invokeMethod(this, &Viewport::rebuildGraphics, Qt::QueuedConnection);
+}
+
+void Viewport::rebuildGraphics() {
+  if (!m_handoff || !context())
+    return;
+  closeGraphics();
+  openGraphics();
+}
+
+void Viewport::paintGL() {
+  if (!m_handoff)
+    return;
+  if (m_shown == 0) {
+    // The background is shown until there is a picture.
+    const glm::vec4 paper = render::backgroundColour(m_background);
+    context()->functions()->glClearColor(paper.r, paper.g, paper.b, 1.0f);
+    context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
+    m_handoff->warmUp();
+  }
+  const std::uint64_t shown = m_handoff->show(pixels());
+  if (shown == m_shown)
+    return;
+  m_shown = shown;
+  // Receivers may ask for things that must not happen within a paint event.
+  QMetaObject::invokeMethod(this, &Viewport::pictureShown, Qt::QueuedConnection);
+}
+
+void Viewport::resizeGL(int, int) {
+  refresh();
+}
+
+void Viewport::refresh() {
+  refresh(m_blend ? m_blend->at(flownPart()) : shownScene());
+}
+
+void Viewport::refresh(model::Scene scene) {
+  if (!m_thread)
+    return;
+  // A moving section keeps to the scale of the camera's moves, because another size draws
+  // everything anew.
+  m_askedScale = m_moving ? m_quality.scale() : 1.0f;
+  const render::gpu::TextureSize size = pixels();
+  PictureRequest request{.number = ++m_asked,
+                         .scene = std::move(scene),
+                         .camera = m_camera,
+                         .settings = {.width = scaled(size.width, m_askedScale),
+                                      .height = scaled(size.height, m_askedScale),
+                                      .environment = environment()},
+                         .scale = m_askedScale,
+                         .moving = m_moving,
+                         .labels = m_labels->wish(m_moving)};
+  m_thread->ask(std::move(request));
+}
+
+void Viewport::askPreviews(PreviewRequest request) {
+  if (m_thread)
+    m_thread->ask(std::move(request));
+}
+
+void Viewport::took(const PictureReport& report) {
+  m_rebuilt = false;
+  m_took = report.number;
+  m_lastMilliseconds = report.milliseconds;
+  m_lastLayersDrawn = report.layersDrawn;
+  // Only pictures of a moving camera are drawn anew as a whole; others keep most layers.
+  if (report.moving && !m_cutting)
+    m_quality.took(report.milliseconds, report.scale);
+  m_marks->showTime(report.milliseconds, report.scale);
+  m_drawnCamera = report.camera;
+  m_labels->took(report.labels, report.camera);
+  const bool first = m_marksAwait != 0 && m_took >= m_marksAwait;
+  if (first)
+    m_marksAwait = 0;
+  if (report.moving || first)
+    placeMarks();
+  else
+    showTools();
+  if (m_took == m_asked)
+    dragOn();
+  update();
+}
+
+bool Viewport::upToDate() const {
+  return m_shown != 0 && m_shown == m_asked && m_took == m_asked && m_askedScale == 1.0f &&
+         !m_moving && !m_flight && m_labels->ready();
+}
+
+}  // namespace sline::widgets
