@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Lists endings of kinds that no export writes; a file named so would be taken for what it is not.
+/// Lists endings of well-known kinds besides those of the tables of formats and of file kinds; a
+/// file named so would be taken for what it is not.
 constexpr std::array<std::string_view, 26> foreignEndings{
     "ai",  "avi", "bmp", "csv",  "doc", "docx", "eps", "fcsv", "htm", "html", "json", "md",   "mkv",
     "mov", "mpg", "mrb", "mrml", "odp", "odt",  "ppt", "pptx", "ps",  "svgz", "txt",  "webm", "gz"};

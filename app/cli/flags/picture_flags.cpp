@@ -2,12 +2,12 @@
 #include "app/cli/flags/picture_flags.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/trigonometric.hpp>
 
 #include "app/cli/files/camera_file.h"
 #include "app/cli/files/interruption.h"
 #include "app/cli/files/names.h"
+#include "app/cli/flags/style_flags.h"
 #include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "model/edit/visibility.h"
@@ -76,15 +76,6 @@ Status collect(const model::Scene& scene, const std::vector<Assignment<T>>& assi
   }
   return collect(scene, styles, patches);
 }
-
-/// Describes a flag that sets a single field of a style.
-struct StyleFlag {
-  std::vector<std::string> PictureFlags::*typed;
-  Result<model::Style> (*parse)(std::string_view);
-};
-constexpr std::array<StyleFlag, 3> styleFlags{{{&PictureFlags::pens, parsePen},
-                                               {&PictureFlags::hatchDensities, parseHatchDensity},
-                                               {&PictureFlags::hatchTones, parseHatchTone}}};
 
 std::vector<model::NodeId> allBelow(const model::Scene& scene, model::NodeId id) {
   std::vector<model::NodeId> ids;
@@ -183,6 +174,18 @@ Status parseFillFlag(const PictureFlags& flags, PictureSpec& spec) {
   return Unit{};
 }
 
+Status parseStyleFlags(const PictureFlags& flags, PictureSpec& spec) {
+  for (const StyleFlag& flag : styleFlags()) {
+    const auto typed = flags.styles.find(flag.flag);
+    if (typed == flags.styles.end())
+      continue;
+    const auto parse = [&flag](std::string_view text) { return flag.parse(flag.what, text); };
+    if (Status parsed = parseAssignments(typed->second, parse, spec.styles); !parsed.ok())
+      return parsed;
+  }
+  return Unit{};
+}
+
 Status parseLabelFlags(const PictureFlags& flags, PictureSpec& spec) {
   const Result<LabelSpec> labels = parseFlags(flags.labels);
   if (!labels.ok())
@@ -233,9 +236,8 @@ Result<PictureSpec> parseFlagsWithoutOutput(const PictureFlags& flags) {
   if (Status parsed = parseAssignments(flags.inkColours, parseColour, spec.inkColours);
       !parsed.ok())
     return parsed.error();
-  for (const StyleFlag& flag : styleFlags)
-    if (Status parsed = parseAssignments(flags.*flag.typed, flag.parse, spec.styles); !parsed.ok())
-      return parsed.error();
+  if (const Status set = parseStyleFlags(flags, spec); !set.ok())
+    return set.error();
   for (const Assignment<Colour>& assignment : spec.colours)
     if (!assignment.name)
       return Error{.reason = "a colour is given without the name of a structure or group",

@@ -2,6 +2,7 @@
 // Declares the flags that say how a scene is drawn, shared by `render` and `demo`.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,9 +36,8 @@ struct PictureFlags {
   std::vector<std::string> gammas;
   std::vector<std::string> colours;
   std::vector<std::string> inkColours;
-  std::vector<std::string> pens;
-  std::vector<std::string> hatchDensities;
-  std::vector<std::string> hatchTones;
+  /// Holds what was typed after each of the flags of style_flags.h that were given.
+  std::map<std::string, std::vector<std::string>> styles;
   std::vector<std::string> only;
   SectionFlags sections;
   FocusFlags focus;

@@ -8,6 +8,7 @@
 #include "app/cli/flags/option_kinds.h"
 #include "app/cli/flags/picture_flags.h"
 #include "app/cli/flags/section_options.h"
+#include "app/cli/flags/style_flags.h"
 
 namespace sline::cli {
 
@@ -21,17 +22,14 @@ inline CLI::Option* addStyleOptions(CLI::App& command, PictureFlags& flags) {
                          "The colour of lines and hatching, of all (--ink-color #30405a), of a "
                          "structure or of all in a group"));
   ink->type_name("[NAME=]#rrggbb");
-  many(command.add_option("--pen", flags.pens,
-                          "How wide lines are, 0 to 10 times the usual, of all (--pen 1.5), of a "
-                          "structure or of all in a group"))
-      ->type_name("[NAME=]W");
-  many(command.add_option("--hatch-density", flags.hatchDensities,
-                          "How many strokes hatching has, 0 to 4 times the usual; they get thinner "
-                          "as they become more, and its tone stays"))
-      ->type_name("[NAME=]D");
-  many(command.add_option("--hatch-tone", flags.hatchTones,
-                          "How dark hatching is, 0 to 4 times the usual, by the width of strokes"))
-      ->type_name("[NAME=]T");
+  for (const StyleFlag& flag : styleFlags())
+    many(command.add_option_function<std::vector<std::string>>(
+             flag.flag,
+             [&flags, &flag](const std::vector<std::string>& typed) {
+               flags.styles[flag.flag] = typed;
+             },
+             flag.help))
+        ->type_name(flag.value);
   command
       .add_option("--fill", flags.fill,
                   "What hides behind unfilled structures: none lets it show through, paper hides "

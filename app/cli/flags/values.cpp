@@ -11,7 +11,6 @@
 #include "model/base/letters.h"
 #include "model/import/volumes/threshold_presets.h"
 #include "model/scene/light.h"
-#include "model/scene/style_fields.h"
 #include "render/export/order/common_options.h"
 #include "render/export/pixels/pixel_options.h"
 
@@ -107,10 +106,8 @@ Result<Gamma> parseGamma(std::string_view text) {
   return *gamma;
 }
 
-namespace {
-
-Result<float> withinLimits(std::string_view what, std::string_view text,
-                           const Limits<float>& limits) {
+Result<float> parseWithin(std::string_view what, std::string_view text,
+                          const Limits<float>& limits) {
   const std::string right = "a number from " + std::to_string(int(limits.low)) + " to " +
                             std::to_string(int(limits.high)) +
                             " (1 is the usual), or NAME=NUMBER for one structure or group";
@@ -121,33 +118,6 @@ Result<float> withinLimits(std::string_view what, std::string_view text,
     return Error{.reason = std::string(what) + " " + std::string(text) + " is out of range",
                  .remedy = "Give " + right};
   return *value;
-}
-
-template <class Field>
-Result<model::Style> parseField(const Field& field, std::string_view what, std::string_view text) {
-  const Result<float> number = withinLimits(what, text, field.limits());
-  if (!number)
-    return number.error();
-  model::Style style;
-  if constexpr (std::is_same_v<typename Field::Value, float>)
-    style.*field.own = *number;
-  else
-    style.*field.own = Field::Value::clamped(*number);
-  return style;
-}
-
-}  // namespace
-
-Result<model::Style> parsePen(std::string_view text) {
-  return parseField(model::style_fields::penWeight, "pen", text);
-}
-
-Result<model::Style> parseHatchDensity(std::string_view text) {
-  return parseField(model::style_fields::hatchDensity, "hatch density", text);
-}
-
-Result<model::Style> parseHatchTone(std::string_view text) {
-  return parseField(model::style_fields::hatchTone, "hatch tone", text);
 }
 
 Result<Colour> parseColour(std::string_view text) {

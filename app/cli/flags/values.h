@@ -29,10 +29,9 @@ Result<Size> parseSize(std::string_view text);
 Result<std::optional<int>> parseSamples(const std::string& text);
 /// Reads "2.5", within [0, 5].
 Result<Gamma> parseGamma(std::string_view text);
-/// Each reads a number within its range and returns a style that sets this one field.
-Result<model::Style> parsePen(std::string_view text);
-Result<model::Style> parseHatchDensity(std::string_view text);
-Result<model::Style> parseHatchTone(std::string_view text);
+/// Reads a number within the limits, of which 1 is the usual; errors call it `what`.
+Result<float> parseWithin(std::string_view what, std::string_view text,
+                          const Limits<float>& limits);
 /// Reads "#rrggbb".
 Result<Colour> parseColour(std::string_view text);
 /// Reads "LPS", "RAS" or "file"; case is ignored.
