@@ -15,10 +15,11 @@ namespace sline::widgets {
 
 namespace {
 
-std::vector<QString> ids(std::initializer_list<const char*> words) {
+/// Splits at blanks; "|" is a separator, which has no id.
+std::vector<QString> ids(const char* text) {
   std::vector<QString> ids;
-  for (const char* word : words)
-    ids.push_back(QLatin1String(word));
+  for (const QString& word : QString::fromLatin1(text).split(QLatin1Char(' ')))
+    ids.push_back(word == QLatin1String("|") ? QString() : word);
   return ids;
 }
 
@@ -30,110 +31,42 @@ std::vector<MenuRow> menuRows() {
   };
   return {
       row("fileMenu", tr("&File"),
-          ids({"new",
-               "openFiles",
-               "openFolder",
-               ">recentMenu",
-               ">demoMenu",
-               "",
-               "importFiles",
-               "importFolder",
-               "importAgain",
-               "",
-               "save",
-               "saveAs",
-               "saveCopy",
-               "revert",
-               "",
-               "export",
-               "printProof",
-               "",
-               "reload",
-               "recover",
-               "",
-               "close",
-               "quit"})),
+          ids("new openFiles openFolder >recentMenu >demoMenu | importFiles importFolder "
+              "importAgain | save saveAs saveCopy revert | export printProof | reload "
+              "recover | close quit")),
       row("recentMenu", tr("Open &Recent"), {}),
       row("demoMenu", tr("&Demo"), {}),
-      row("editMenu", tr("&Edit"),
-          ids({"undo", "redo", "", "copyPicture", "", "find", "", "preferences"})),
+      row("editMenu", tr("&Edit"), ids("undo redo | copyPicture | find | preferences")),
       row("structureMenu", tr("&Structure"),
-          ids({"focus",   "context", "ghost",      "colour",     ">inheritMenu",
-               "",        "toggle",  "isolate",    "hideOthers", "showAll",
-               "zoomTo",  "",        "rename",     "newGroup",   "group",
-               "ungroup", "lock",    "properties", "",           "remove"})),
-      row("inheritMenu", tr("&Inherit"),
-          ids({"inherit", "inheritColour", "inheritOpacity", "", "inheritAll"})),
+          ids("focus context ghost colour >inheritMenu | toggle isolate hideOthers "
+              "showAll zoomTo | rename newGroup group ungroup lock properties | remove")),
+      row("inheritMenu", tr("&Inherit"), ids("inherit inheritColour inheritOpacity | inheritAll")),
       row("labelMenu", tr("&Labels"),
-          ids({"annotateLabel", "annotateCallout", "annotatePin", "annotateDistance", "",
-               "labelSelected", "", "labelEdit", "labelDelete", "", ">labelModeMenu"})),
+          ids("annotateLabel annotateCallout annotatePin annotateDistance | labelSelected "
+              "| labelEdit labelDelete | >labelModeMenu")),
       row("labelModeMenu", tr("S&how as"), {}),
       row("viewMenu", tr("&View"),
-          ids({"anterior",
-               "posterior",
-               "left",
-               "right",
-               "superior",
-               "inferior",
-               "fit",
-               "zoomTo",
-               "",
-               "plate",
-               "anotherSubject",
-               "",
-               ">savedViews",
-               "addView",
-               "present",
-               "",
-               ">sectionMenu",
-               "keyLight",
-               ">backgroundMenu",
-               ">marksMenu",
-               "",
-               ">panelMenu"})),
+          ids("anterior posterior left right superior inferior fit zoomTo | plate "
+              "anotherSubject | >savedViews addView present | >sectionMenu keyLight "
+              ">backgroundMenu >marksMenu | >panelMenu")),
       row("savedViews", tr("Saved &Views"), {}),
       row("sectionMenu", tr("S&ection"),
-          ids({"sectionSagittal", "sectionCoronal", "sectionAxial", "sectionFacing", "",
-               "sectionFlip", "sectionOff"})),
+          ids("sectionSagittal sectionCoronal sectionAxial sectionFacing | sectionFlip "
+              "sectionOff")),
       row("backgroundMenu", tr("&Background"), {}),
       row("marksMenu", tr("&Over the Picture"),
-          ids({"showCube", "showScaleBar", "showNames", "showFrameTime"})),
+          ids("showCube showScaleBar showNames showFrameTime")),
       row("panelMenu", tr("Pa&nels"), {}),
-      row("helpMenu", tr("&Help"), ids({"help", "controls", "", "about"})),
+      row("helpMenu", tr("&Help"), ids("help controls | about")),
   };
 }
 
 std::vector<QString> toolRows() {
-  return ids({"openFiles",
-              "openFolder",
-              "save",
-              "export",
-              "",
-              "undo",
-              "redo",
-              "",
-              "focus",
-              "context",
-              "isolate",
-              "showAll",
-              "",
-              "anterior",
-              "posterior",
-              "left",
-              "right",
-              "superior",
-              "inferior",
-              "fit",
-              "",
-              "sectionSagittal",
-              "sectionCoronal",
-              "sectionAxial",
-              "sectionFlip",
-              "",
-              "annotateLabel",
-              "annotateDistance",
-              "",
-              "keyLight"});
+  return ids(
+      "openFiles openFolder save export | undo redo | focus context isolate "
+      "showAll | anterior posterior left right superior inferior fit | "
+      "sectionSagittal sectionCoronal sectionAxial sectionFlip | annotateLabel "
+      "annotateDistance | keyLight");
 }
 
 WindowMenus::WindowMenus(QMainWindow& window, const WindowActions& actions) {

@@ -16,9 +16,11 @@ namespace sline::model {
 class OpeningLookTest : public QObject {
   Q_OBJECT
 
+  static constexpr Colour ivory{248, 234, 214};
+
   static NodeId add(Scene& scene, const char* name, float radius, const glm::vec3& at,
-                    NodeId group = rootId, const Colour& colour = {200, 120, 90}) {
-    Node node{.parent = group, .name = name};
+                    const Colour& colour = {200, 120, 90}) {
+    Node node{.name = name};
     node.mesh = test::moved(*test::sphere(radius, 3), 1.0f, at);
     node.style.colour = colour;
     return scene.append(std::move(node));
@@ -27,12 +29,12 @@ class OpeningLookTest : public QObject {
   static Scene body() {
     Scene scene;
     add(scene, "liver", 40.0f, {0, 0, 0});
-    add(scene, "portal vein", 6.0f, {0, 0, -47}, rootId, {40, 60, 180});
-    add(scene, "vertebra L1", 20.0f, {0, 80, 0}, rootId, {248, 234, 214});
-    add(scene, "vertebra L2", 20.0f, {0, 80, -45}, rootId, {248, 234, 214});
-    add(scene, "left rib 9", 12.0f, {60, -20, 0}, rootId, {248, 234, 214});
-    add(scene, "right rib 9", 12.0f, {-60, -30, 10}, rootId, {248, 234, 214});
-    add(scene, "rectus abdominis muscle", 30.0f, {0, -90, 0}, rootId, {100, 42, 36});
+    add(scene, "portal vein", 6.0f, {0, 0, -47}, {40, 60, 180});
+    add(scene, "vertebra L1", 20.0f, {0, 80, 0}, ivory);
+    add(scene, "vertebra L2", 20.0f, {0, 80, -45}, ivory);
+    add(scene, "left rib 9", 12.0f, {60, -20, 0}, ivory);
+    add(scene, "right rib 9", 12.0f, {-60, -30, 10}, ivory);
+    add(scene, "rectus abdominis muscle", 30.0f, {0, -90, 0}, {100, 42, 36});
     return scene;
   }
   static std::string firstTitle(const Scene& scene) { return subjectsOf(scene).front().title; }
@@ -57,7 +59,10 @@ class OpeningLookTest : public QObject {
   void ligandsComeFirst() {
     Scene scene;
     const NodeId ligands = scene.append({.name = "Ligands"});
-    add(scene, "ANP", 5.0f, {0, 0, 0}, ligands);
+    add(scene, "ANP", 5.0f, {0, 0, 0});
+    std::vector<Node> nodes = scene.nodes();
+    nodes.back().parent = ligands;
+    scene.setNodes(std::move(nodes));
     add(scene, "Chain A", 40.0f, {0, 0, 0});
     QCOMPARE(firstTitle(scene), std::string("ligands"));
   }
@@ -115,7 +120,7 @@ class OpeningLookTest : public QObject {
   void viewThatShowsMost() {
     Scene scene;
     add(scene, "liver", 30.0f, {0, 0, 0});
-    add(scene, "sternum", 80.0f, {0, -115, 0}, rootId, {248, 234, 214});
+    add(scene, "sternum", 80.0f, {0, -115, 0}, ivory);
     QVERIFY(look(scene).view != AnatomicalView::anterior);
     QVERIFY(look(scene, {.view = AnatomicalView::left}).view == AnatomicalView::left);
     const Camera camera = anatomicalCamera(AnatomicalView::superior, scene.visibleBounds(), 1.0f);

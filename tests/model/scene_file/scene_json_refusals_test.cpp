@@ -16,7 +16,6 @@ using namespace sline::test;
 namespace {
 using Change = std::function<void(Json&)>;
 }  // namespace
-Q_DECLARE_METATYPE(Change)
 
 class SceneJsonRefusalsTest : public QObject {
   Q_OBJECT
