@@ -2481,6 +2481,42 @@
         <source>A window of their own</source>
         <translation>Ein eigenes Fenster</translation>
     </message>
+    <message>
+        <source>Look of what is opened</source>
+        <translation>Aussehen beim Öffnen</translation>
+    </message>
+    <message>
+        <source>Where a file says nothing of how it looks: a plate draws what it is about in detail and everything else as context</source>
+        <translation>Wo eine Datei nichts über ihr Aussehen sagt: Eine Tafel zeichnet, worum es geht, ausführlich und alles andere als Umgebung</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Schlicht</translation>
+    </message>
+    <message>
+        <source>Dra&amp;w as Plate</source>
+        <translation>Als Tafel zeich&amp;nen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L</source>
+        <translation>Ctrl+Shift+L</translation>
+    </message>
+    <message>
+        <source>What the scene is about in detail, seen from where it shows best, everything else as context</source>
+        <translation>Worum es in der Szene geht, ausführlich und von dort gesehen, wo es sich am besten zeigt; alles andere als Umgebung</translation>
+    </message>
+    <message>
+        <source>Another S&amp;ubject</source>
+        <translation>Anderes The&amp;ma</translation>
+    </message>
+    <message>
+        <source>A plate of what else the scene may be about; again for the next</source>
+        <translation>Eine Tafel von etwas anderem, worum es in der Szene gehen kann; noch einmal für das nächste</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2951,6 +2987,14 @@ OpenGL: %3</translation>
     <message>
         <source>Context %1 %</source>
         <translation>Kontext %1 %</translation>
+    </message>
+    <message>
+        <source>Opening look</source>
+        <translation>Aussehen beim Öffnen</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Tafel</translation>
     </message>
 </context>
 <context>

@@ -2481,6 +2481,42 @@
         <source>A window of their own</source>
         <translation>Et eget vindu</translation>
     </message>
+    <message>
+        <source>Look of what is opened</source>
+        <translation>Utseende ved åpning</translation>
+    </message>
+    <message>
+        <source>Where a file says nothing of how it looks: a plate draws what it is about in detail and everything else as context</source>
+        <translation>Der en fil ikke sier noe om utseendet: En plansje tegner det den handler om i detalj og alt annet som omgivelse</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Plansje</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Enkelt</translation>
+    </message>
+    <message>
+        <source>Dra&amp;w as Plate</source>
+        <translation>Tegn som plans&amp;je</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L</source>
+        <translation>Ctrl+Shift+L</translation>
+    </message>
+    <message>
+        <source>What the scene is about in detail, seen from where it shows best, everything else as context</source>
+        <translation>Det scenen handler om i detalj, sett derfra det vises best, alt annet som omgivelse</translation>
+    </message>
+    <message>
+        <source>Another S&amp;ubject</source>
+        <translation>Annet &amp;motiv</translation>
+    </message>
+    <message>
+        <source>A plate of what else the scene may be about; again for the next</source>
+        <translation>En plansje av noe annet scenen kan handle om; en gang til for det neste</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2951,6 +2987,14 @@ OpenGL: %3</translation>
     <message>
         <source>Context %1 %</source>
         <translation>Kontekst %1 %</translation>
+    </message>
+    <message>
+        <source>Opening look</source>
+        <translation>Utseende ved åpning</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Plansje</translation>
     </message>
 </context>
 <context>

@@ -2481,6 +2481,42 @@
         <source>A window of their own</source>
         <translation>Een eigen venster</translation>
     </message>
+    <message>
+        <source>Look of what is opened</source>
+        <translation>Uiterlijk bij openen</translation>
+    </message>
+    <message>
+        <source>Where a file says nothing of how it looks: a plate draws what it is about in detail and everything else as context</source>
+        <translation>Waar een bestand niets over het uiterlijk zegt: een plaat tekent waar het om gaat in detail en al het andere als omgeving</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Plaat</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Eenvoudig</translation>
+    </message>
+    <message>
+        <source>Dra&amp;w as Plate</source>
+        <translation>Als plaat te&amp;kenen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L</source>
+        <translation>Ctrl+Shift+L</translation>
+    </message>
+    <message>
+        <source>What the scene is about in detail, seen from where it shows best, everything else as context</source>
+        <translation>Waar de scène over gaat in detail, gezien vanwaar het zich het best toont; al het andere als omgeving</translation>
+    </message>
+    <message>
+        <source>Another S&amp;ubject</source>
+        <translation>Ander onder&amp;werp</translation>
+    </message>
+    <message>
+        <source>A plate of what else the scene may be about; again for the next</source>
+        <translation>Een plaat van iets anders waar de scène over kan gaan; nogmaals voor het volgende</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2951,6 +2987,14 @@ OpenGL: %3</translation>
     <message>
         <source>Context %1 %</source>
         <translation>Context %1 %</translation>
+    </message>
+    <message>
+        <source>Opening look</source>
+        <translation>Uiterlijk bij openen</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Plaat</translation>
     </message>
 </context>
 <context>

@@ -112,14 +112,24 @@ std::optional<OpeningLook> openingLook(const Scene& scene, FormIndex& forms,
   return look;
 }
 
+namespace {
+
+/// Returns the structures that carry visible annotations, which a picture must show.
+Ids annotated(const Scene& scene) {
+  Ids ids;
+  for (const Annotation& annotation : scene.annotations())
+    for (const Anchor& anchor : annotation.anchors)
+      if (const auto* point = std::get_if<SurfacePoint>(&anchor); point && annotation.visible)
+        ids.insert(point->structure.value);
+  return ids;
+}
+
+}  // namespace
+
 Camera framedCamera(const OpeningLook& look, float aspect, const FreeSides& sides) {
   const Scene& scene = look.scene;
-  Ids beside;
-  if (look.analysis)
-    for (const Relation& relation : look.analysis->relations)
-      if (relation.role != ContextRole::target && relation.nearness >= 0.5f)
-        beside.insert(relation.structure.value);
   const Ids subject = idsOf(look.subject.structures);
+  const Ids noted = annotated(scene);
   Box box;
   for (const VisibleStructure& each : visibleStructures(scene))
     if (subject.contains(each.node->id.value))
@@ -127,23 +137,23 @@ Camera framedCamera(const OpeningLook& look, float aspect, const FreeSides& side
   const glm::vec3 size = box.high - box.low;
   const Box whole = scene.visibleBounds();
   constexpr float small = 0.4f;
-  if (glm::length(size) < small * glm::length(whole.high - whole.low)) {
+  if (noted.empty() && glm::length(size) < small * glm::length(whole.high - whole.low)) {
     // A subject that is small in the scene, such as a ligand, has something of the scene around it.
     constexpr float around = 0.6f;
     const glm::vec3 more(around * glm::length(size));
     return fitted(look.camera, Box{box.low - more, box.high + more}.corners(), aspect, sides);
   }
-  constexpr float around = 0.2f;  // of the subject's size may be neighbours' on either side
-  const glm::vec3 more = around * size;
+  constexpr float around = 0.7f;  // of the subject's length may be context's on either side
+  const glm::vec3 more(around * std::max({size.x, size.y, size.z}));
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes) {
     if (node.isGroup())
       continue;
-    const bool asked = subject.contains(node.id.value);
+    const bool asked = subject.contains(node.id.value) || noted.contains(node.id.value);
     const Box own = node.mesh->bounds();
     const bool fits = glm::all(glm::greaterThanEqual(own.low, box.low - more)) &&
                       glm::all(glm::lessThanEqual(own.high, box.high + more));
-    if (!asked && !(beside.contains(node.id.value) && fits))
+    if (!asked && !fits)
       node.style.visible = false;
   }
   Scene shown = scene;

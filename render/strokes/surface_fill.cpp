@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/strokes/surface_fill.h"
 
+#include "model/base/contrast.h"
 #include "render/lines/lines.h"
 #include "render/lines/stages.h"
 
@@ -29,9 +30,13 @@ glm::vec4 backgroundColour(Background background) {
 }
 
 Colour inkColour(const model::ResolvedStyle& style, Background background) {
-  if (style.inkColour)
-    return *style.inkColour;
-  return background == Background::dark ? Colour{238, 236, 230} : Colour{0, 0, 0};
+  if (background != Background::dark)
+    return style.inkColour.value_or(Colour{0, 0, 0});
+  // Inks are chosen for paper; on a dark ground they are lightened as far as lines need.
+  constexpr Colour light{238, 236, 230};
+  constexpr Colour ground{28, 30, 34};
+  constexpr double legible = 4.5;
+  return style.inkColour ? legibleOn(ground, *style.inkColour, legible) : light;
 }
 
 bool isOpaque(const model::ResolvedStyle& style) {

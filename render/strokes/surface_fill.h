@@ -33,7 +33,8 @@ inline glm::vec3 rgb(const Colour& colour) {
 }
 /// Returns the background in sRGB with straight alpha.
 glm::vec4 backgroundColour(Background background);
-/// Returns the pen's colour: the style's own, else black, on a dark background nearly white.
+/// Returns the pen's colour: the style's own, else black. On a dark background the style's own is
+/// lightened as far as lines need, else it is nearly white.
 Colour inkColour(const model::ResolvedStyle& style, Background background);
 
 /// Returns whether a structure hides what is behind and has no lines.

@@ -13,6 +13,7 @@
 #include "render/strokes/coverage.h"
 #include "render/strokes/structure_lines.h"
 #include "render/strokes/surface_fill.h"
+#include "render/vectors/crumbs.h"
 #include "render/vectors/fill_shapes.h"
 #include "render/vectors/paint_order.h"
 #include "render/vectors/pen_shapes.h"
@@ -250,10 +251,16 @@ class Drawing {
                               .probes = contourProbes(work.shown.surface(), *m_view, style),
                               .ink = opacity};
       PenShapes pen(m_page, vectorTolerance * m_view->outputUnit());
+      const bool hatched = !one.hatching.strokes.empty();
+      std::vector<VisibleStroke> visible;
       for (const InkChain& chain :
            inkChains(strokes(work.shown.surface(), *m_view, style, one, work.area)))
-        for (const VisibleStroke& stroke : withinPage(visibleStrokes(chain, scene), m_view->size()))
-          pen.add(stroke, colour);
+        for (VisibleStroke& stroke : withinPage(visibleStrokes(chain, scene), m_view->size()))
+          visible.push_back(std::move(stroke));
+      if (!hatched)
+        visible = withoutCrumbs(std::move(visible), m_view->outputUnit());
+      for (const VisibleStroke& stroke : visible)
+        pen.add(stroke, colour);
       one = {};
       if (std::vector<VectorShape> shapes = pen.take(); !shapes.empty())
         structure.lines.push_back({kind, opacity, std::move(shapes)});

@@ -77,11 +77,11 @@ std::vector<ActionRow> lookRows() {
        {QKeySequence(tr("F")), QKeySequence(tr("Ctrl+E"))},
        tr("The selected structures in detail, everything else by what it is to them"),
        "focus"},
-      {QStringLiteral("plate"), tr("&Plate"), key(tr("Ctrl+Shift+L")),
+      {QStringLiteral("plate"), tr("Dra&w as Plate"), key(tr("Ctrl+Shift+L")),
        tr("What the scene is about in detail, seen from where it shows best, everything else as "
           "context")},
       {QStringLiteral("anotherSubject"),
-       tr("A&nother Subject"),
+       tr("Another S&ubject"),
        {},
        tr("A plate of what else the scene may be about; again for the next")},
       {QStringLiteral("context"), tr("&Context"), key(tr("Ctrl+D")),

@@ -323,6 +323,8 @@ Result<model::Scene> withOpeningLook(const model::Scene& scene, PictureSpec& spe
     wishes.camera = spec.camera;
   else if (const model::View* saved = savedView(scene, spec.view))
     wishes.camera = saved->camera;
+  else if (!spec.view.empty() && !viewOf(spec))
+    return scene;  // `cameraFor` says what is wrong
   else if (!spec.view.empty())
     wishes.view = viewOf(spec);
   model::FormIndex forms;

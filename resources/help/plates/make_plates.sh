@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Draws the pictures of plates.md anew, from scenes that ship with the program:
-#   make_plates.sh SLINE [TRACHEA.glb]
-# SLINE is the built program. With the trachea of the Human Reference Atlas (plates.md says where it
-# is published) the endoscopic view is drawn too.
+#   make_plates.sh SLINE [TRACHEA.glb [PELVIS HEART.glb]]
+# SLINE is the built program. With the trachea, the folder of a male pelvis and the female heart of
+# the Human Reference Atlas (plates.md says where they are published) the endoscopic view and what
+# opens as a plate are drawn too.
 set -euo pipefail
 
-sline=$(realpath "${1:?usage: make_plates.sh SLINE [TRACHEA.glb]}")
+sline=$(realpath "${1:?usage: make_plates.sh SLINE [TRACHEA.glb [PELVIS HEART.glb]]}")
 trachea=${2:+$(realpath "$2")}
+pelvis_folder=${3:+$(realpath "$3")}
+heart=${4:+$(realpath "$4")}
 cd "$(dirname "$0")"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -72,4 +75,15 @@ if [ -n "$trachea" ]; then
   for gamma in 3 4.5; do
     keep "$scratch/trachea_$gamma.png" "trachea_gamma_$gamma.png"
   done
+fi
+
+opening() { # NAME INPUT: plain and as it opens, side by side
+  "$sline" render "$2" --look plain --size 560x560 -o "$scratch/$1_plain.png"
+  "$sline" render "$2" --size 560x560 -o "$scratch/$1_plate.png"
+  oiiotool "$scratch/$1_plain.png" "$scratch/$1_plate.png" --mosaic 2x1 -o "$scratch/$1.png"
+  keep "$scratch/$1.png" "opening_$1.png"
+}
+if [ -n "$heart" ]; then
+  opening pelvis "$pelvis_folder"
+  opening heart "$heart"
 fi

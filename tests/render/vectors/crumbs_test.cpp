@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/vectors/crumbs.h"
+
+#include <QTest>
+
+#include "tests/support/suite.h"
+
+namespace sline::render {
+
+class CrumbsTest : public QObject {
+  Q_OBJECT
+
+  static constexpr float unit = 3.0f;  // pixels to λ
+
+  /// A straight stroke from `from` λ to `to` λ along a row.
+  static VisibleStroke stroke(float from, float to, float row = 0.0f) {
+    VisibleStroke one;
+    constexpr int steps = 10;
+    for (int i = 0; i <= steps; ++i)
+      one.points.push_back(
+          {unit * glm::vec2(from + (to - from) * float(i) / float(steps), row), 1.0f});
+    return one;
+  }
+  static std::size_t kept(std::vector<VisibleStroke> strokes) {
+    return withoutCrumbs(std::move(strokes), unit).size();
+  }
+
+ private slots:
+  void isolatedCrumbsGo() {
+    QCOMPARE(kept({stroke(0, 20), stroke(0, 7.5f, 10)}), std::size_t(1));
+    QCOMPARE(kept({stroke(0, 20), stroke(0, 8.5f, 10)}), std::size_t(2));
+  }
+  void whatContinuesALineStays() {
+    QCOMPARE(kept({stroke(0, 20), stroke(21.5f, 23)}), std::size_t(2));
+    QCOMPARE(kept({stroke(0, 20), stroke(22.5f, 24)}), std::size_t(1));
+    // Crumbs in a row are one line with gaps.
+    QCOMPARE(kept({stroke(0, 20, 50), stroke(0, 4), stroke(5, 9)}), std::size_t(3));
+    QCOMPARE(kept({stroke(0, 20, 50), stroke(0, 3), stroke(4, 7)}), std::size_t(1));
+  }
+  void theOnlyOneStays() {
+    QCOMPARE(kept({stroke(0, 2)}), std::size_t(1));
+    QCOMPARE(kept({stroke(0, 2), stroke(0, 3, 10)}), std::size_t(1));
+    QCOMPARE(kept({}), std::size_t(0));
+  }
+  void closedLinesStay() {
+    VisibleStroke ring = stroke(0, 2, 10);
+    ring.closed = true;
+    QCOMPARE(kept({stroke(0, 20), ring}), std::size_t(2));
+  }
+};
+
+}  // namespace sline::render
+
+SLINE_TEST(sline::render::CrumbsTest)
+#include "crumbs_test.moc"
