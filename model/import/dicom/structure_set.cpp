@@ -7,9 +7,9 @@
 #include <map>
 #include <utility>
 
-#include "model/import/dicom/contour_stack.h"
-#include "model/import/dicom/contour_surface.h"
-#include "model/import/dicom/stack_sampling.h"
+#include "model/import/contours/contour_stack.h"
+#include "model/import/contours/contour_surface.h"
+#include "model/import/contours/stack_sampling.h"
 
 namespace sline::model {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "model/import/dicom/contour_stack.h"
+#include "model/import/contours/contour_stack.h"
 
 namespace sline::model {
 

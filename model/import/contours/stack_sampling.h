@@ -4,8 +4,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "model/import/dicom/contour_stack.h"
-#include "model/import/dicom/slice_shape.h"
+#include "model/import/contours/contour_stack.h"
+#include "model/import/contours/slice_shape.h"
 
 namespace sline::model {
 

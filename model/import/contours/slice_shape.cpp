@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/dicom/slice_shape.h"
+#include "model/import/contours/slice_shape.h"
 
 #include <algorithm>
 #include <cmath>

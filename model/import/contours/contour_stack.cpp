@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/dicom/contour_stack.h"
+#include "model/import/contours/contour_stack.h"
 
 #include <algorithm>
 #include <cmath>

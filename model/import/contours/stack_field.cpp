@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/dicom/stack_field.h"
+#include "model/import/contours/stack_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "model/base/parallel.h"
-#include "model/import/dicom/slice_shape.h"
-#include "model/import/dicom/stack_sampling.h"
+#include "model/import/contours/slice_shape.h"
+#include "model/import/contours/stack_sampling.h"
 
 namespace sline::model {
 

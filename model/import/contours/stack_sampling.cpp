@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/dicom/stack_sampling.h"
+#include "model/import/contours/stack_sampling.h"
 
 #include <algorithm>
 #include <array>

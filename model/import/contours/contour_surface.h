@@ -2,7 +2,7 @@
 // Turns a stack of contours into one closed surface.
 #pragma once
 
-#include "model/import/dicom/contour_stack.h"
+#include "model/import/contours/contour_stack.h"
 #include "model/import/source/raw_mesh.h"
 #include "model/import/source/read_options.h"
 

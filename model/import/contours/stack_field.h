@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "model/import/dicom/contour_stack.h"
+#include "model/import/contours/contour_stack.h"
 
 namespace sline::model {
 

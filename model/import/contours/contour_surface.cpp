@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/dicom/contour_surface.h"
+#include "model/import/contours/contour_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "model/import/dicom/stack_field.h"
+#include "model/import/contours/stack_field.h"
 #include "model/isosurface/zero_surface.h"
 #include "model/meshing/half_edges.h"
 #include "model/meshing/vertex_rings.h"
