@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "model/import/naming/laterality.h"
 #include "model/meshing/simplification.h"
 
 namespace sline::model {
