@@ -139,7 +139,7 @@ Camera framedCamera(const OpeningLook& look, float aspect, const FreeSides& side
   constexpr float small = 0.4f;
   if (noted.empty() && glm::length(size) < small * glm::length(whole.high - whole.low)) {
     // A subject that is small in the scene, such as a ligand, has something of the scene around it.
-    constexpr float around = 0.6f;
+    constexpr float around = 0.4f;
     const glm::vec3 more(around * glm::length(size));
     return fitted(look.camera, Box{box.low - more, box.high + more}.corners(), aspect, sides);
   }
