@@ -27,7 +27,7 @@ float lengthOf(const VisibleStroke& stroke) {
 class Joints {
  public:
   Joints(const std::vector<VisibleStroke>& strokes, float distance)
-      : m_strokes(strokes), m_distance(distance), m_root(strokes.size()) {
+      : m_distance(distance), m_root(strokes.size()) {
     std::iota(m_root.begin(), m_root.end(), std::size_t(0));
     for (std::size_t i = 0; i < strokes.size(); ++i)
       if (!strokes[i].points.empty())
@@ -54,7 +54,6 @@ class Joints {
     m_cells[{column, row}].emplace_back(stroke, end);
   }
 
-  const std::vector<VisibleStroke>& m_strokes;
   float m_distance;
   std::vector<std::size_t> m_root;
   std::map<std::pair<int, int>, std::vector<std::pair<std::size_t, glm::vec2>>> m_cells;
