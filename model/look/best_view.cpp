@@ -77,7 +77,7 @@ class DepthMap {
     const int bottom = int(std::floor(high.y));
     const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (left > right || top > bottom || area == 0.0f)
-      return put(int(a.x + 0.5f), int(a.y + 0.5f), a.z, wanted);
+      return put(int(std::lround(a.x)), int(std::lround(a.y)), a.z, wanted);
     for (int y = top; y <= bottom; ++y)
       for (int x = left; x <= right; ++x) {
         const float px = float(x) - a.x;

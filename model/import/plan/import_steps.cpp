@@ -149,7 +149,8 @@ Status checkAnythingLeft(const DecidedParts& decided, const ReadInputs& read) {
 
 Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const ReadInputs& read,
                            ProgressMeter& meter) {
-  auto& [parts, report] = decided;
+  std::vector<Part>& parts = decided.parts;
+  ImportReport& report = decided.report;
   const ImportOptions& options = plan.options;
   std::vector<Scan> scans = plan.scene.scans();
   if (options.keepScans)

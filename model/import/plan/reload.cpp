@@ -128,7 +128,7 @@ Result<MeshPtr> repeatImport(RawMesh raw, Provenance& as, const ReadOptions& opt
     return mesh;
   // As many triangles are removed as before, within the bound of the earlier decimation.
   if (as.decimatedFrom > 0 && as.decimationMm > 0.0f)
-    return decimated(std::move(*mesh), as.decimationMm, as, options.goesOn);
+    return decimated(*mesh, as.decimationMm, as, options.goesOn);
   return mesh;
 }
 

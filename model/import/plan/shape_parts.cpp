@@ -172,7 +172,8 @@ void placeParts(std::vector<Part>& parts, const Sources& sources,
   std::erase_if(parts, [](const Part& part) { return !part.mesh; });
 }
 
-MeshPtr decimated(MeshPtr mesh, float bound, Provenance& as, const std::function<bool()>& goesOn) {
+MeshPtr decimated(const MeshPtr& mesh, float bound, Provenance& as,
+                  const std::function<bool()>& goesOn) {
   const int before = int(mesh->triangleCount());
   Simplified fewer = simplified(mesh, bound, goesOn);
   const bool same = fewer.mesh == mesh;
@@ -193,8 +194,7 @@ void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter) 
     if (!(own > 0.0f) || part.choice.skipped)
       return;
     const std::size_t before = part.mesh->triangleCount();
-    part.mesh = decimated(std::move(part.mesh), own, part.provenance,
-                          [&] { return meter.goesOn(part.name); });
+    part.mesh = decimated(part.mesh, own, part.provenance, [&] { return meter.goesOn(part.name); });
     meter.add(double(before) * workPerTriangle, part.name);
   });
 }

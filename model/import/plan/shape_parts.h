@@ -31,6 +31,7 @@ void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter);
 
 /// Takes triangles from the mesh without moving it farther than `bound` mm and records that in the
 /// provenance; returns the mesh itself where none could go. `goesOn` may end the work early.
-MeshPtr decimated(MeshPtr mesh, float bound, Provenance& as, const std::function<bool()>& goesOn);
+MeshPtr decimated(const MeshPtr& mesh, float bound, Provenance& as,
+                  const std::function<bool()>& goesOn);
 
 }  // namespace sline::model
