@@ -2517,6 +2517,262 @@
         <source>A plate of what else the scene may be about; again for the next</source>
         <translation>Eine Tafel von etwas anderem, worum es in der Szene gehen kann; noch einmal für das nächste</translation>
     </message>
+    <message>
+        <source>lesion</source>
+        <translation>Läsion</translation>
+    </message>
+    <message>
+        <source>organ</source>
+        <translation>Organ</translation>
+    </message>
+    <message>
+        <source>vessel</source>
+        <translation>Gefäß</translation>
+    </message>
+    <message>
+        <source>nerve</source>
+        <translation>Nerv</translation>
+    </message>
+    <message>
+        <source>bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>muscle</source>
+        <translation>Muskel</translation>
+    </message>
+    <message>
+        <source>skin</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>the subject</source>
+        <translation>das Thema</translation>
+    </message>
+    <message>
+        <source>it comes to the subject</source>
+        <translation>sie führt zum Thema</translation>
+    </message>
+    <message>
+        <source>it is near the subject</source>
+        <translation>sie ist nahe dem Thema</translation>
+    </message>
+    <message>
+        <source>it lies outside and hides the subject</source>
+        <translation>sie liegt außen und verdeckt das Thema</translation>
+    </message>
+    <message>
+        <source>it is away from the subject</source>
+        <translation>sie ist fern vom Thema</translation>
+    </message>
+    <message>
+        <source>not drawn: more context would show it</source>
+        <translation>nicht gezeichnet: Mehr Kontext würde es zeigen</translation>
+    </message>
+    <message>
+        <source>in detail: it is the subject</source>
+        <translation>im Detail: Es ist das Thema</translation>
+    </message>
+    <message>
+        <source>solid and pale: the subject lies in it</source>
+        <translation>deckend und blass: Das Thema liegt darin</translation>
+    </message>
+    <message>
+        <source>outline: %1 in front of the subject</source>
+        <translation>Umriss: %1 vor dem Thema</translation>
+    </message>
+    <message>
+        <source>modelled: %1 that comes to the subject</source>
+        <translation>modelliert: %1, führt zum Thema</translation>
+    </message>
+    <message>
+        <source>solid: %1 near the subject</source>
+        <translation>deckend: %1 nahe dem Thema</translation>
+    </message>
+    <message>
+        <source>solid and pale: %1 away from the subject</source>
+        <translation>deckend und blass: %1 fern vom Thema</translation>
+    </message>
+    <message>
+        <source>lines: %1</source>
+        <translation>Linien: %1</translation>
+    </message>
+    <message>
+        <source>Ligands</source>
+        <translation>Liganden</translation>
+    </message>
+    <message>
+        <source>Lesions</source>
+        <translation>Läsionen</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Organe</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Vessels and nerves</source>
+        <translation>Gefäße und Nerven</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>What lies in the organs</source>
+        <translation>Was in den Organen liegt</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Line weight</source>
+        <translation>Strichstärke und Druck</translation>
+    </message>
+    <message>
+        <source>How much the pen&apos;s width tells light, depth and form; 0 is an even pen</source>
+        <translation>Wie sehr die Breite der Feder Licht, Tiefe und Form zeigt; 0 ist eine gleichmäßige Feder</translation>
+    </message>
+    <message>
+        <source>Line smoothing</source>
+        <translation>Linienglättung</translation>
+    </message>
+    <message>
+        <source>How far lines leave what turns back and forth, times the usual</source>
+        <translation>Wie weit Linien verlassen, was hin und her geht, mal dem Üblichen</translation>
+    </message>
+    <message>
+        <source>Shortest line</source>
+        <translation>Kürzeste Linie</translation>
+    </message>
+    <message>
+        <source>Shorter pieces of lines are left out; in 1/720 of the picture&apos;s height</source>
+        <translation>Kürzere Linienstücke entfallen; in 1/720 der Bildhöhe</translation>
+    </message>
+    <message>
+        <source>Line scale</source>
+        <translation>Linienmaßstab</translation>
+    </message>
+    <message>
+        <source>How large a form must be to get suggestive contours, times the usual; 0 draws all that were measured</source>
+        <translation>Wie groß eine Form sein muss, um angedeutete Konturen zu bekommen, mal dem Üblichen; 0 zeichnet alle gemessenen</translation>
+    </message>
+    <message>
+        <source>Halo</source>
+        <translation>Lichthof</translation>
+    </message>
+    <message>
+        <source>How many line widths before its outline lines behind stop</source>
+        <translation>Wie viele Linienbreiten vor dem Umriss Linien dahinter enden</translation>
+    </message>
+    <message>
+        <source>Pencil grain</source>
+        <translation>Bleistiftkorn</translation>
+    </message>
+    <message>
+        <source>How much the pen is a pencil on rough paper</source>
+        <translation>Wie sehr die Feder ein Bleistift auf rauem Papier ist</translation>
+    </message>
+    <message>
+        <source>Hidden outlines</source>
+        <translation>Verdeckte Umrisse</translation>
+    </message>
+    <message>
+        <source>How outlines are drawn where other structures hide them</source>
+        <translation>Wie Umrisse gezeichnet werden, wo andere Strukturen sie verdecken</translation>
+    </message>
+    <message>
+        <source>Not drawn</source>
+        <translation>Nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>Thin</source>
+        <translation>Dünn</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Gestrichelt</translation>
+    </message>
+    <message>
+        <source>Other Sub&amp;jects…</source>
+        <translation>&amp;Andere Themen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+J</source>
+        <translation>Ctrl+Shift+J</translation>
+    </message>
+    <message>
+        <source>Small plates of the next three subjects, to choose from</source>
+        <translation>Kleine Tafeln der nächsten drei Themen zur Wahl</translation>
+    </message>
+    <message>
+        <source>drawn without the steps of slices %1 mm apart, at most %2 mm off</source>
+        <translation>gezeichnet ohne die Stufen von Schichten im Abstand von %1 mm, höchstens %2 mm daneben</translation>
+    </message>
+    <message>
+        <source>What the scene is about shaded in colour, everything else as quiet context.</source>
+        <translation>Worum es in der Szene geht farbig schattiert, alles andere als stiller Kontext.</translation>
+    </message>
+    <message>
+        <source>Even Pen</source>
+        <translation>Gleichzug</translation>
+    </message>
+    <message>
+        <source>Outlines and folds in black, all by one pen that never changes its width.</source>
+        <translation>Umrisse und Falten in Schwarz, alle mit einer Feder, deren Breite sich nie ändert.</translation>
+    </message>
+    <message>
+        <source>Textbook</source>
+        <translation>Lehrbuch</translation>
+    </message>
+    <message>
+        <source>Two colours: black lines, and one colour with a pale tint for what the scene is about.</source>
+        <translation>Zwei Farben: schwarze Linien und eine Farbe mit blasser Tönung für das, worum es geht.</translation>
+    </message>
+    <message>
+        <source>Woodcut</source>
+        <translation>Holzschnitt</translation>
+    </message>
+    <message>
+        <source>Heavy black lines and dense hatching on white.</source>
+        <translation>Kräftige schwarze Linien und dichte Schraffur auf Weiß.</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>Bleistift</translation>
+    </message>
+    <message>
+        <source>Fine strokes of graphite on warm paper.</source>
+        <translation>Feine Graphitstriche auf warmem Papier.</translation>
+    </message>
+    <message>
+        <source>Operating Note</source>
+        <translation>OP-Skizze</translation>
+    </message>
+    <message>
+        <source>A few long lines as a surgeon would sketch them, what matters in one colour.</source>
+        <translation>Wenige lange Linien, wie ein Chirurg sie skizzieren würde, das Wichtige in einer Farbe.</translation>
+    </message>
+    <message>
+        <source>Lecture Hall</source>
+        <translation>Hörsaal</translation>
+    </message>
+    <message>
+        <source>Bright colours on a dark ground, to be seen from the last row.</source>
+        <translation>Leuchtende Farben auf dunklem Grund, bis in die letzte Reihe zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2705,6 +2961,25 @@ OpenGL: %3</translation>
     <message>
         <source>The keys A, P, L, R, S and I look from the same sides.</source>
         <translation>Die Tasten A, P, L, R, S und I blicken von denselben Seiten.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::DrawingPanel</name>
+    <message>
+        <source>Drawing Styles</source>
+        <translation>Zeichenstile</translation>
+    </message>
+    <message>
+        <source>Draws the whole scene in one manner</source>
+        <translation>Zeichnet die ganze Szene in einer Manier</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Folded away</source>
+        <translation>Eingeklappt</translation>
     </message>
 </context>
 <context>
@@ -3746,16 +4021,16 @@ OpenGL: %3</translation>
         <translation>Mehr</translation>
     </message>
     <message>
-        <source>Line width, hatching, opacity and colours</source>
-        <translation>Linienstärke, Schraffur, Deckkraft und Farben</translation>
-    </message>
-    <message>
         <source>Open</source>
         <translation>Offen</translation>
     </message>
     <message>
         <source>Folded away</source>
         <translation>Eingeklappt</translation>
+    </message>
+    <message>
+        <source>Lines, hatching, opacity and colours</source>
+        <translation>Linien, Schraffur, Deckkraft und Farben</translation>
     </message>
 </context>
 <context>
@@ -4399,6 +4674,30 @@ OpenGL: %3</translation>
         <source>What a Section Cuts</source>
         <translation>Was ein Schnitt schneidet</translation>
     </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <translation>Tönung</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Cut faces as white as the paper, in a tint of the structure&apos;s colour, or with the pattern of its tissue as in printed atlases</source>
+        <translation>Schnittflächen so weiß wie das Papier, in einer Tönung der Farbe der Struktur oder mit dem Muster ihres Gewebes wie in gedruckten Atlanten</translation>
+    </message>
+    <message>
+        <source>Cut faces</source>
+        <translation>Schnittflächen</translation>
+    </message>
+    <message>
+        <source>Cut Faces</source>
+        <translation>Schnittflächen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::SelectionPanel</name>
@@ -4592,6 +4891,10 @@ OpenGL: %3</translation>
         <source>&amp;Copy</source>
         <translation>&amp;Kopieren</translation>
     </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Gezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTree</name>
@@ -4714,6 +5017,13 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::StyleChoiceEditor</name>
+    <message>
+        <source>Several</source>
+        <translation>Verschiedene</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::StyleColourEditor</name>
     <message>
         <source>Several</source>
@@ -4737,6 +5047,17 @@ OpenGL: %3</translation>
     <message>
         <source>Reset %1</source>
         <translation>%1 zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SubjectPopup</name>
+    <message>
+        <source>Working out other plates…</source>
+        <translation>Andere Tafeln werden erarbeitet …</translation>
+    </message>
+    <message>
+        <source>Other subjects</source>
+        <translation>Andere Themen</translation>
     </message>
 </context>
 <context>

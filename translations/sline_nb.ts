@@ -2517,6 +2517,262 @@
         <source>A plate of what else the scene may be about; again for the next</source>
         <translation>En plansje av noe annet scenen kan handle om; en gang til for det neste</translation>
     </message>
+    <message>
+        <source>lesion</source>
+        <translation>lesjon</translation>
+    </message>
+    <message>
+        <source>organ</source>
+        <translation>organ</translation>
+    </message>
+    <message>
+        <source>vessel</source>
+        <translation>kar</translation>
+    </message>
+    <message>
+        <source>nerve</source>
+        <translation>nerve</translation>
+    </message>
+    <message>
+        <source>bone</source>
+        <translation>knokkel</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>ledd</translation>
+    </message>
+    <message>
+        <source>muscle</source>
+        <translation>muskel</translation>
+    </message>
+    <message>
+        <source>skin</source>
+        <translation>hud</translation>
+    </message>
+    <message>
+        <source>structure</source>
+        <translation>struktur</translation>
+    </message>
+    <message>
+        <source>the subject</source>
+        <translation>motivet</translation>
+    </message>
+    <message>
+        <source>it comes to the subject</source>
+        <translation>den kommer til motivet</translation>
+    </message>
+    <message>
+        <source>it is near the subject</source>
+        <translation>den er nær motivet</translation>
+    </message>
+    <message>
+        <source>it lies outside and hides the subject</source>
+        <translation>den ligger utenfor og skjuler motivet</translation>
+    </message>
+    <message>
+        <source>it is away from the subject</source>
+        <translation>den er langt fra motivet</translation>
+    </message>
+    <message>
+        <source>not drawn: more context would show it</source>
+        <translation>ikke tegnet: mer kontekst ville vise den</translation>
+    </message>
+    <message>
+        <source>in detail: it is the subject</source>
+        <translation>i detalj: det er motivet</translation>
+    </message>
+    <message>
+        <source>solid and pale: the subject lies in it</source>
+        <translation>dekkende og blek: motivet ligger i den</translation>
+    </message>
+    <message>
+        <source>outline: %1 in front of the subject</source>
+        <translation>omriss: %1 foran motivet</translation>
+    </message>
+    <message>
+        <source>modelled: %1 that comes to the subject</source>
+        <translation>modellert: %1 som kommer til motivet</translation>
+    </message>
+    <message>
+        <source>solid: %1 near the subject</source>
+        <translation>dekkende: %1 nær motivet</translation>
+    </message>
+    <message>
+        <source>solid and pale: %1 away from the subject</source>
+        <translation>dekkende og blek: %1 langt fra motivet</translation>
+    </message>
+    <message>
+        <source>lines: %1</source>
+        <translation>linjer: %1</translation>
+    </message>
+    <message>
+        <source>Ligands</source>
+        <translation>Ligander</translation>
+    </message>
+    <message>
+        <source>Lesions</source>
+        <translation>Lesjoner</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Organer</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Ledd</translation>
+    </message>
+    <message>
+        <source>Vessels and nerves</source>
+        <translation>Kar og nerver</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>Knokler</translation>
+    </message>
+    <message>
+        <source>What lies in the organs</source>
+        <translation>Det som ligger i organene</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Line weight</source>
+        <translation>Strektrykk</translation>
+    </message>
+    <message>
+        <source>How much the pen&apos;s width tells light, depth and form; 0 is an even pen</source>
+        <translation>Hvor mye pennens bredde viser lys, dybde og form; 0 er en jevn penn</translation>
+    </message>
+    <message>
+        <source>Line smoothing</source>
+        <translation>Linjeglatting</translation>
+    </message>
+    <message>
+        <source>How far lines leave what turns back and forth, times the usual</source>
+        <translation>Hvor langt linjer forlater det som svinger fram og tilbake, ganger det vanlige</translation>
+    </message>
+    <message>
+        <source>Shortest line</source>
+        <translation>Korteste linje</translation>
+    </message>
+    <message>
+        <source>Shorter pieces of lines are left out; in 1/720 of the picture&apos;s height</source>
+        <translation>Kortere linjestykker utelates; i 1/720 av bildets høyde</translation>
+    </message>
+    <message>
+        <source>Line scale</source>
+        <translation>Linjeskala</translation>
+    </message>
+    <message>
+        <source>How large a form must be to get suggestive contours, times the usual; 0 draws all that were measured</source>
+        <translation>Hvor stor en form må være for å få antydede konturer, ganger det vanlige; 0 tegner alle som ble målt</translation>
+    </message>
+    <message>
+        <source>Halo</source>
+        <translation>Glorie</translation>
+    </message>
+    <message>
+        <source>How many line widths before its outline lines behind stop</source>
+        <translation>Hvor mange linjebredder før omrisset linjer bak stopper</translation>
+    </message>
+    <message>
+        <source>Pencil grain</source>
+        <translation>Blyantkorn</translation>
+    </message>
+    <message>
+        <source>How much the pen is a pencil on rough paper</source>
+        <translation>Hvor mye pennen er en blyant på grovt papir</translation>
+    </message>
+    <message>
+        <source>Hidden outlines</source>
+        <translation>Skjulte omriss</translation>
+    </message>
+    <message>
+        <source>How outlines are drawn where other structures hide them</source>
+        <translation>Hvordan omriss tegnes der andre strukturer skjuler dem</translation>
+    </message>
+    <message>
+        <source>Not drawn</source>
+        <translation>Ikke tegnet</translation>
+    </message>
+    <message>
+        <source>Thin</source>
+        <translation>Tynn</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Stiplet</translation>
+    </message>
+    <message>
+        <source>Other Sub&amp;jects…</source>
+        <translation>&amp;Andre motiver…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+J</source>
+        <translation>Ctrl+Shift+J</translation>
+    </message>
+    <message>
+        <source>Small plates of the next three subjects, to choose from</source>
+        <translation>Små plansjer av de neste tre motivene å velge mellom</translation>
+    </message>
+    <message>
+        <source>drawn without the steps of slices %1 mm apart, at most %2 mm off</source>
+        <translation>tegnet uten trinnene til snitt med %1 mm avstand, høyst %2 mm ved siden av</translation>
+    </message>
+    <message>
+        <source>What the scene is about shaded in colour, everything else as quiet context.</source>
+        <translation>Det scenen handler om skyggelagt i farger, alt annet som rolig kontekst.</translation>
+    </message>
+    <message>
+        <source>Even Pen</source>
+        <translation>Jevn penn</translation>
+    </message>
+    <message>
+        <source>Outlines and folds in black, all by one pen that never changes its width.</source>
+        <translation>Omriss og folder i svart, alle med én penn som aldri endrer bredde.</translation>
+    </message>
+    <message>
+        <source>Textbook</source>
+        <translation>Lærebok</translation>
+    </message>
+    <message>
+        <source>Two colours: black lines, and one colour with a pale tint for what the scene is about.</source>
+        <translation>To farger: svarte linjer, og én farge med en blek tone for det scenen handler om.</translation>
+    </message>
+    <message>
+        <source>Woodcut</source>
+        <translation>Tresnitt</translation>
+    </message>
+    <message>
+        <source>Heavy black lines and dense hatching on white.</source>
+        <translation>Kraftige svarte linjer og tett skravering på hvitt.</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>Blyant</translation>
+    </message>
+    <message>
+        <source>Fine strokes of graphite on warm paper.</source>
+        <translation>Fine grafittstreker på varmt papir.</translation>
+    </message>
+    <message>
+        <source>Operating Note</source>
+        <translation>OP-skisse</translation>
+    </message>
+    <message>
+        <source>A few long lines as a surgeon would sketch them, what matters in one colour.</source>
+        <translation>Noen få lange linjer slik en kirurg ville skissere dem, det viktige i én farge.</translation>
+    </message>
+    <message>
+        <source>Lecture Hall</source>
+        <translation>Forelesningssal</translation>
+    </message>
+    <message>
+        <source>Bright colours on a dark ground, to be seen from the last row.</source>
+        <translation>Klare farger på mørk bunn, synlige fra bakerste rad.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2705,6 +2961,25 @@ OpenGL: %3</translation>
     <message>
         <source>The keys A, P, L, R, S and I look from the same sides.</source>
         <translation>Tastene A, P, L, R, S og I ser fra de samme sidene.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::DrawingPanel</name>
+    <message>
+        <source>Drawing Styles</source>
+        <translation>Tegnestiler</translation>
+    </message>
+    <message>
+        <source>Draws the whole scene in one manner</source>
+        <translation>Tegner hele scenen på én måte</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Åpen</translation>
+    </message>
+    <message>
+        <source>Folded away</source>
+        <translation>Foldet sammen</translation>
     </message>
 </context>
 <context>
@@ -3746,16 +4021,16 @@ OpenGL: %3</translation>
         <translation>Mer</translation>
     </message>
     <message>
-        <source>Line width, hatching, opacity and colours</source>
-        <translation>Linjebredde, skravering, dekkevne og farger</translation>
-    </message>
-    <message>
         <source>Open</source>
         <translation>Åpen</translation>
     </message>
     <message>
         <source>Folded away</source>
         <translation>Foldet sammen</translation>
+    </message>
+    <message>
+        <source>Lines, hatching, opacity and colours</source>
+        <translation>Linjer, skravering, dekkevne og farger</translation>
     </message>
 </context>
 <context>
@@ -4399,6 +4674,30 @@ OpenGL: %3</translation>
         <source>What a Section Cuts</source>
         <translation>Hva et snitt skjærer</translation>
     </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papir</translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <translation>Tone</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Vev</translation>
+    </message>
+    <message>
+        <source>Cut faces as white as the paper, in a tint of the structure&apos;s colour, or with the pattern of its tissue as in printed atlases</source>
+        <translation>Snittflater så hvite som papiret, i en tone av strukturens farge eller med mønsteret til vevet som i trykte atlas</translation>
+    </message>
+    <message>
+        <source>Cut faces</source>
+        <translation>Snittflater</translation>
+    </message>
+    <message>
+        <source>Cut Faces</source>
+        <translation>Snittflater</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::SelectionPanel</name>
@@ -4592,6 +4891,10 @@ OpenGL: %3</translation>
         <source>&amp;Copy</source>
         <translation>&amp;Kopier</translation>
     </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Tegnet</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTree</name>
@@ -4714,6 +5017,13 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::StyleChoiceEditor</name>
+    <message>
+        <source>Several</source>
+        <translation>Flere</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::StyleColourEditor</name>
     <message>
         <source>Several</source>
@@ -4737,6 +5047,17 @@ OpenGL: %3</translation>
     <message>
         <source>Reset %1</source>
         <translation>Tilbakestill %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SubjectPopup</name>
+    <message>
+        <source>Working out other plates…</source>
+        <translation>Andre plansjer utarbeides …</translation>
+    </message>
+    <message>
+        <source>Other subjects</source>
+        <translation>Andre motiver</translation>
     </message>
 </context>
 <context>

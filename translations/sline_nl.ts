@@ -2517,6 +2517,262 @@
         <source>A plate of what else the scene may be about; again for the next</source>
         <translation>Een plaat van iets anders waar de scène over kan gaan; nogmaals voor het volgende</translation>
     </message>
+    <message>
+        <source>lesion</source>
+        <translation>laesie</translation>
+    </message>
+    <message>
+        <source>organ</source>
+        <translation>orgaan</translation>
+    </message>
+    <message>
+        <source>vessel</source>
+        <translation>vat</translation>
+    </message>
+    <message>
+        <source>nerve</source>
+        <translation>zenuw</translation>
+    </message>
+    <message>
+        <source>bone</source>
+        <translation>bot</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>gewricht</translation>
+    </message>
+    <message>
+        <source>muscle</source>
+        <translation>spier</translation>
+    </message>
+    <message>
+        <source>skin</source>
+        <translation>huid</translation>
+    </message>
+    <message>
+        <source>structure</source>
+        <translation>structuur</translation>
+    </message>
+    <message>
+        <source>the subject</source>
+        <translation>het onderwerp</translation>
+    </message>
+    <message>
+        <source>it comes to the subject</source>
+        <translation>ze komt bij het onderwerp</translation>
+    </message>
+    <message>
+        <source>it is near the subject</source>
+        <translation>ze ligt dicht bij het onderwerp</translation>
+    </message>
+    <message>
+        <source>it lies outside and hides the subject</source>
+        <translation>ze ligt erbuiten en verbergt het onderwerp</translation>
+    </message>
+    <message>
+        <source>it is away from the subject</source>
+        <translation>ze ligt ver van het onderwerp</translation>
+    </message>
+    <message>
+        <source>not drawn: more context would show it</source>
+        <translation>niet getekend: meer context zou het tonen</translation>
+    </message>
+    <message>
+        <source>in detail: it is the subject</source>
+        <translation>in detail: het is het onderwerp</translation>
+    </message>
+    <message>
+        <source>solid and pale: the subject lies in it</source>
+        <translation>dekkend en bleek: het onderwerp ligt erin</translation>
+    </message>
+    <message>
+        <source>outline: %1 in front of the subject</source>
+        <translation>omtrek: %1 voor het onderwerp</translation>
+    </message>
+    <message>
+        <source>modelled: %1 that comes to the subject</source>
+        <translation>gemodelleerd: %1 dat bij het onderwerp komt</translation>
+    </message>
+    <message>
+        <source>solid: %1 near the subject</source>
+        <translation>dekkend: %1 bij het onderwerp</translation>
+    </message>
+    <message>
+        <source>solid and pale: %1 away from the subject</source>
+        <translation>dekkend en bleek: %1 ver van het onderwerp</translation>
+    </message>
+    <message>
+        <source>lines: %1</source>
+        <translation>lijnen: %1</translation>
+    </message>
+    <message>
+        <source>Ligands</source>
+        <translation>Liganden</translation>
+    </message>
+    <message>
+        <source>Lesions</source>
+        <translation>Laesies</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Organen</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gewrichten</translation>
+    </message>
+    <message>
+        <source>Vessels and nerves</source>
+        <translation>Vaten en zenuwen</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>Botten</translation>
+    </message>
+    <message>
+        <source>What lies in the organs</source>
+        <translation>Wat in de organen ligt</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Line weight</source>
+        <translation>Lijndruk</translation>
+    </message>
+    <message>
+        <source>How much the pen&apos;s width tells light, depth and form; 0 is an even pen</source>
+        <translation>Hoeveel de breedte van de pen licht, diepte en vorm laat zien; 0 is een gelijkmatige pen</translation>
+    </message>
+    <message>
+        <source>Line smoothing</source>
+        <translation>Lijnen gladmaken</translation>
+    </message>
+    <message>
+        <source>How far lines leave what turns back and forth, times the usual</source>
+        <translation>Hoe ver lijnen loslaten wat heen en weer gaat, keer het gebruikelijke</translation>
+    </message>
+    <message>
+        <source>Shortest line</source>
+        <translation>Kortste lijn</translation>
+    </message>
+    <message>
+        <source>Shorter pieces of lines are left out; in 1/720 of the picture&apos;s height</source>
+        <translation>Kortere stukjes lijn vallen weg; in 1/720 van de hoogte van het beeld</translation>
+    </message>
+    <message>
+        <source>Line scale</source>
+        <translation>Lijnschaal</translation>
+    </message>
+    <message>
+        <source>How large a form must be to get suggestive contours, times the usual; 0 draws all that were measured</source>
+        <translation>Hoe groot een vorm moet zijn voor suggestieve contouren, keer het gebruikelijke; 0 tekent alle gemeten</translation>
+    </message>
+    <message>
+        <source>Halo</source>
+        <translation>Halo</translation>
+    </message>
+    <message>
+        <source>How many line widths before its outline lines behind stop</source>
+        <translation>Hoeveel lijnbreedten voor de omtrek lijnen erachter ophouden</translation>
+    </message>
+    <message>
+        <source>Pencil grain</source>
+        <translation>Potloodkorrel</translation>
+    </message>
+    <message>
+        <source>How much the pen is a pencil on rough paper</source>
+        <translation>Hoeveel de pen een potlood op ruw papier is</translation>
+    </message>
+    <message>
+        <source>Hidden outlines</source>
+        <translation>Verborgen omtrekken</translation>
+    </message>
+    <message>
+        <source>How outlines are drawn where other structures hide them</source>
+        <translation>Hoe omtrekken worden getekend waar andere structuren ze verbergen</translation>
+    </message>
+    <message>
+        <source>Not drawn</source>
+        <translation>Niet getekend</translation>
+    </message>
+    <message>
+        <source>Thin</source>
+        <translation>Dun</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Gestreept</translation>
+    </message>
+    <message>
+        <source>Other Sub&amp;jects…</source>
+        <translation>Onderwerpen k&amp;iezen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+J</source>
+        <translation>Ctrl+Shift+J</translation>
+    </message>
+    <message>
+        <source>Small plates of the next three subjects, to choose from</source>
+        <translation>Kleine platen van de volgende drie onderwerpen om uit te kiezen</translation>
+    </message>
+    <message>
+        <source>drawn without the steps of slices %1 mm apart, at most %2 mm off</source>
+        <translation>getekend zonder de treden van plakken op %1 mm afstand, hoogstens %2 mm ernaast</translation>
+    </message>
+    <message>
+        <source>What the scene is about shaded in colour, everything else as quiet context.</source>
+        <translation>Waar de scène over gaat in kleur geschaduwd, al het andere als rustige context.</translation>
+    </message>
+    <message>
+        <source>Even Pen</source>
+        <translation>Egale pen</translation>
+    </message>
+    <message>
+        <source>Outlines and folds in black, all by one pen that never changes its width.</source>
+        <translation>Omtrekken en plooien in zwart, alle met één pen die nooit van breedte verandert.</translation>
+    </message>
+    <message>
+        <source>Textbook</source>
+        <translation>Leerboek</translation>
+    </message>
+    <message>
+        <source>Two colours: black lines, and one colour with a pale tint for what the scene is about.</source>
+        <translation>Twee kleuren: zwarte lijnen, en één kleur met een bleke tint voor waar de scène over gaat.</translation>
+    </message>
+    <message>
+        <source>Woodcut</source>
+        <translation>Houtsnede</translation>
+    </message>
+    <message>
+        <source>Heavy black lines and dense hatching on white.</source>
+        <translation>Zware zwarte lijnen en dichte arcering op wit.</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>Potlood</translation>
+    </message>
+    <message>
+        <source>Fine strokes of graphite on warm paper.</source>
+        <translation>Fijne grafietstreken op warm papier.</translation>
+    </message>
+    <message>
+        <source>Operating Note</source>
+        <translation>OK-schets</translation>
+    </message>
+    <message>
+        <source>A few long lines as a surgeon would sketch them, what matters in one colour.</source>
+        <translation>Enkele lange lijnen zoals een chirurg ze zou schetsen, wat ertoe doet in één kleur.</translation>
+    </message>
+    <message>
+        <source>Lecture Hall</source>
+        <translation>Collegezaal</translation>
+    </message>
+    <message>
+        <source>Bright colours on a dark ground, to be seen from the last row.</source>
+        <translation>Heldere kleuren op een donkere ondergrond, te zien vanaf de laatste rij.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2705,6 +2961,25 @@ OpenGL: %3</translation>
     <message>
         <source>The keys A, P, L, R, S and I look from the same sides.</source>
         <translation>De toetsen A, P, L, R, S en I kijken van dezelfde kanten.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::DrawingPanel</name>
+    <message>
+        <source>Drawing Styles</source>
+        <translation>Tekenstijlen</translation>
+    </message>
+    <message>
+        <source>Draws the whole scene in one manner</source>
+        <translation>Tekent de hele scène op één manier</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Open</translation>
+    </message>
+    <message>
+        <source>Folded away</source>
+        <translation>Ingeklapt</translation>
     </message>
 </context>
 <context>
@@ -3746,16 +4021,16 @@ OpenGL: %3</translation>
         <translation>Meer</translation>
     </message>
     <message>
-        <source>Line width, hatching, opacity and colours</source>
-        <translation>Lijndikte, arcering, dekking en kleuren</translation>
-    </message>
-    <message>
         <source>Open</source>
         <translation>Open</translation>
     </message>
     <message>
         <source>Folded away</source>
         <translation>Ingeklapt</translation>
+    </message>
+    <message>
+        <source>Lines, hatching, opacity and colours</source>
+        <translation>Lijnen, arcering, dekking en kleuren</translation>
     </message>
 </context>
 <context>
@@ -4399,6 +4674,30 @@ OpenGL: %3</translation>
         <source>What a Section Cuts</source>
         <translation>Wat een doorsnede snijdt</translation>
     </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <translation>Tint</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Weefsel</translation>
+    </message>
+    <message>
+        <source>Cut faces as white as the paper, in a tint of the structure&apos;s colour, or with the pattern of its tissue as in printed atlases</source>
+        <translation>Snijvlakken zo wit als het papier, in een tint van de kleur van de structuur, of met het patroon van het weefsel zoals in gedrukte atlassen</translation>
+    </message>
+    <message>
+        <source>Cut faces</source>
+        <translation>Snijvlakken</translation>
+    </message>
+    <message>
+        <source>Cut Faces</source>
+        <translation>Snijvlakken</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::SelectionPanel</name>
@@ -4592,6 +4891,10 @@ OpenGL: %3</translation>
         <source>&amp;Copy</source>
         <translation>&amp;Kopiëren</translation>
     </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Getekend</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTree</name>
@@ -4714,6 +5017,13 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::StyleChoiceEditor</name>
+    <message>
+        <source>Several</source>
+        <translation>Verschillende</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::StyleColourEditor</name>
     <message>
         <source>Several</source>
@@ -4737,6 +5047,17 @@ OpenGL: %3</translation>
     <message>
         <source>Reset %1</source>
         <translation>%1 herstellen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SubjectPopup</name>
+    <message>
+        <source>Working out other plates…</source>
+        <translation>Andere platen worden uitgewerkt…</translation>
+    </message>
+    <message>
+        <source>Other subjects</source>
+        <translation>Andere onderwerpen</translation>
     </message>
 </context>
 <context>

@@ -35,6 +35,8 @@ void addExport(CLI::App& program, Exit& exit, const Warn& tellWarning);
 void addProof(CLI::App& program, Exit& exit);
 void addJobs(CLI::App& program, Exit& exit);
 void addDemo(CLI::App& program, Exit& exit);
+/// Adds a hidden command, which draws the start page's pictures of the demos.
+void addDemoPictures(CLI::App& program, Exit& exit);
 void addRamp(CLI::App& program, Exit& exit);
 void addSteadiness(CLI::App& program, Exit& exit);
 /// Adds a hidden command, which writes man pages and completions of all commands added before.

@@ -40,7 +40,7 @@ bool isFolderName(const std::string& output) {
 bool saysHowToDraw(const PictureFlags& flags) {
   return !flags.gammas.empty() || !flags.styles.empty() || !flags.colours.empty() ||
          !flags.inkColours.empty() || !flags.only.empty() || !flags.fill.empty() ||
-         !flags.cameraFile.empty() || flags.view != firstView;
+         !flags.cameraFile.empty() || !flags.drawing.empty() || flags.view != firstView;
 }
 
 Exit list(const DemoFlags& flags) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/draw_scene.h"
 
+#include "app/cli/flags/drawing_flags.h"
+
 namespace sline::cli {
 
 namespace {
@@ -9,7 +11,10 @@ Result<ArrangedScene> arrangeShownScene(const model::Scene& shown, const Picture
   const Result<model::Scene> focus = inFocus(shown, spec);
   if (!focus.ok())
     return focus.error();
-  const Result<model::Scene> dressed = styled(*focus, spec);
+  const Result<model::Scene> drawn = inDrawingStyle(*focus, spec);
+  if (!drawn.ok())
+    return drawn.error();
+  const Result<model::Scene> dressed = styled(*drawn, spec);
   if (!dressed.ok())
     return dressed.error();
   const Result<model::Scene> cut = cutOpen(*dressed, spec);

@@ -79,6 +79,7 @@ int run(int argc, char** argv) {
   sline::cli::addDemo(program, exit);
   sline::cli::addRamp(program, exit);
   sline::cli::addSteadiness(program, exit);
+  sline::cli::addDemoPictures(program, exit);
   sline::cli::addManual(program, exit);
   try {
     std::vector<std::string> arguments =

@@ -2,46 +2,21 @@
 #include "model/anatomy/body_systems.h"
 
 #include <algorithm>
-#include <charconv>
 #include <tuple>
 
-#include "model/anatomy/name_words.h"
 #include "model/anatomy/systems_table.h"
+#include "model/anatomy/table_rows.h"
 #include "model/base/colour_text.h"
 
 namespace sline::model {
 
-namespace {
-
-template <class Row>
-void forEachRow(std::string_view text, const Row& row) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r'))
-      line.remove_suffix(1);
-    if (line.empty() || line.front() == '#')
-      continue;
-    std::vector<std::string_view> fields;
-    while (true) {
-      const std::size_t tab = line.find('\t');
-      fields.push_back(line.substr(0, tab));
-      if (tab == std::string_view::npos)
-        break;
-      line.remove_prefix(tab + 1);
-    }
-    row(fields);
-  }
-}
-
-}  // namespace
-
 AnatomyTable::AnatomyTable() : AnatomyTable(anatomySystemsText(), anatomyStructuresText()) {}
 
 AnatomyTable::AnatomyTable(std::string_view systems, std::string_view structures) {
-  forEachRow(systems, [this](const auto& fields) { addSystem(fields); });
-  forEachRow(structures, [this](const auto& fields) { addPattern(fields); });
+  for (const std::vector<std::string_view>& fields : tableRows(systems))
+    addSystem(fields);
+  for (const std::vector<std::string_view>& fields : tableRows(structures))
+    addPattern(fields);
 }
 
 const AnatomySystem* AnatomyTable::system(std::string_view id) const {
@@ -66,41 +41,16 @@ void AnatomyTable::addPattern(const std::vector<std::string_view>& fields) {
     ++m_badRows;
     return;
   }
-  Pattern pattern;
-  pattern.wholeName = fields[0].starts_with('=');
-  pattern.words = nameWords(fields[0]);
-  if (pattern.words.empty()) {
+  if (!m_patterns.add(fields[0], m_matches.size(), fields[3] == "1" ? 1 : 0)) {
     ++m_badRows;
     return;
   }
-  for (const std::string& word : pattern.words)
-    pattern.letters += word.size();
-  pattern.match = {std::size_t(owner - m_systems.data()), colour.value_or(owner->colour)};
-  pattern.rank = fields[3] == "1" ? 1 : 0;
-  m_patterns[pattern.words.front()].push_back(std::move(pattern));
-  ++m_patternCount;
+  m_matches.push_back({std::size_t(owner - m_systems.data()), colour.value_or(owner->colour)});
 }
 
 std::optional<AnatomyMatch> AnatomyTable::match(std::string_view name) const {
-  const std::vector<std::string> words = nameWords(name);
-  const Pattern* best = nullptr;
-  const auto merit = [](const Pattern& p) {
-    return std::tuple(p.rank, p.wholeName, p.words.size(), p.letters);
-  };
-  for (std::size_t at = 0; at < words.size(); ++at) {
-    const auto found = m_patterns.find(words[at]);
-    if (found == m_patterns.end())
-      continue;
-    for (const Pattern& pattern : found->second) {
-      if (at + pattern.words.size() > words.size() ||
-          (pattern.wholeName && pattern.words.size() != words.size()) ||
-          !std::equal(pattern.words.begin(), pattern.words.end(), words.begin() + at))
-        continue;
-      if (!best || merit(pattern) > merit(*best))
-        best = &pattern;
-    }
-  }
-  return best ? std::optional(best->match) : std::nullopt;
+  const std::optional<std::size_t> best = m_patterns.match(name);
+  return best ? std::optional(m_matches[*best]) : std::nullopt;
 }
 
 }  // namespace sline::model

@@ -3,12 +3,12 @@
 // resources/anatomy (compiled in).
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "model/anatomy/name_patterns.h"
 #include "model/anatomy/tissue.h"
 #include "model/base/units.h"
 
@@ -35,28 +35,20 @@ class AnatomyTable {
   AnatomyTable(std::string_view systems, std::string_view structures);
 
   const std::vector<AnatomySystem>& systems() const { return m_systems; }
-  std::size_t patternCount() const { return m_patternCount; }
+  std::size_t patternCount() const { return m_patterns.count(); }
   std::size_t badRows() const { return m_badRows; }
   const AnatomySystem* system(std::string_view id) const;
 
-  /// Returns the row that fits the name best: highest rank, then most words, then most letters,
-  /// then the one named first. Returns nothing where no pattern occurs in the name.
+  /// Returns the row that fits the name best (see NamePatterns); nothing where none does.
   std::optional<AnatomyMatch> match(std::string_view name) const;
 
  private:
-  struct Pattern {
-    std::vector<std::string> words;
-    std::size_t letters = 0;
-    AnatomyMatch match;
-    int rank = 0;
-    bool wholeName = false;
-  };
   void addSystem(const std::vector<std::string_view>& fields);
   void addPattern(const std::vector<std::string_view>& fields);
 
   std::vector<AnatomySystem> m_systems;
-  std::map<std::string, std::vector<Pattern>, std::less<>> m_patterns;  ///< by their first word
-  std::size_t m_patternCount = 0;
+  NamePatterns m_patterns;  ///< the values are indices into `m_matches`
+  std::vector<AnatomyMatch> m_matches;
   std::size_t m_badRows = 0;
 };
 

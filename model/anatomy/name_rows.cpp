@@ -3,20 +3,11 @@
 
 #include <charconv>
 
+#include "model/anatomy/table_rows.h"
+
 namespace sline::model {
 
 namespace {
-
-std::vector<std::string> cutAt(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    parts.emplace_back(text.substr(0, end));
-    if (end == std::string_view::npos)
-      return parts;
-    text.remove_prefix(end + 1);
-  }
-}
 
 int digits(std::string_view text) {
   int value = 0;
@@ -87,8 +78,7 @@ bool placesNumbers(const NameRow& row) {
   return true;
 }
 
-std::optional<NameRow> rowOf(std::string_view line) {
-  const std::vector<std::string> fields = cutAt(line, '\t');
+std::optional<NameRow> rowOf(const std::vector<std::string_view>& fields) {
   if (fields.size() != nameLanguages + 1)
     return std::nullopt;
   NameRow row;
@@ -103,7 +93,8 @@ std::optional<NameRow> rowOf(std::string_view line) {
   if (!whole)
     return std::nullopt;
   if (!fields.back().empty())
-    row.synonyms = cutAt(fields.back(), '|');
+    for (const std::string_view synonym : cutAt(fields.back(), '|'))
+      row.synonyms.emplace_back(synonym);
   return row;
 }
 
@@ -115,19 +106,11 @@ Agreement NameRow::agreement(NameLanguage language) const {
 
 NameRows readNameRows(std::string_view text) {
   NameRows result;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r'))
-      line.remove_suffix(1);
-    if (line.empty() || line.starts_with("# "))
-      continue;
-    if (std::optional<NameRow> row = rowOf(line))
+  for (const std::vector<std::string_view>& fields : tableRows(text))
+    if (std::optional<NameRow> row = rowOf(fields))
       result.rows.push_back(std::move(*row));
     else
       ++result.badRows;
-  }
   return result;
 }
 

@@ -9,5 +9,6 @@ namespace sline::model {
 
 std::string_view anatomySystemsText();
 std::string_view anatomyStructuresText();
+std::string_view tissuePatternsText();
 
 }  // namespace sline::model

@@ -14,7 +14,7 @@ namespace sline::model {
 namespace {
 /// This number must rise with every change to a demo's shapes, styles or views, and to how they are
 /// meshed.
-constexpr int modellingVersion = 4;
+constexpr int modellingVersion = 5;
 
 Scene modelled(DemoName name, Sex sex, const std::stop_token& stop) {
   switch (name) {
@@ -26,13 +26,6 @@ Scene modelled(DemoName name, Sex sex, const std::stop_token& stop) {
       break;
   }
   return kidneyDemo(stop);
-}
-
-std::string keyOf(DemoName name, Sex sex) {
-  const std::string scene(demoNames[std::size_t(name)]);
-  const std::string version = "-v" + std::to_string(modellingVersion);
-  return name == DemoName::kidney ? scene + version
-                                  : scene + "-" + std::string(sexName(sex)) + version;
 }
 }  // namespace
 
@@ -47,8 +40,15 @@ std::string_view sexName(Sex sex) {
   return sex == Sex::female ? "female" : "male";
 }
 
+std::string demoKey(DemoName name, Sex sex) {
+  const std::string scene(demoNames[std::size_t(name)]);
+  const std::string version = "-v" + std::to_string(modellingVersion);
+  return name == DemoName::kidney ? scene + version
+                                  : scene + "-" + std::string(sexName(sex)) + version;
+}
+
 std::string demoCacheFile(DemoName name, Sex sex) {
-  return keyOf(name, sex) + std::string(sceneExtension);
+  return demoKey(name, sex) + std::string(sceneExtension);
 }
 
 Scene demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder) {

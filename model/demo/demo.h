@@ -29,6 +29,10 @@ Scene demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder);
 std::optional<Scene> demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder,
                           const std::stop_token& stop);
 
+/// Returns a name for what is made of the scene and kept: another one whenever this program models
+/// it otherwise.
+std::string demoKey(DemoName name, Sex sex);
+
 /// Returns the name of the scene's file in that folder.
 std::string demoCacheFile(DemoName name, Sex sex);
 

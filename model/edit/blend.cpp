@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <type_traits>
 
 #include "model/scene/resolved_styles.h"
 #include "model/scene/style_fields.h"
@@ -27,11 +28,10 @@ float between(float a, float b, float part) {
 
 template <class T>
 T between(const T& a, const T& b, float part) {
-  return T::clamped(std::lerp(a.value(), b.value(), part));
-}
-
-Fill between(Fill a, Fill b, float part) {
-  return part < 0.5f ? a : b;
+  if constexpr (std::is_enum_v<T>)
+    return part < 0.5f ? a : b;
+  else
+    return T::clamped(std::lerp(a.value(), b.value(), part));
 }
 
 /// Blends two answers; where one end has none, it returns that of the nearer end.

@@ -15,6 +15,9 @@ namespace {
 constexpr float focusGamma = 4.3f;
 /// The amount by which every structure of a known tissue begins to appear.
 constexpr float latestStart = 0.45f;
+/// The amount from which structures of a known tissue have their wash. Below Γ = 4 what faces the
+/// eye is as white as paper, as if the structure were hollow.
+constexpr float washed = 0.7f;
 /// The pen of structures that are faded out; it is thin in case the user shows them by hand.
 constexpr float faintPen = 0.4f;
 
@@ -45,7 +48,7 @@ Growth feederGrowth(const Relation& r) {
   return {.start = 0.02f + 0.2f * less,
           .full = 0.6f,
           .lowGamma = 1.2f,
-          .highGamma = 3.9f - less,
+          .highGamma = 4.2f - less,
           .lowPen = 0.8f,
           .highPen = 1.0f,
           .covering = 0.6f + 0.4f * clearness(r)};
@@ -94,10 +97,14 @@ Growth frontGrowth(Growth growth) {
   return growth;
 }
 
+bool isNear(const Relation& r) {
+  return r.nearness >= 0.5f;
+}
+
 /// Returns how a structure beside or behind the focus grows that is made of that tissue: pale and
 /// quiet, bones modelled a little more (METHOD §12.5).
 Growth tissueGrowth(Growth growth, const Relation& r) {
-  const bool near = r.nearness >= 0.5f;
+  const bool near = isNear(r);
   switch (r.tissue) {
     case Tissue::unknown:
     case Tissue::lesion:
@@ -105,24 +112,46 @@ Growth tissueGrowth(Growth growth, const Relation& r) {
     case Tissue::bone:
     case Tissue::joint:
       growth.lowGamma = 3.3f;
-      growth.highGamma = near ? 3.9f : 3.7f;
+      growth.highGamma = near ? 4.0f : 3.9f;
       break;
     case Tissue::vessel:
     case Tissue::nerve:
       growth.lowGamma = 3.2f;
-      growth.highGamma = near ? 3.9f : 3.6f;
+      growth.highGamma = near ? 4.2f : 4.1f;
       break;
     case Tissue::organ:
     case Tissue::muscle:
     case Tissue::skin:
       growth.lowGamma = 3.2f;
-      growth.highGamma = 3.6f;
+      growth.highGamma = near ? 4.1f : 4.05f;
       break;
   }
+  growth.full = washed;
   growth.tone = 0.0f;
   growth.covering = 1.0f;
   growth.start = std::min(growth.start, latestStart);
   return growth;
+}
+
+/// Tells whether the targets lie in a structure that is open towards the eye, as a ligand lies in
+/// the pocket of its protein.
+bool isHost(const Relation& r) {
+  constexpr float embedded = 0.5f;
+  constexpr float mostHidden = 0.6f;
+  return r.tissue == Tissue::unknown && r.contact >= embedded && r.hides <= mostHidden;
+}
+
+/// Returns how a host grows: as a solid of thin outlines and a glaze at its rims, pale enough not
+/// to compete with the targets; what lies in its depth stays out of the picture.
+Growth hostGrowth() {
+  return {.start = 0.05f,
+          .full = 0.7f,
+          .lowGamma = 3.0f,
+          .highGamma = 3.5f,
+          .lowPen = 0.3f,
+          .highPen = 0.7f,
+          .covering = 1.0f,
+          .tone = 0.0f};
 }
 
 Growth roleGrowth(const Relation& r) {
@@ -141,13 +170,20 @@ Growth roleGrowth(const Relation& r) {
 }
 
 Growth growthOf(const Relation& r) {
-  const Growth growth = roleGrowth(r);
-  if (r.tissue == Tissue::unknown)
-    return growth;
-  constexpr float something = 0.05f;
-  if (r.role == ContextRole::shell || r.hides > (r.role == ContextRole::feeder ? 0.3f : something))
-    return frontGrowth(growth);
-  return r.role == ContextRole::feeder ? growth : tissueGrowth(growth, r);
+  switch (mannerOf(r)) {
+    case ContextManner::host:
+      return hostGrowth();
+    case ContextManner::outline:
+      return frontGrowth(roleGrowth(r));
+    case ContextManner::near:
+    case ContextManner::far:
+      return tissueGrowth(roleGrowth(r), r);
+    case ContextManner::detail:
+    case ContextManner::feeder:
+    case ContextManner::byRole:
+      break;
+  }
+  return roleGrowth(r);
 }
 
 Style targetStyle() {
@@ -165,10 +201,27 @@ Fill fillOf(const Relation& r, const Growth& growth) {
   constexpr float nothing = 0.1f;
   if (growth.covering <= 0.0f)
     return Fill::none;
-  return r.hides <= nothing ? Fill::paper : Fill::veil;
+  return r.hides <= nothing || isHost(r) ? Fill::paper : Fill::veil;
 }
 
 }  // namespace
+
+ContextManner mannerOf(const Relation& r) {
+  if (r.role == ContextRole::target)
+    return ContextManner::detail;
+  if (isHost(r))
+    return ContextManner::host;
+  if (r.tissue == Tissue::unknown)
+    return ContextManner::byRole;
+  constexpr float something = 0.05f;
+  if (r.role == ContextRole::shell || r.hides > (r.role == ContextRole::feeder ? 0.3f : something))
+    return ContextManner::outline;
+  if (r.role == ContextRole::feeder)
+    return ContextManner::feeder;
+  if (r.tissue == Tissue::lesion)
+    return ContextManner::byRole;
+  return isNear(r) ? ContextManner::near : ContextManner::far;
+}
 
 Style contextStyle(const Relation& relation, ContextAmount amount) {
   if (relation.role == ContextRole::target)

@@ -23,6 +23,18 @@ struct ContextWishes {
   bool operator==(const ContextWishes&) const = default;
 };
 
+/// Says in which way a structure is drawn, and why.
+enum class ContextManner {
+  detail,   ///< it is in focus
+  host,     ///< solid and pale: the targets lie in it, open towards the eye
+  outline,  ///< nothing but a thin outline: it is in front of the targets
+  feeder,   ///< modelled: a vessel or duct that comes to the targets
+  near,     ///< solid, and modelled by what it is made of: it is near the targets
+  far,      ///< solid and pale: it is away from the targets
+  byRole,   ///< what it is made of is unknown: by its role alone
+};
+ContextManner mannerOf(const Relation& relation);
+
 /// Returns a style that answers Γ, fill, opacity, pen, tone of hatching and visibility. With the
 /// amount more of each structure becomes visible, never less, and without jumps: its Γ and pen
 /// grow, its pen from nothing. Only structures that hide nothing of the targets are filled with

@@ -22,6 +22,8 @@ constexpr long holders = 3;
 /// exceeds that.
 constexpr float roundest = 2.2f;
 constexpr float flattest = 3.0f;
+/// A wall is at most this share of the lumen behind it.
+constexpr float thickestWall = 0.25f;
 
 /// Holds the three widths of a solid around a sample: straight in from the surface, and from the
 /// middle of that way the least and the most across it. The shape-diameter function (Shapira,
@@ -53,16 +55,59 @@ float chord(const Bvh& tree, const glm::vec3& inside, const glm::vec3& direction
   return way(direction) + way(-direction);
 }
 
+/// Returns how far it is to the surface in a direction, beyond `from`.
+std::optional<float> wayTo(const Form& form, const SurfaceSample& sample, float side, float from) {
+  const float endless = 2.0f * form.radius;
+  const std::optional<Hit> hit =
+      form.tree->nearest({sample.place, side * sample.normal, from + 1e-4f * form.radius, endless});
+  return hit ? std::optional(hit->t) : std::nullopt;
+}
+
+/// Tells whether a place is in a lumen: walls are near it most ways across.
+bool isInLumen(const Form& form, const glm::vec3& middle, const glm::vec3& normal, float width) {
+  constexpr float farthest = 3.0f;  // in widths
+  constexpr int fewest = 3;         // of `linesAround`; others look along the lumen or out of it
+  const auto [u, v] = across(normal);
+  int bounded = 0;
+  for (int i = 0; i < linesAround; ++i) {
+    const float angle = float(M_PI) * float(i) / float(linesAround);
+    bounded += chord(*form.tree, middle, std::cos(angle) * u + std::sin(angle) * v,
+                     farthest * width) < farthest * width;
+  }
+  return bounded >= fewest;
+}
+
+/// Tells whether a sample lies on the inner wall of a hollow structure whose wall is that thick. It
+/// says nothing of the form: hollow structures count as solid (METHOD §12.5).
+bool isOnInnerWall(const Form& form, const SurfaceSample& sample, float wall) {
+  const std::optional<float> lumen = wayTo(form, sample, 1.0f, 0.0f);
+  return lumen && wall <= thickestWall * *lumen &&
+         isInLumen(form, sample.place + 0.5f * *lumen * sample.normal, sample.normal, *lumen);
+}
+
+/// Returns the width straight in through both walls of a hollow structure and its lumen, or just
+/// `wall` where there is no lumen behind it.
+float solidWidth(const Form& form, const SurfaceSample& sample, float wall) {
+  const std::optional<float> lumenEnd = wayTo(form, sample, -1.0f, wall);
+  if (!lumenEnd || wall > thickestWall * (*lumenEnd - wall))
+    return wall;
+  const glm::vec3 middle = sample.place - 0.5f * (wall + *lumenEnd) * sample.normal;
+  if (!isInLumen(form, middle, sample.normal, *lumenEnd - wall))
+    return wall;
+  return wayTo(form, sample, -1.0f, *lumenEnd).value_or(*lumenEnd);
+}
+
 /// Returns the widths at a sample, or none where the surface is open: straight in there is no
 /// surface to meet.
-std::optional<Widths> widthsAt(const Form& form, const SurfaceSample& sample) {
-  const float endless = 2.0f * form.radius;
-  const std::optional<Hit> far =
-      form.tree->nearest({sample.place, -sample.normal, 1e-4f * form.radius, endless});
-  if (!far)
+std::optional<Widths> widthsAt(const Form& form, const SurfaceSample& sample,
+                               const std::optional<float>& wall) {
+  if (!wall)
     return std::nullopt;
-  Widths widths{.in = far->t, .least = 2.0f * endless};
-  const glm::vec3 middle = sample.place - 0.5f * far->t * sample.normal;
+  const float in = solidWidth(form, sample, *wall);
+  // Wider than this is as good as endless for `ofTube` and `ofSheet`, and sooner known.
+  const float endless = std::min(2.0f * form.radius, 1.1f * roundest * flattest * in);
+  Widths widths{.in = in, .least = 2.0f * endless};
+  const glm::vec3 middle = sample.place - 0.5f * in * sample.normal;
   const auto [u, v] = across(sample.normal);
   for (int i = 0; i < linesAround; ++i) {
     const float angle = float(M_PI) * float(i) / float(linesAround);
@@ -96,8 +141,12 @@ FormPtr formOf(const MeshPtr& mesh) {
   std::size_t tubes = 0;
   std::size_t sheets = 0;
   for (std::size_t i = formStride / 2; i < form->samples.size(); i += formStride) {
+    const SurfaceSample& sample = form->samples[i];
+    const std::optional<float> wall = wayTo(*form, sample, -1.0f, 0.0f);
+    if (wall && isOnInnerWall(*form, sample, *wall))
+      continue;
     ++asked;
-    const std::optional<Widths> at = widthsAt(*form, form->samples[i]);
+    const std::optional<Widths> at = widthsAt(*form, sample, wall);
     widths.push_back(at ? at->in : 0.0f);
     tubes += at && ofTube(*at);
     sheets += !at || ofSheet(*at);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "model/geometry/sight.h"
 
@@ -44,11 +45,14 @@ const std::vector<glm::vec3>& sectors() {
 
 std::size_t sectorOf(const glm::vec3& direction) {
   const auto& all = sectors();
-  return std::size_t(std::max_element(all.begin(), all.end(),
-                                      [&](const glm::vec3& a, const glm::vec3& b) {
-                                        return glm::dot(a, direction) < glm::dot(b, direction);
-                                      }) -
-                     all.begin());
+  std::size_t best = 0;
+  float most = glm::dot(all.front(), direction);
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (const float along = glm::dot(all[i], direction); along > most) {
+      most = along;
+      best = i;
+    }
+  return best;
 }
 
 bool blocks(const Party& party, const Ray& ray) {
@@ -203,14 +207,19 @@ float Surroundings::roomBeyond(const Party& party, float within) const {
 
 Facts Surroundings::factsOf(const Party& party) const {
   Facts facts{.gap = endless};
-  bool any = false;
-  for (const SurfaceSample& sample : party.form->samples)
-    if (keptByAll(party.planes, sample.place)) {
-      any = true;
-      facts.gap = std::min(facts.gap, distanceTo(sample.place, facts.gap));
-    }
-  if (!any)
+  // The likeliest to be nearest come first, so that most of the others need not be asked.
+  std::vector<std::pair<float, std::size_t>> places;
+  for (std::size_t i = 0; i < party.form->samples.size(); ++i)
+    if (const glm::vec3& place = party.form->samples[i].place; keptByAll(party.planes, place))
+      places.emplace_back(boxDistance(m_box, place), i);
+  if (places.empty())
     return facts;
+  std::sort(places.begin(), places.end());
+  for (const auto& [least, i] : places) {
+    if (least >= facts.gap)
+      break;
+    facts.gap = std::min(facts.gap, distanceTo(party.form->samples[i].place, facts.gap));
+  }
   const float against = againstShare * m_radius;
   std::size_t touched = 0;
   for (const SurfaceSample& sample : m_samples) {

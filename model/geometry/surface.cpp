@@ -53,4 +53,14 @@ SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options) {
   return surface;
 }
 
+SurfacePtr reshapedSurface(const Surface& surface, const Mesh& shape) {
+  auto reshaped = std::make_shared<Surface>(surface);
+  const VertexFaces faces(shape);
+  reshaped->normals = vertexNormals(shape, faces);
+  reshaped->curvature = curvature(shape, reshaped->normals, faces);
+  reshaped->clusters = buildClusters(*surface.mesh, spatialOrder(*surface.mesh), reshaped->normals,
+                                     reshaped->curvature);
+  return reshaped;
+}
+
 }  // namespace sline::model

@@ -30,4 +30,8 @@ using SurfacePtr = std::shared_ptr<const Surface>;
 
 SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options = {});
 
+/// Returns the surface with normals and curvature of `shape`, a mesh of the same triangles; all
+/// else, positions too, stays its own.
+SurfacePtr reshapedSurface(const Surface& surface, const Mesh& shape);
+
 }  // namespace sline::model

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <unordered_set>
 #include <vector>
@@ -17,17 +19,37 @@ namespace sline::model {
 
 namespace {
 
-/// Says which way an anatomical view looks: along that axis of LPS, the eye at the end named.
+/// Says from where a parallel view looks, by unit vectors that are perpendicular to each other.
 struct Direction {
-  int axis;
-  float sign;  ///< the eye lies at +sign along the axis
+  glm::vec3 right;
+  glm::vec3 up;
+  glm::vec3 towardsEye;
 };
-constexpr std::array<Direction, 6> directions{{{1, -1.0f},  // anterior: −y is the front
-                                               {1, 1.0f},
-                                               {0, 1.0f},  // left: +x
-                                               {0, -1.0f},
-                                               {2, 1.0f},  // superior: +z
-                                               {2, -1.0f}}};
+constexpr glm::vec3 xAxis{1.0f, 0.0f, 0.0f};
+constexpr glm::vec3 yAxis{0.0f, 1.0f, 0.0f};
+constexpr glm::vec3 zAxis{0.0f, 0.0f, 1.0f};
+const std::array<Direction, 6> anatomicalDirections{
+    {{zAxis, xAxis, -yAxis},  // anterior: −y is the front
+     {zAxis, xAxis, yAxis},
+     {yAxis, zAxis, xAxis},  // left: +x
+     {yAxis, zAxis, -xAxis},
+     {xAxis, yAxis, zAxis},  // superior: +z
+     {xAxis, yAxis, -zAxis}}};
+
+/// Returns the directions to the points of a lattice on a cube's surface, 98 of them.
+std::vector<glm::vec3> directionsAllRound() {
+  std::vector<glm::vec3> directions;
+  constexpr int n = 2;
+  for (int x = -n; x <= n; ++x)
+    for (int y = -n; y <= n; ++y)
+      for (int z = -n; z <= n; ++z)
+        if (std::max({std::abs(x), std::abs(y), std::abs(z)}) == n)
+          directions.push_back(glm::normalize(glm::vec3(x, y, z)));
+  return directions;
+}
+
+/// Says of what a cell shows a structure.
+enum class Kind : std::uint8_t { other, wanted };
 
 /// Tells whether structures of that tissue hide what is behind them in a plate; others become
 /// silhouettes where they are in front.
@@ -37,38 +59,40 @@ bool staysFilled(Tissue tissue) {
 
 constexpr int side = 160;  ///< cells along the longer side of the scene's box
 
-/// The nearest surface in each cell of a parallel view along an axis.
+/// The nearest surface in each cell of a parallel view, and which of some kinds it is of.
 class DepthMap {
  public:
-  DepthMap(const Direction& direction, const Box& box)
-      : m_direction(direction), m_u((direction.axis + 1) % 3), m_v((direction.axis + 2) % 3) {
+  DepthMap(const Direction& direction, const Box& box) : m_direction(direction) {
+    Box seen;
+    for (const glm::vec3& corner : box.corners())
+      seen.add(turned(corner));
     const glm::vec3 size = box.high - box.low;
-    m_low = box.low;
+    m_low = seen.low;
     m_cell = std::max({size.x, size.y, size.z, 1e-6f}) / float(side);
-    m_columns = int(size[m_u] / m_cell) + 1;
-    m_rows = int(size[m_v] / m_cell) + 1;
+    m_columns = int((seen.high.x - seen.low.x) / m_cell) + 1;
+    m_rows = int((seen.high.y - seen.low.y) / m_cell) + 1;
     m_depth.assign(std::size_t(m_columns) * std::size_t(m_rows),
                    -std::numeric_limits<float>::infinity());
-    m_wanted.assign(m_depth.size(), 0);
+    m_kind.assign(m_depth.size(), Kind::other);
   }
 
-  void add(const Mesh& mesh, bool wanted) {
-    const auto positions = mesh.positions();
+  void add(const Mesh& mesh, Kind kind) {
+    std::vector<glm::vec3> places;
+    places.reserve(mesh.positions().size());
+    for (const glm::vec3& position : mesh.positions())
+      places.push_back(placed(position));
     for (const Triangle& t : mesh.triangles())
-      add({positions[t[0]], positions[t[1]], positions[t[2]]}, wanted);
+      add(places[t[0]], places[t[1]], places[t[2]], kind);
   }
 
-  /// Returns the area of the wanted structures that is seen, mm².
-  double seen() const {
-    const auto cells = std::count(m_wanted.begin(), m_wanted.end(), 1);
+  /// Returns the area of the structures of that kind that is seen, mm².
+  double seen(Kind kind) const {
+    const auto cells = std::count(m_kind.begin(), m_kind.end(), kind);
     return double(cells) * double(m_cell) * double(m_cell);
   }
 
  private:
-  void add(const std::array<glm::vec3, 3>& corners, bool wanted) {
-    glm::vec3 a = placed(corners[0]);
-    glm::vec3 b = placed(corners[1]);
-    glm::vec3 c = placed(corners[2]);
+  void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, Kind kind) {
     const glm::vec3 low = glm::min(glm::min(a, b), c);
     const glm::vec3 high = glm::max(glm::max(a, b), c);
     const int left = int(std::ceil(low.x));
@@ -77,7 +101,7 @@ class DepthMap {
     const int bottom = int(std::floor(high.y));
     const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (left > right || top > bottom || area == 0.0f)
-      return put(int(std::lround(a.x)), int(std::lround(a.y)), a.z, wanted);
+      return put(int(std::lround(a.x)), int(std::lround(a.y)), a.z, kind);
     for (int y = top; y <= bottom; ++y)
       for (int x = left; x <= right; ++x) {
         const float px = float(x) - a.x;
@@ -85,66 +109,147 @@ class DepthMap {
         const float s = (px * (c.y - a.y) - py * (c.x - a.x)) / area;
         const float t = ((b.x - a.x) * py - (b.y - a.y) * px) / area;
         if (s >= 0.0f && t >= 0.0f && s + t <= 1.0f)
-          put(x, y, a.z + s * (b.z - a.z) + t * (c.z - a.z), wanted);
+          put(x, y, a.z + s * (b.z - a.z) + t * (c.z - a.z), kind);
       }
+  }
+
+  glm::vec3 turned(const glm::vec3& p) const {
+    return {glm::dot(p, m_direction.right), glm::dot(p, m_direction.up),
+            glm::dot(p, m_direction.towardsEye)};
   }
 
   /// Returns the cell as x and y and how near to the eye the point is as z.
   glm::vec3 placed(const glm::vec3& p) const {
-    return {(p[m_u] - m_low[m_u]) / m_cell, (p[m_v] - m_low[m_v]) / m_cell,
-            m_direction.sign * p[m_direction.axis]};
+    const glm::vec3 seen = turned(p);
+    return {(seen.x - m_low.x) / m_cell, (seen.y - m_low.y) / m_cell, seen.z};
   }
 
-  void put(int x, int y, float depth, bool wanted) {
+  void put(int x, int y, float depth, Kind kind) {
     if (x < 0 || y < 0 || x >= m_columns || y >= m_rows)
       return;
     const std::size_t cell = std::size_t(y) * std::size_t(m_columns) + std::size_t(x);
     if (!(depth > m_depth[cell]))
       return;
     m_depth[cell] = depth;
-    m_wanted[cell] = wanted ? 1 : 0;
+    m_kind[cell] = kind;
   }
 
   Direction m_direction;
-  int m_u;
-  int m_v;
   glm::vec3 m_low{0.0f};
   float m_cell = 1.0f;
   int m_columns = 0;
   int m_rows = 0;
   std::vector<float> m_depth;
-  std::vector<std::uint8_t> m_wanted;
+  std::vector<Kind> m_kind;
 };
+
+using IdValues = std::unordered_set<std::uint64_t>;
+
+IdValues valuesOf(std::span<const NodeId> structures) {
+  IdValues ids;
+  for (const NodeId id : structures)
+    ids.insert(id.value);
+  return ids;
+}
+
+Box boundsOf(const std::vector<VisibleStructure>& structures) {
+  Box box;
+  for (const VisibleStructure& each : structures)
+    box.add(each.node->mesh->bounds());
+  return box;
+}
 
 }  // namespace
 
 AnatomicalView bestViewOf(const Scene& scene, std::span<const NodeId> structures) {
-  std::unordered_set<std::uint64_t> wanted;
-  for (const NodeId id : structures)
-    wanted.insert(id.value);
+  const IdValues wanted = valuesOf(structures);
   const std::vector<VisibleStructure> visible = visibleStructures(scene);
-  Box box;
-  for (const VisibleStructure& each : visible)
-    box.add(each.node->mesh->bounds());
+  const Box box = boundsOf(visible);
   if (box.empty())
     return AnatomicalView::anterior;
   const Tissues tissues = tissuesOf(scene);
-  std::array<double, directions.size()> seen{};
-  parallelFor(directions.size(), 1, [&](std::size_t i) {
-    DepthMap map(directions[i], box);
+  std::array<double, anatomicalDirections.size()> seen{};
+  parallelFor(seen.size(), 1, [&](std::size_t i) {
+    DepthMap map(anatomicalDirections[i], box);
     for (const bool others : {false, true}) {
       for (const VisibleStructure& each : visible) {
         const bool asked = wanted.contains(each.node->id.value);
         if (asked != others && (asked || staysFilled(tissues.at(each.node->id.value))))
-          map.add(*each.node->mesh, asked);
+          map.add(*each.node->mesh, asked ? Kind::wanted : Kind::other);
       }
-      seen[i] += map.seen();
+      seen[i] += map.seen(Kind::wanted);
     }
   });
   const auto best = std::max_element(seen.begin(), seen.end());
   constexpr double worthTurning = 1.2;
   return *best > worthTurning * seen.front() ? AnatomicalView(best - seen.begin())
                                              : AnatomicalView::anterior;
+}
+
+namespace {
+
+/// A place on a structure whose sight counts, and how much.
+struct Watched {
+  SurfaceSample sample;
+  double area = 0.0;
+  bool besides = false;
+};
+
+std::vector<Watched> watchedOf(const std::vector<FormPtr>& forms, bool besides) {
+  constexpr std::size_t stride = 4;
+  std::vector<Watched> watched;
+  for (const FormPtr& form : forms)
+    for (std::size_t i = stride / 2; i < form->samples.size(); i += stride)
+      watched.push_back(
+          {form->samples[i], form->area / double(form->samples.size()) * double(stride), besides});
+  return watched;
+}
+
+}  // namespace
+
+glm::vec3 clearestDirection(const Scene& scene, std::span<const NodeId> structures,
+                            std::span<const NodeId> besides, FormIndex& forms) {
+  const IdValues wanted = valuesOf(structures);
+  const IdValues second = valuesOf(besides);
+  std::vector<FormPtr> all;
+  std::vector<FormPtr> first;
+  std::vector<FormPtr> others;
+  for (const VisibleStructure& each : visibleStructures(scene)) {
+    all.push_back(forms.of(each.node->mesh));
+    if (wanted.contains(each.node->id.value))
+      first.push_back(all.back());
+    else if (second.contains(each.node->id.value))
+      others.push_back(all.back());
+  }
+  std::vector<Watched> watched = watchedOf(first, false);
+  const std::vector<Watched> more = watchedOf(others, true);
+  watched.insert(watched.end(), more.begin(), more.end());
+  const std::vector<glm::vec3> directions = directionsAllRound();
+  std::vector<std::array<double, 2>> seen(directions.size(), {0.0, 0.0});
+  parallelFor(directions.size(), 1, [&](std::size_t i) {
+    const glm::vec3& way = directions[i];
+    for (const Watched& each : watched) {
+      const float facing = glm::dot(each.sample.normal, way);
+      constexpr float clear = 0.02f;  // mm: off the surface that it lies on
+      const Ray ray{each.sample.place + clear * each.sample.normal, way};
+      if (facing > 0.0f && std::none_of(all.begin(), all.end(), [&ray](const FormPtr& form) {
+            return form->tree->blocked(ray);
+          }))
+        seen[i][each.besides ? 1 : 0] += each.area * double(facing);
+    }
+  });
+  double most = 0.0;
+  for (const auto& [main, beside] : seen)
+    most = std::max(most, main);
+  constexpr double nearly = 0.9;
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < seen.size(); ++i) {
+    const bool clear = seen[i][0] >= nearly * most;
+    const bool bestIsClear = seen[best][0] >= nearly * most;
+    if (clear && (!bestIsClear || seen[i][1] > seen[best][1]))
+      best = i;
+  }
+  return directions[best];
 }
 
 }  // namespace sline::model

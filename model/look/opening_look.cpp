@@ -2,10 +2,13 @@
 #include "model/look/opening_look.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 
 #include "model/base/contrast.h"
 #include "model/edit/look.h"
+#include "model/edit/visibility.h"
+#include "model/focus/twins.h"
 #include "model/look/best_view.h"
 #include "model/scene/resolved_styles.h"
 #include "model/scene/visible_structures.h"
@@ -14,7 +17,7 @@ namespace sline::model {
 
 namespace {
 
-constexpr float plainGamma = 4.0f;  // where everything is the subject
+constexpr float plainGamma = 4.15f;  // where everything is the subject
 constexpr Colour paper{255, 255, 255};
 // Lines stand out from white paper as texts must; those of the subject more.
 constexpr double contextContrast = 4.5;
@@ -81,6 +84,45 @@ ContextAmount plateAmount() {
   return ContextAmount::clamped(0.7f);
 }
 
+namespace {
+
+/// Hides the second of what is there twice.
+Scene withoutTwins(const Scene& scene) {
+  std::vector<NodeId> second;
+  for (const Twins& twins : twinsOf(scene))
+    if (!scene.isLocked(twins.second))
+      second.push_back(twins.second);
+  return withHidden(scene, second).scene;
+}
+
+/// Returns a camera from where the ligands of a molecule, which has no sides, show best.
+Camera pocketCamera(const Scene& scene, const Subject& subject, float aspect, FormIndex& forms) {
+  std::vector<NodeId> ligands;
+  const Ids pockets = idsOf(subject.pockets);
+  for (const NodeId id : subject.structures)
+    if (!pockets.contains(id.value))
+      ligands.push_back(id);
+  Camera camera = anatomicalCamera(AnatomicalView::anterior, scene.visibleBounds(), aspect);
+  const glm::vec3 towardsEye = clearestDirection(scene, ligands, subject.pockets, forms);
+  camera.eye = camera.target + glm::length(camera.eye - camera.target) * towardsEye;
+  if (std::abs(glm::dot(towardsEye, camera.up)) > 0.9f)
+    camera.up = {0.0f, 1.0f, 0.0f};
+  return fitted(camera, scene.visibleBounds().corners(), aspect);
+}
+
+/// Returns from where the subject is looked at, not yet framed, and sets the look's view.
+Camera chosenCamera(OpeningLook& look, const OpeningWishes& wishes, FormIndex& forms) {
+  if (wishes.camera)
+    return *wishes.camera;
+  const Scene& scene = look.scene;
+  if (!wishes.view && !look.subject.pockets.empty())
+    return pocketCamera(scene, look.subject, wishes.aspect, forms);
+  look.view = wishes.view ? *wishes.view : bestViewOf(scene, look.subject.structures);
+  return anatomicalCamera(*look.view, scene.visibleBounds(), wishes.aspect);
+}
+
+}  // namespace
+
 std::optional<OpeningLook> openingLook(const Scene& scene, FormIndex& forms,
                                        const OpeningWishes& wishes, const std::stop_token& stop) {
   const std::vector<Subject> subjects = subjectsOf(scene);
@@ -88,19 +130,19 @@ std::optional<OpeningLook> openingLook(const Scene& scene, FormIndex& forms,
     return std::nullopt;
   OpeningLook look;
   look.subject = subjects[wishes.subject % subjects.size()];
-  look.scene = hasColours(scene) ? inked(scene, idsOf(look.subject.structures)) : scene;
-  Camera camera;
-  if (wishes.camera) {
-    camera = *wishes.camera;
-  } else {
-    look.view = wishes.view.has_value() ? *wishes.view : bestViewOf(scene, look.subject.structures);
-    camera = anatomicalCamera(*look.view, scene.visibleBounds(), wishes.aspect);
-  }
+  if (!wishes.about.empty())
+    look.subject = {.title = "what stands out",
+                    .structures = wishes.about,
+                    .everything = wishes.about.size() == visibleStructures(scene).size()};
+  look.scene = withShown(withoutTwins(scene), look.subject.pockets).scene;
+  if (hasColours(look.scene))
+    look.scene = inked(look.scene, idsOf(look.subject.structures));
+  const Camera camera = chosenCamera(look, wishes, forms);
   if (look.subject.everything) {
     look.scene = withLook(look.scene, look.subject.structures, everythingStyle()).scene;
   } else {
     auto analysis =
-        analysed(scene, {.targets = look.subject.structures, .camera = camera}, forms, stop);
+        analysed(look.scene, {.targets = look.subject.structures, .camera = camera}, forms, stop);
     if (!analysis)
       return std::nullopt;
     look.scene = withFocusAndContext(look.scene, *analysis, plateAmount()).scene;
@@ -138,8 +180,9 @@ Camera framedCamera(const OpeningLook& look, float aspect, const FreeSides& side
   const Box whole = scene.visibleBounds();
   constexpr float small = 0.4f;
   if (noted.empty() && glm::length(size) < small * glm::length(whole.high - whole.low)) {
-    // A subject that is small in the scene, such as a ligand, has something of the scene around it.
-    constexpr float around = 0.4f;
+    // A subject that is small in the scene, such as a lesion, has something of the scene around it;
+    // a ligand has it already with its pocket.
+    const float around = look.subject.pockets.empty() ? 0.4f : 0.08f;
     const glm::vec3 more(around * glm::length(size));
     return fitted(look.camera, Box{box.low - more, box.high + more}.corners(), aspect, sides);
   }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "model/focus/context.h"
 #include "model/look/subjects.h"
@@ -20,12 +21,14 @@ struct OpeningLook {
   Scene scene;  ///< styled; everything else as it was
   Camera camera;
   Subject subject;
-  std::optional<AnatomicalView> view;             ///< absent where a camera was given
+  std::optional<AnatomicalView> view;             ///< absent where a camera was given, or the
+                                                  ///< scene has no sides (a molecule)
   std::shared_ptr<const FocusAnalysis> analysis;  ///< null where everything is the subject
 };
 
 struct OpeningWishes {
-  std::size_t subject = 0;  ///< its index among `subjectsOf`, from the first again after the last
+  std::size_t subject = 0;    ///< its index among `subjectsOf`, from the first again after the last
+  std::vector<NodeId> about;  ///< structures; if any, they are the subject instead
   std::optional<Camera> camera;        ///< used as it is
   std::optional<AnatomicalView> view;  ///< absent, without a camera: chosen
   float aspect = 16.0f / 9.0f;         ///< width / height of the picture
@@ -35,7 +38,9 @@ struct OpeningWishes {
 ContextAmount plateAmount();
 
 /// Returns the opening look, or nothing where the scene shows nothing or stop was requested. The
-/// result depends on the arguments alone. Hidden structures stay hidden, locked ones as they are.
+/// result depends on the arguments alone. Hidden structures stay hidden, but for the pockets of
+/// ligands; locked ones stay as they are. The second of what is there twice is hidden (METHOD
+/// §12.7).
 std::optional<OpeningLook> openingLook(const Scene& scene, FormIndex& forms,
                                        const OpeningWishes& wishes = {},
                                        const std::stop_token& stop = {});

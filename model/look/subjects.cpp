@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <string_view>
 
 #include "model/anatomy/body_systems.h"
 #include "model/anatomy/name_words.h"
+#include "model/focus/twins.h"
 #include "model/scene/visible_structures.h"
 
 namespace sline::model {
@@ -21,17 +23,21 @@ struct Member {
   bool ligand = false;
 };
 
-bool saysLigand(const std::string& name) {
+bool says(const std::string& name, std::string_view word) {
   const std::vector<std::string> words = nameWords(name);
-  return std::find(words.begin(), words.end(), "ligand") != words.end();
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 std::vector<Member> membersOf(const Scene& scene) {
   static const AnatomyTable table;
   const Tissues tissues = tissuesOf(scene);
+  const std::vector<Twins> twins = twinsOf(scene);
   std::vector<Member> members;
   for (const VisibleStructure& visible : visibleStructures(scene)) {
     const Node& node = *visible.node;
+    if (std::any_of(twins.begin(), twins.end(),
+                    [&node](const Twins& each) { return each.second == node.id; }))
+      continue;
     Member member{.id = node.id,
                   .name = node.name,
                   .tissue = tissues.at(node.id.value),
@@ -42,7 +48,7 @@ std::vector<Member> membersOf(const Scene& scene) {
     while (const Node* parent = scene.find(above.back()->parent))
       above.push_back(parent);
     for (const Node* each : above) {
-      member.ligand = member.ligand || saysLigand(each->name);
+      member.ligand = member.ligand || says(each->name, "ligand");
       if (const auto match = table.match(each->name); match && member.system.empty())
         member.system = table.systems()[match->system].title;
     }
@@ -61,12 +67,29 @@ bool isInside(const Box& box, const Box& around) {
          glm::all(glm::lessThanEqual(box.high, around.high));
 }
 
+/// Returns the structures that line the pocket of a ligand which is visible, hidden or not; both
+/// begin with the ligand's code.
+std::vector<NodeId> pocketsOf(const Scene& scene, const std::vector<Member>& members) {
+  std::vector<NodeId> pockets;
+  for (const Node& node : scene.nodes()) {
+    constexpr std::string_view ending = " pocket";
+    if (node.isGroup() || !node.name.ends_with(ending))
+      continue;
+    const std::string code = node.name.substr(0, node.name.size() - ending.size() + 1);
+    if (std::any_of(members.begin(), members.end(),
+                    [&](const Member& m) { return m.ligand && m.name.starts_with(code); }))
+      pockets.push_back(node.id);
+  }
+  return pockets;
+}
+
 class Finder {
  public:
-  explicit Finder(std::vector<Member> members) : m_members(std::move(members)) {}
+  Finder(std::vector<Member> members, std::vector<NodeId> pockets)
+      : m_members(std::move(members)), m_pockets(std::move(pockets)) {}
 
   std::vector<Subject> find() {
-    add("ligands", [](const Member& m) { return m.ligand; });
+    addLigands();
     add("lesions", [](const Member& m) { return m.tissue == Tissue::lesion; });
     addOrgans();
     add("joints", [](const Member& m) { return m.tissue == Tissue::joint; });
@@ -89,6 +112,23 @@ class Finder {
     });
     if (!subject.structures.empty() && subject.structures.size() < m_members.size() && !known)
       m_subjects.push_back(std::move(subject));
+  }
+
+  void addLigands() {
+    const auto isPocket = [this](const Member& m) {
+      return std::find(m_pockets.begin(), m_pockets.end(), m.id) != m_pockets.end();
+    };
+    const auto others =
+        std::size_t(std::count_if(m_members.begin(), m_members.end(),
+                                  [&](const Member& m) { return !m.ligand && !isPocket(m); }));
+    if (others == 0)
+      return;
+    add("ligands", [](const Member& m) { return m.ligand; });
+    if (m_subjects.empty())
+      return;
+    Subject& ligands = m_subjects.front();
+    ligands.pockets = m_pockets;
+    ligands.structures.insert(ligands.structures.end(), m_pockets.begin(), m_pockets.end());
   }
 
   void addEverything() {
@@ -145,13 +185,16 @@ class Finder {
   }
 
   std::vector<Member> m_members;
+  std::vector<NodeId> m_pockets;
   std::vector<Subject> m_subjects;
 };
 
 }  // namespace
 
 std::vector<Subject> subjectsOf(const Scene& scene) {
-  return Finder(membersOf(scene)).find();
+  std::vector<Member> members = membersOf(scene);
+  std::vector<NodeId> pockets = pocketsOf(scene, members);
+  return Finder(std::move(members), std::move(pockets)).find();
 }
 
 }  // namespace sline::model

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "model/meshing/half_edges.h"
+#include "model/fairing/half_edges.h"
 
 namespace sline::model {
 

@@ -12,8 +12,8 @@
 #include <queue>
 #include <tuple>
 
+#include "model/fairing/half_edges.h"
 #include "model/meshing/cut_surface.h"
-#include "model/meshing/half_edges.h"
 
 namespace sline::model {
 

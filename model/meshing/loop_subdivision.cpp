@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "model/base/parallel.h"
-#include "model/meshing/half_edges.h"
+#include "model/fairing/half_edges.h"
 
 namespace sline::model {
 

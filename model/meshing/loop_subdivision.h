@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "model/fairing/vertex_rings.h"
 #include "model/geometry/mesh.h"
-#include "model/meshing/vertex_rings.h"
 
 namespace sline::model {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "model/fairing/half_edges.h"
 #include "model/geometry/mesh.h"
-#include "model/meshing/half_edges.h"
 
 namespace sline::model {
 

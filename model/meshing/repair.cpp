@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "model/meshing/half_edges.h"
+#include "model/fairing/half_edges.h"
 #include "model/meshing/orientation.h"
 
 namespace sline::model {

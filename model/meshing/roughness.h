@@ -4,6 +4,7 @@
 // they repeat along the axes with the spacing of the voxels, which is also the height of the steps.
 #pragma once
 
+#include <algorithm>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -20,6 +21,8 @@ struct VoxelGrid {
   /// tried).
   glm::vec3 power{0.0f};
 
+  /// Returns the largest spacing: the distance between slices.
+  float coarsest() const { return std::max({spacing.x, spacing.y, spacing.z}); }
   bool found() const { return spacing.x > 0.0f || spacing.y > 0.0f || spacing.z > 0.0f; }
   /// Returns the height of a step on a face with that normal: the grid's spacing across the
   /// surface.

@@ -7,12 +7,12 @@
 #include <numeric>
 #include <utility>
 
-#include "model/base/parallel.h"
+#include "model/fairing/bounded_relaxation.h"
+#include "model/fairing/vertex_rings.h"
+#include "model/fairing/windowed_sinc.h"
 #include "model/geometry/bounding_sphere.h"
 #include "model/geometry/edge_length.h"
 #include "model/meshing/loop_subdivision.h"
-#include "model/meshing/vertex_rings.h"
-#include "model/meshing/windowed_sinc.h"
 
 namespace sline::model {
 
@@ -99,46 +99,6 @@ Filtered filtered(const std::vector<glm::vec3>& positions, std::span<const Trian
     d[v] -= mean[v];
   }
   return result;
-}
-
-/// Pulls each vertex back until it moved by no more than its limit.
-void limitMoves(std::vector<glm::vec3>& after, std::span<const glm::vec3> before,
-                std::span<const float> limits) {
-  parallelFor(after.size(), 16384, [&](std::size_t v) {
-    const glm::vec3 move = after[v] - before[v];
-    const float length = glm::length(move);
-    if (!(length <= limits[v]))
-      after[v] = length > 0.0f && std::isfinite(length) ? before[v] + move * (limits[v] / length)
-                                                        : before[v];
-  });
-}
-
-/// Smooths the positions within the limits, since cutting moves off at them leaves kinks. Rounds of
-/// low-pass and limit together lead to a smooth surface, as in S. Gibson, "Constrained Elastic
-/// Surface Nets" (1998), but with G. Taubin's pair of steps (1995), which does not shrink.
-void relaxWithin(std::vector<glm::vec3>& positions, std::span<const glm::vec3> before,
-                 std::span<const float> limits, const VertexRings& rings) {
-  constexpr int rounds = 20;
-  constexpr float shrink = 0.6307f;  // Taubin's example: pass band 0.1
-  constexpr float inflate = -0.6732f;
-  std::vector<glm::vec3> next(positions.size());
-  const auto step = [&](float weight) {
-    parallelFor(positions.size(), 16384, [&](std::size_t v) {
-      next[v] = positions[v];
-      if (rings.onBorder(v) || rings[v].empty())
-        return;
-      glm::vec3 sum(0.0f);
-      for (const std::uint32_t other : rings[v])
-        sum += positions[other];
-      next[v] += weight * (sum / float(rings[v].size()) - positions[v]);
-    });
-    std::swap(positions, next);
-  };
-  for (int round = 0; round < rounds; ++round) {
-    step(shrink);
-    step(inflate);
-    limitMoves(positions, before, limits);
-  }
 }
 
 /// Returns the rms of the swing, in step heights of the grid.

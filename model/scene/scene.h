@@ -48,11 +48,13 @@ struct Provenance {
   int refinementSteps = 0;   ///< Loop subdivisions
   int repairedFaces = 0;     ///< turned, removed as duplicates or without area
   float displacementMm = 0;  ///< the farthest any vertex moved
-  float mmPerUnit = 1;       ///< the length taken for the file's unit
-  std::string unitReason;    ///< what decided the unit
-  int decimatedFrom = 0;     ///< triangles before decimation; 0: there was none
-  float decimationMm = 0;    ///< the farthest that decimation moved the surface, as measured
-  std::string part;          ///< which of the file's surfaces; empty if it has only one
+  float sliceMm = 0;       ///< between the slices it was cut from, whose steps drawings leave out;
+                           ///< 0: none show
+  float mmPerUnit = 1;     ///< the length taken for the file's unit
+  std::string unitReason;  ///< what decided the unit
+  int decimatedFrom = 0;   ///< triangles before decimation; 0: there was none
+  float decimationMm = 0;  ///< the farthest that decimation moved the surface, as measured
+  std::string part;        ///< which of the file's surfaces; empty if it has only one
   std::optional<Fingerprint> fingerprint;     ///< fingerprint of the file
   std::optional<IntensityRange> intensities;  ///< set where the file is a scan
   /// The transform that a scene around the file applied: the rows of an affine map of RAS

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/scene/section.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sline::model {
+
+std::optional<CutFaces> cutFacesNamed(std::string_view name) {
+  const auto* const found = std::find(cutFacesNames.begin(), cutFacesNames.end(), name);
+  return found == cutFacesNames.end() ? std::nullopt
+                                      : std::optional(CutFaces(found - cutFacesNames.begin()));
+}
 
 int axisOf(AnatomicalView side) {
   switch (side) {

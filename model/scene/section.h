@@ -2,6 +2,7 @@
 // Defines section planes, which cut parts of the scene away so that its inside can be seen.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,15 @@ struct SectionId {
   auto operator<=>(const SectionId&) const = default;
 };
 
+/// How cut faces are drawn: as white as the paper, in a tint of the structure's colour, or with the
+/// pattern of its tissue on that tint, as printed atlases have them.
+enum class CutFaces : std::uint8_t { off, tint, tissue };
+
+/// The names of these looks in scene files and on the command line, in the order of the values.
+inline constexpr std::array<std::string_view, 3> cutFacesNames{"off", "tint", "tissue"};
+/// Returns the look of that name.
+std::optional<CutFaces> cutFacesNamed(std::string_view name);
+
 /// A section cuts every structure at or below `scope`. Solids (see Surface) get a cut face in their
 /// colour with an inked outline; sheets are cut open.
 struct Section {
@@ -30,7 +40,8 @@ struct Section {
   Plane plane;
   NodeId scope = rootId;
   bool enabled = true;
-  bool hatched = false;  ///< whether the cut faces have strokes at 45°
+  CutFaces faces = CutFaces::tissue;
+  bool hatched = false;  ///< whether cut faces without a pattern have strokes at 45°
   std::string unread;    ///< like Node::unread
   bool operator==(const Section&) const = default;
 };

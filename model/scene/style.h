@@ -23,6 +23,14 @@ inline std::span<const std::string_view> namesOf(Fill /*any*/) {
   return fillNames;
 }
 
+/// Says how outlines are drawn where other structures hide them: not at all, thinly, or dashed; in
+/// both cases at half strength (METHOD §11.5).
+enum class HiddenLines { none, thin, dashed };
+inline constexpr std::array<std::string_view, 3> hiddenLinesNames{"none", "thin", "dashed"};
+inline std::span<const std::string_view> namesOf(HiddenLines /*any*/) {
+  return hiddenLinesNames;
+}
+
 struct Style {
   std::optional<Colour> colour;
   std::optional<Colour> inkColour;
@@ -31,6 +39,13 @@ struct Style {
   std::optional<Fill> fill;
   std::optional<bool> visible;
   std::optional<float> penWeight;
+  std::optional<float> lineVariation;
+  std::optional<float> lineSmoothing;
+  std::optional<float> shortestLine;
+  std::optional<float> lineScale;
+  std::optional<HiddenLines> hiddenLines;
+  std::optional<float> halo;
+  std::optional<float> grain;
   std::optional<HatchDensity> hatchDensity;
   std::optional<HatchTone> hatchTone;
   bool operator==(const Style&) const = default;
@@ -45,6 +60,15 @@ struct ResolvedStyle {
   Fill fill = Fill::none;
   bool visible = true;     ///< also false where a group above is hidden
   float penWeight = 1.0f;  ///< factor on the scene's pen of 2 λ (METHOD §4)
+  /// How much the pen's pressure tells form, 0 … 1 (METHOD §11.4); 0: an even pen.
+  float lineVariation = 1.0f;
+  float lineSmoothing =
+      1.0f;  ///< times 3 λ, within which lines turn back and forth no more (§11.2)
+  float shortestLine = 8.0f;  ///< λ; shorter pieces are crumbs that no pen draws (§11.3)
+  float lineScale = 1.0f;  ///< times 4 λ, the scale of suggestive contours and hatching (§11.8)
+  HiddenLines hiddenLines = HiddenLines::none;
+  float halo = 0.0f;   ///< pens; lines behind stop this far from its outline (METHOD §11.6)
+  float grain = 0.0f;  ///< how much of the pen is a pencil on rough paper, 0 … 1
   HatchDensity hatchDensity = HatchDensity::clamped(1.0f);
   HatchTone hatchTone = HatchTone::clamped(1.0f);
   bool operator==(const ResolvedStyle&) const = default;

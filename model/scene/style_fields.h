@@ -44,6 +44,18 @@ inline constexpr StyleField<&Style::fill, &ResolvedStyle::fill> fill{"fill"};
 inline constexpr StyleField<&Style::visible, &ResolvedStyle::visible> visible{"visible"};
 inline constexpr StyleField<&Style::penWeight, &ResolvedStyle::penWeight> penWeight{"pen_weight",
                                                                                     {0, 10}};
+inline constexpr StyleField<&Style::lineVariation, &ResolvedStyle::lineVariation> lineVariation{
+    "line_variation", {0, 1}};
+inline constexpr StyleField<&Style::lineSmoothing, &ResolvedStyle::lineSmoothing> lineSmoothing{
+    "line_smoothing", {0, 2}};
+inline constexpr StyleField<&Style::shortestLine, &ResolvedStyle::shortestLine> shortestLine{
+    "shortest_line", {0, 40}};
+inline constexpr StyleField<&Style::lineScale, &ResolvedStyle::lineScale> lineScale{"line_scale",
+                                                                                    {0, 2}};
+inline constexpr StyleField<&Style::hiddenLines, &ResolvedStyle::hiddenLines> hiddenLines{
+    "hidden_lines"};
+inline constexpr StyleField<&Style::halo, &ResolvedStyle::halo> halo{"halo", {0, 4}};
+inline constexpr StyleField<&Style::grain, &ResolvedStyle::grain> grain{"grain", {0, 1}};
 inline constexpr StyleField<&Style::hatchDensity, &ResolvedStyle::hatchDensity> hatchDensity{
     "hatch_density"};
 inline constexpr StyleField<&Style::hatchTone, &ResolvedStyle::hatchTone> hatchTone{"hatch_tone"};
@@ -59,6 +71,13 @@ constexpr void forEachStyleField(const Visit& visit) {
   visit(style_fields::fill);
   visit(style_fields::visible);
   visit(style_fields::penWeight);
+  visit(style_fields::lineVariation);
+  visit(style_fields::lineSmoothing);
+  visit(style_fields::shortestLine);
+  visit(style_fields::lineScale);
+  visit(style_fields::hiddenLines);
+  visit(style_fields::halo);
+  visit(style_fields::grain);
   visit(style_fields::hatchDensity);
   visit(style_fields::hatchTone);
 }

@@ -50,6 +50,7 @@ Provenance provenanceFrom(JsonObject& object) {
   count("refinement_steps", p.refinementSteps);
   count("repaired_faces", p.repairedFaces);
   number("displacement_mm", p.displacementMm);
+  number("slice_mm", p.sliceMm);
   count("decimated_from", p.decimatedFrom);
   number("decimation_mm", p.decimationMm);
   text("part", p.part);
@@ -75,6 +76,8 @@ Ordered provenanceJson(const Provenance& p) {
                   {"refinement_steps", p.refinementSteps},
                   {"repaired_faces", p.repairedFaces},
                   {"displacement_mm", jsonNumber(p.displacementMm)}};
+  if (p.sliceMm > 0.0f)
+    json["slice_mm"] = jsonNumber(p.sliceMm);
   if (p.decimatedFrom != 0) {
     json["decimated_from"] = p.decimatedFrom;
     json["decimation_mm"] = jsonNumber(p.decimationMm);

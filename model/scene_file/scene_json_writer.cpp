@@ -84,6 +84,7 @@ Ordered sectionsOf(const std::vector<Section>& sections) {
     if (section.scope != rootId)
       json["scope"] = section.scope.value;
     json["enabled"] = section.enabled;
+    json["faces"] = cutFacesNames[std::size_t(section.faces)];
     json["hatched"] = section.hatched;
     addUnread(json, section.unread);
     list.push_back(std::move(json));

@@ -42,6 +42,8 @@ Section SceneJsonReader::section(const JsonValue& value) const {
     section.scope.value = idOf(*scope);
   if (const auto enabled = object.take("enabled"))
     section.enabled = enabled->flag();
+  // Files from before there were patterns show tints.
+  section.faces = choice<CutFaces>(object, "faces", cutFacesNames).value_or(CutFaces::tint);
   if (const auto hatched = object.take("hatched"))
     section.hatched = hatched->flag();
   section.unread = object.unread();

@@ -20,8 +20,8 @@ Layout layout(TextureFormat format) {
       return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
     case TextureFormat::rgba16:
       return {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT};
-    case TextureFormat::r8:
-      return {GL_R8, GL_RED, GL_UNSIGNED_BYTE};
+    case TextureFormat::rg8:
+      return {GL_RG8, GL_RG, GL_UNSIGNED_BYTE};
     case TextureFormat::rgba32i:
       return {GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
     case TextureFormat::depth32f:
@@ -38,8 +38,8 @@ int pixelSize(TextureFormat format) {
       return 4;
     case TextureFormat::rgba16:
       return 8;
-    case TextureFormat::r8:
-      return 1;
+    case TextureFormat::rg8:
+      return 2;
     case TextureFormat::rgba32i:
       return 16;
   }

@@ -86,11 +86,12 @@ std::vector<float> chainLengths(const Chains& chains, const std::vector<Segment>
   return lengths;
 }
 
-void fadeShortChains(std::vector<Segment>& segments, const Chains& chains, float shortest,
-                     float whole) {
-  const std::vector<float> lengths = chainLengths(chains, segments);
+void fadeShortChains(std::vector<Segment>& segments, const Chains& chains,
+                     std::span<const float> lengths, const Specks& specks) {
   for (std::size_t chain = 0; chain < chains.count(); ++chain) {
-    const float share = std::clamp((lengths[chain] - shortest) / (whole - shortest), 0.0f, 1.0f);
+    const float share = std::clamp(
+        (lengths[chain] - specks.shortest) / std::max(specks.whole - specks.shortest, 1e-6f), 0.0f,
+        1.0f);
     for (std::uint32_t i = chains.first[chain]; i < chains.first[chain + 1]; ++i) {
       segments[chains.links[i].segment].opacityA *= share;
       segments[chains.links[i].segment].opacityB *= share;
@@ -107,6 +108,8 @@ Segment inOrder(const Segment& s, bool reversed) {
   std::swap(turned.normalA, turned.normalB);
   std::swap(turned.opacityA, turned.opacityB);
   std::swap(turned.entryA, turned.entryB);
+  std::swap(turned.moveA, turned.moveB);
+  std::swap(turned.pressureA, turned.pressureB);
   return turned;
 }
 
@@ -128,8 +131,10 @@ class Joiner {
 
   void add(const Segment& s) {
     if (m_started && fits(s)) {
-      m_inner.push_back(m_joint.b);
+      m_inner.push_back({m_joint.b, m_joint.b + m_joint.moveB});
       m_joint.b = s.b;
+      m_joint.moveB = s.moveB;
+      m_joint.pressureB = s.pressureB;
       m_joint.normalB = s.normalB;
       m_joint.opacityB = s.opacityB;
       m_joint.entryB = s.entryB;
@@ -150,18 +155,28 @@ class Joiner {
  private:
   bool fits(const Segment& s) const {
     const glm::vec3 d = s.b - m_joint.a;
-    if (s.concave != m_joint.concave || glm::dot(d, d) > m_squaredLongest ||
-        squaredDistance(m_joint.b, m_joint.a, s.b) > m_squaredTolerance)
+    if (s.concave != m_joint.concave || glm::dot(d, d) > m_squaredLongest)
       return false;
-    return std::all_of(m_inner.begin(), m_inner.end(), [&](const glm::vec3& p) {
-      return squaredDistance(p, m_joint.a, s.b) <= m_squaredTolerance;
-    });
+    const glm::vec3 drawnA = m_joint.a + m_joint.moveA;
+    const glm::vec3 drawnB = s.b + s.moveB;
+    const auto near = [&](const Inner& p) {
+      return squaredDistance(p.exact, m_joint.a, s.b) <= m_squaredTolerance &&
+             squaredDistance(p.drawn, drawnA, drawnB) <= m_squaredTolerance;
+    };
+    return near({m_joint.b, m_joint.b + m_joint.moveB}) &&
+           std::all_of(m_inner.begin(), m_inner.end(), near);
   }
+
+  /// A point of the line, and where a pen draws it.
+  struct Inner {
+    glm::vec3 exact;
+    glm::vec3 drawn;
+  };
 
   float m_squaredTolerance;
   float m_squaredLongest;
   std::vector<Segment>& m_out;
-  std::vector<glm::vec3> m_inner;
+  std::vector<Inner> m_inner;
   Segment m_joint;
   bool m_started = false;
 };

@@ -17,7 +17,8 @@ constexpr std::array techniques{
                   .layer = "Suggestive contours",
                   .pen = LinePen::centred,
                   // Specks of a rough surface are not marks that a pen would draw.
-                  .specks = {.shortest = 4.0f, .whole = 14.0f},
+                  .specks = {.shortest = 1.0f, .whole = 1.75f},
+                  .atScale = true,
                   .entered = [](Gamma gamma) { return transitions(gamma).suggestive; },
                   .mayPass = suggestiveContoursMayPass,
                   .extract = extractSuggestiveContours,
@@ -27,6 +28,7 @@ constexpr std::array techniques{
                   .id = "contour",
                   .layer = "Contours",
                   .pen = LinePen::outside,
+                  .specks = {.shortest = 1.0f, .whole = 1.5f},
                   .bounds = true,
                   .entered = [](Gamma gamma) { return transitions(gamma).contours; },
                   .mayPass = contoursMayPass,
@@ -37,7 +39,7 @@ constexpr std::array techniques{
                   .layer = "Cut outlines",
                   .pen = LinePen::cutEdge,
                   // Everything but pores is drawn.
-                  .specks = {.shortest = 3.0f, .whole = 9.0f},
+                  .specks = {.shortest = 0.4f, .whole = 1.2f},
                   .entered = [](Gamma) { return 1.0f; }}};
 
 static_assert(techniques.size() == lineKindCount);

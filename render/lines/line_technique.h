@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/base/units.h"
+#include "render/lines/chains.h"
 #include "render/lines/cluster_walk.h"
 #include "render/lines/lines.h"
 
@@ -21,13 +22,6 @@ enum class LinePen {
   cutEdge   ///< on the line, in front of the faces that meet there; half of it stays at Γ = 5
 };
 
-/// Marks shorter than `shortest` λ fade away; from `whole` λ on they are drawn in full. Zeros: no
-/// mark fades.
-struct Specks {
-  float shortest = 0.0f;
-  float whole = 0.0f;
-};
-
 /// Pairs the numbers that lines were found with and their names in `sline lines`.
 using LineFigures = std::vector<std::pair<const char*, float>>;
 
@@ -36,8 +30,9 @@ struct LineTechnique {
   const char* id = "";     ///< for `sline lines --kinds`
   const char* layer = "";  ///< in vector drawings: "Contours"
   LinePen pen = LinePen::centred;
-  Specks specks;
-  bool bounds = false;  ///< fills are softened along these lines, so they are always found
+  Specks specks;         ///< times the style's shortest line
+  bool atScale = false;  ///< found on the forms that are large enough in the picture (line_scale.h)
+  bool bounds = false;   ///< fills are softened along these lines, so they are always found
   /// Returns the T by which lines of the kind have entered at Γ, 0 … 1 (METHOD §7).
   float (*entered)(Gamma gamma) = nullptr;
   /// Returns whether a line may pass through the cluster, judged by its bounds before its vertices

@@ -25,6 +25,12 @@ struct Segment {
   float opacityB = 1.0f;
   float entryA = 0.0f;  ///< suggestive contours: the T_SC at which S eq. 9 lets the point in, 0 … 1
   float entryB = 0.0f;
+  /// The move from the line to the curve that a pen draws in its place (METHOD §11.2), mm, across
+  /// the view.
+  glm::vec3 moveA{0.0f};
+  glm::vec3 moveB{0.0f};
+  float pressureA = 1.0f;  ///< times the pen's width (METHOD §11.4)
+  float pressureB = 1.0f;
   std::uint32_t triangle = 0;
   bool concave = false;  ///< contours only: radial curvature < 0, hidden on any closed surface
 };
@@ -47,6 +53,7 @@ class LineKinds {
       add(kind);
   }
   constexpr void add(LineKind kind) { m_bits |= 1u << unsigned(kind); }
+  constexpr bool empty() const { return m_bits == 0; }
   constexpr bool has(LineKind kind) const { return ((m_bits >> unsigned(kind)) & 1u) != 0; }
 
  private:

@@ -72,7 +72,7 @@ Status Atlas::allocate() {
     texture = std::make_unique<gpu::Texture>(format, m_wanted, name);
   };
   make(m_colours, m_limits.deep ? gpu::TextureFormat::rgba16 : gpu::TextureFormat::rgba8, "fills");
-  make(m_inks, gpu::TextureFormat::r8, "ink");
+  make(m_inks, gpu::TextureFormat::rg8, "ink");
   make(m_surfaceDepths, gpu::TextureFormat::depth32f, "surface depth");
   make(m_layerDepths, gpu::TextureFormat::depth32f, "layer depth");
   auto surface = gpu::Target::create({{m_colours.get()}, m_surfaceDepths.get()}, "surfaces");

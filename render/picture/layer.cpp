@@ -7,6 +7,7 @@
 #include "model/base/parallel.h"
 #include "render/picture/printed_hatching.h"
 #include "render/strokes/coverage.h"
+#include "render/strokes/hidden_lines.h"
 #include "render/strokes/surface_fill.h"
 
 namespace sline::render {
@@ -137,8 +138,15 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
       strokes(first.surface(), view, first.style,
               parts.lines ? drawn : StructureLines{.hatching = drawn.hatching}, layer.area);
   layer.inked = layer.inked || !layer.strokes.empty();
-  for (const Stroke& stroke : layer.strokes)
-    layer.mask.mark(strokeBounds(stroke));
+  if (parts.lines) {
+    layer.hidden = hiddenStrokes(first.surface(), view, first.style, drawn, layer.area);
+    layer.halos = haloStrokes(first.surface(), view, first.style, drawn, layer.area);
+  }
+  layer.hiddenInk = !layer.hidden.empty();
+  layer.haloed = !layer.halos.empty();
+  for (const std::vector<Stroke>* strokes : {&layer.strokes, &layer.hidden, &layer.halos})
+    for (const Stroke& stroke : *strokes)
+      layer.mask.mark(strokeBounds(stroke));
 }
 
 }  // namespace sline::render

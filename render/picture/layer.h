@@ -25,7 +25,8 @@ struct PreparedStructure : DrawnStructure {
 
   bool operator==(const PreparedStructure& other) const {
     return id == other.id && mesh == other.mesh && style == other.style &&
-           printedHatching == other.printedHatching && alike(sections, other.sections);
+           printedHatching == other.printedHatching && pattern == other.pattern &&
+           alike(sections, other.sections);
   }
 };
 
@@ -45,9 +46,13 @@ struct Layer {
   PictureContent parts;
   TileMask mask;
   std::vector<Stroke> strokes;
+  std::vector<Stroke> hidden;              ///< outlines to be seen through what lies before them
+  std::vector<Stroke> halos;               ///< where lines behind stop
   std::vector<std::vector<Stroke>> edges;  ///< one list per member
   bool filled = false;
   bool inked = false;
+  bool hiddenInk = false;  ///< has `hidden`, also after they were drawn
+  bool haloed = false;     ///< has `halos`, as above
 
   bool shows() const { return filled || inked; }
   /// Tells whether what was drawn for `other` serves for this layer too.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/base/parallel.h"
+#include "render/strokes/face_patterns.h"
 
 namespace sline::render {
 
@@ -58,7 +59,7 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
           absent.push_back({&shown, &it->second});
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const PreparedStructure& shown = *absent[i].shown;
-    absent[i].lines->lines = styledLines(shown.surface(), input.view, shown.style);
+    absent[i].lines->lines = styledLines(*shown.prepared, input.view, shown.style);
   });
   stopwatch.lines();
   parallelFor(absent.size(), 1, [&](std::size_t i) {
@@ -66,9 +67,11 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
     StructureLines& drawn = *absent[i].lines;
     if (hatches(input, shown))
       drawn.hatching = styledHatching(*shown.cached->strokes, input.view, shown.style, input.light);
-    if (shown.cut)
+    if (shown.cut) {
       cutLines(*shown.cut, drawn);
-    joinLines(shown.surface(), input.view, shown.style, drawn.lines);
+      drawn.patterns = facePatterns(shown, input.view);
+    }
+    joinLines(shown.surface(), input.view, shown.style, input.light, drawn);
   });
 }
 

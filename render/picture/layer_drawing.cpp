@@ -12,6 +12,9 @@ namespace sline::render {
 
 namespace {
 
+// The grain of drawing paper, λ.
+constexpr float grainSize = 1.1f;
+
 /// Returns the direction towards the key light, in the camera's frame.
 glm::vec3 keyLight(const PictureInput& input) {
   return input.keyLight ? input.light : glm::vec3(0.0f);
@@ -102,6 +105,8 @@ passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& la
           .projection = input.view.depthTerms(),
           .probe = probes.probe,
           .reach = probes.reach,
+          .grain = shown.style.grain,
+          .grainSize = std::max(1.0f, grainSize * input.view.outputUnit()),
           .sheet = probes.sheet};
 }
 
@@ -131,12 +136,20 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
   for (const std::size_t i : changed) {
     passes::InkDraw draw = inkDraw(input, layers[i], layers[i].members.front());
     draw.first = all.size();
-    draw.count = firstContour(layers[i].strokes);
-    strokes.push_back(draw);
-    draw.kind = passes::InkKind::contours;
-    draw.first += draw.count;
-    draw.count = layers[i].strokes.size() - draw.count;
-    strokes.push_back(draw);
+    const auto add = [&](passes::InkKind kind, std::size_t count) {
+      draw.kind = kind;
+      draw.count = count;
+      strokes.push_back(draw);
+      draw.first += count;
+    };
+    // Halos first: their depth gives way to that of lines.
+    add(passes::InkKind::halos, layers[i].halos.size());
+    add(passes::InkKind::hidden, layers[i].hidden.size());
+    const std::size_t contours = firstContour(layers[i].strokes);
+    add(passes::InkKind::surfaceLines, contours);
+    add(passes::InkKind::contours, layers[i].strokes.size() - contours);
+    append(layers[i].halos);
+    append(layers[i].hidden);
     append(layers[i].strokes);
   }
   m_inkPass->upload(all);

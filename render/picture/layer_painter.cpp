@@ -136,7 +136,9 @@ void LayerPainter::resolve(gpu::Device& device, Background background, const Can
                    .offsetY = layer.slot.y - layer.area.y + region.y,
                    .ink = inkColour(layer.members.front().style, background),
                    .filled = layer.filled,
-                   .inked = layer.inked}});
+                   .inked = layer.inked,
+                   .hiddenInk = layer.hiddenInk,
+                   .haloed = layer.haloed}});
   }
   const TileLists lists = tileLists(listed, canvas.wanted);
   m_resolvePass->upload(lists.tiles, lists.entries);
@@ -155,7 +157,7 @@ void LayerPainter::letGo(gpu::Device& device) {
   constexpr int side = 64;
   constexpr int rounds = 16;
   const gpu::Texture colours(gpu::TextureFormat::rgba8, {side, side}, "scratch");
-  const gpu::Texture inks(gpu::TextureFormat::r8, {side, side}, "scratch");
+  const gpu::Texture inks(gpu::TextureFormat::rg8, {side, side}, "scratch");
   const gpu::Texture depths(gpu::TextureFormat::depth32f, {side, side}, "scratch");
   const gpu::Texture pixels(gpu::TextureFormat::rgba8, {side, side}, "scratch");
   const gpu::Texture others(gpu::TextureFormat::rgba8, {side, side}, "scratch");

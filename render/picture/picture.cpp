@@ -8,6 +8,7 @@
 #include "model/scene/visible_structures.h"
 #include "render/picture/layer_painter.h"
 #include "render/picture/picture_canvas.h"
+#include "render/strokes/face_patterns.h"
 
 namespace sline::render {
 
@@ -78,8 +79,10 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
     shown.cached = &surfaces.at(node.mesh, node.provenance);
     shown.prepared = shown.cached;
     shown.sections = sectionsThatCut(scene.sectionsOf(node.id), node.mesh->bounds());
-    if (!shown.sections.empty())
+    if (!shown.sections.empty()) {
+      shown.pattern = cutPattern(scene, node);
       shown.cut = shown.capped = sections.at(shown.cached->surface, shown.sections);
+    }
   }
   std::vector<model::MeshPtr> meshes;
   for (const model::Node& node : scene.nodes())

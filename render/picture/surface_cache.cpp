@@ -49,7 +49,7 @@ void CachedSurface::needWhole() {
 CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, const model::Provenance& provenance) {
   CachedSurface& cached = m_surfaces[mesh];
   if (!cached.surface) {
-    cached.surface = pictureSurface(mesh, provenance);
+    cached.take(mesh, provenance);
     cached.geometry = upload(*cached.surface);
   }
   return cached;

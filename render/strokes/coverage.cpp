@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "render/strokes/line_curves.h"
 #include "render/strokes/structure_lines.h"
 
 namespace sline::render {
@@ -15,7 +16,7 @@ int strokeReach(const DrawnStructure& shown, const PictureView& view) {
   if (!showsLines(shown.style) && !showsEdges(shown.style))
     return edgeMargin;
   const ContourProbes probes = contourProbes(shown.surface(), view, shown.style);
-  return int(std::ceil(2.0f * probes.probe + probes.reach.y)) + 3;
+  return int(std::ceil(2.0f * probes.probe + probes.reach.y + curveBound * view.outputUnit())) + 3;
 }
 
 PixelRect coveredArea(const DrawnStructure& shown, const PictureView& view,

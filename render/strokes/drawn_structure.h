@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "model/anatomy/cut_pattern.h"
 #include "model/scene/scene.h"
 #include "render/strokes/prepared_surface.h"
 #include "render/strokes/sectioned_surface.h"
@@ -18,6 +19,9 @@ struct DrawnStructure {
   PreparedSurface* prepared = nullptr;
   std::vector<model::Section> sections;         ///< the sections that cut it
   std::shared_ptr<const SectionedSurface> cut;  ///< cut by these; null where there are none
+
+  /// How its cut faces are drawn where the section shows tissue.
+  model::CutPattern pattern = model::CutPattern::plain;
 
   const model::Surface& surface() const { return *prepared->surface; }
 };

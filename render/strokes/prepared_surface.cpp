@@ -3,11 +3,15 @@
 
 #include <algorithm>
 
+#include "model/fairing/faired.h"
 #include "render/lines/hatching.h"
 
 namespace sline::render {
 
 namespace {
+
+// Surfaces from slices have lost what is smaller than this many slices.
+constexpr float fairedSlices = 2.0f;
 
 /// Returns the one-ring averaging steps of the curvature tensor (METHOD §5). Refinement halves the
 /// rings, so twice the steps make up for a part of it; four times, for the whole, were seen to wipe
@@ -22,7 +26,13 @@ int tensorSmoothing(const model::Provenance& provenance) {
 }  // namespace
 
 model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Provenance& provenance) {
-  return model::prepareSurface(mesh, {.smoothingSteps = tensorSmoothing(provenance)});
+  return model::prepareSurface(model::faired(mesh, provenance.sliceMm),
+                               {.smoothingSteps = tensorSmoothing(provenance)});
+}
+
+void PreparedSurface::take(const model::MeshPtr& mesh, const model::Provenance& provenance) {
+  surface = pictureSurface(mesh, provenance);
+  smoothness = fairedSlices * provenance.sliceMm;
 }
 
 void PreparedSurface::needStrokes() {

@@ -6,6 +6,7 @@
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
 #include "render/lines/stroke_layout.h"
+#include "render/strokes/line_scale.h"
 
 namespace sline::render {
 
@@ -18,6 +19,12 @@ model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Proven
 struct PreparedSurface {
   model::SurfacePtr surface;
   std::unique_ptr<StrokeLayout> strokes;  ///< null until some hatching needs it
+  /// The deviation of the Gaussian by which its forms are known to be without smaller ones, mm.
+  float smoothness = 0.0f;
+  LineScales scales;
+
+  /// Sets the surface and what is known of it.
+  void take(const model::MeshPtr& mesh, const model::Provenance& provenance);
 
   /// Prepares the surface for strokes of hatching, once.
   void needStrokes();

@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include "model/base/contrast.h"
 #include "render/strokes/surface_fill.h"
 
 namespace sline::render {
@@ -20,6 +21,8 @@ constexpr float lightTint = 0.35f;
 /// The share of the face's colour times the structure's that gives the strokes on it, where the pen
 /// has no colour.
 constexpr float strokeShade = 0.75f;
+/// The least contrast of a pattern's ink to its face.
+constexpr double patternContrast = 3.0;
 constexpr float strokeSpacing = 9.0f;  // λ
 constexpr float strokeWidth = 1.2f;    // λ
 
@@ -62,6 +65,28 @@ glm::vec3 paperColour(Background background) {
                                                : glm::vec3(backgroundColour(background));
 }
 
+Colour asColour(const glm::vec3& rgb) {
+  const glm::vec3 c = 255.0f * glm::clamp(rgb, 0.0f, 1.0f) + 0.5f;
+  return {std::uint8_t(c.r), std::uint8_t(c.g), std::uint8_t(c.b)};
+}
+
+/// Returns the face's colour: the structure's own where that is shaded, else a tint. Under a
+/// pattern it is never so dark (on a dark ground: so light) that the strokes are lost in it.
+glm::vec3 faceColour(const DrawnStructure& shown, Background background, std::size_t face) {
+  const glm::vec3 paper = paperColour(background);
+  if (shown.sections[face].faces == model::CutFaces::off)
+    return paper;
+  const float shaded = std::clamp(shown.style.gamma.value() - 3.0f, 0.0f, 1.0f);
+  float filled = lightTint + (1.0f - lightTint) * shaded;
+  const auto colour = [&] { return glm::mix(paper, rgb(shown.style.colour), filled); };
+  if (showsPattern(shown, face)) {
+    const Colour ink = inkColour(shown.style, background);
+    while (filled > lightTint && contrastBetween(asColour(colour()), ink) < patternContrast)
+      filled -= 0.02f;
+  }
+  return colour();
+}
+
 }  // namespace
 
 bool isCutAway(const DrawnStructure& shown, const model::Box& box) {
@@ -84,6 +109,11 @@ bool hasCaps(const DrawnStructure& shown) {
                      [](const CutFace& face) { return !face.cap.empty(); });
 }
 
+bool showsPattern(const DrawnStructure& shown, std::size_t face) {
+  return shown.pattern != model::CutPattern::plain &&
+         shown.sections[face].faces == model::CutFaces::tissue;
+}
+
 PixelRect sectionArea(const DrawnStructure& shown, const PictureView& view) {
   glm::vec2 low(1e6f);
   glm::vec2 high(-1e6f);
@@ -103,24 +133,25 @@ PixelRect sectionArea(const DrawnStructure& shown, const PictureView& view) {
   return {x, y, int(std::ceil(high.x)) - x, int(std::ceil(high.y)) - y};
 }
 
+glm::vec3 capDepth(const DrawnStructure& shown, const PictureView& view, std::size_t face) {
+  const CutFace& cut = shown.cut->faces[face];
+  return depthPlane(cut.plane, view) - glm::vec3(0.0f, 0.0f, lift(cut, view));
+}
+
 CapPaint capPaint(const DrawnStructure& shown, const PictureView& view, Background background,
                   std::size_t face) {
   const CutFace& cut = shown.cut->faces[face];
-  const float filled =
-      lightTint + (1.0f - lightTint) * std::clamp(shown.style.gamma.value() - 3.0f, 0.0f, 1.0f);
   const glm::vec3 own = rgb(shown.style.colour);
-  const glm::vec3 colour = glm::mix(paperColour(background), own, filled);
+  const glm::vec3 colour = faceColour(shown, background, face);
   const float opacity = shown.style.opacity.value();
   const glm::vec3 stroke = shown.style.inkColour ? rgb(*shown.style.inkColour)
                                                  : glm::mix(colour, colour * own, strokeShade);
-  glm::vec3 depth = depthPlane(cut.plane, view);
-  depth.z -= lift(cut, view);
+  const bool hatched = shown.sections[face].hatched && !showsPattern(shown, face);
   return {.colour = opacity * glm::vec4(colour, 1.0f),
-          .strokeColour =
-              shown.sections[face].hatched ? opacity * glm::vec4(stroke, 1.0f) : glm::vec4(0.0f),
+          .strokeColour = hatched ? opacity * glm::vec4(stroke, 1.0f) : glm::vec4(0.0f),
           .stripes = stripes(cut.plane, view, shown.id.value % 2 == 0),
           .strokeHalfWidth = 0.5f * strokeWidth * view.outputUnit(),
-          .depthPlane = depth};
+          .depthPlane = capDepth(shown, view, face)};
 }
 
 }  // namespace sline::render

@@ -14,12 +14,19 @@ bool isCutAway(const DrawnStructure& shown, const model::Sphere& sphere);
 
 /// Returns whether the structure has a cut face to fill.
 bool hasCaps(const DrawnStructure& shown);
+/// Returns whether the face of that index in `shown.cut` has the pattern of its tissue.
+bool showsPattern(const DrawnStructure& shown, std::size_t face);
 /// Returns the pixels that cut faces and their outlines can touch, strokes not included.
 PixelRect sectionArea(const DrawnStructure& shown, const PictureView& view);
 
 /// The distance towards the eye (window depth) at which the outlines of cut faces lie, so that no
 /// face of the same plane covers half of them.
 inline constexpr float outlineLift = 6e-5f;
+
+/// Returns the depth of the face of that index in `shown.cut` over pixels from the picture's
+/// middle: (slope in x, slope in y, depth in the middle). A face within another lies a hair in
+/// front of it.
+glm::vec3 capDepth(const DrawnStructure& shown, const PictureView& view, std::size_t face);
 
 /// Describes how a cut face looks; see cap.frag.glsl.
 struct CapPaint {

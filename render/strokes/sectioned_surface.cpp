@@ -9,7 +9,7 @@ namespace sline::render {
 
 SectionedSurface sectioned(const model::SurfacePtr& surface, std::vector<model::Plane> planes) {
   std::vector<CutFace> faces = cutFaces(*surface, planes);
-  return {surface, std::move(planes), std::move(faces)};
+  return {surface, std::move(planes), std::move(faces), std::make_shared<PatternCache>()};
 }
 
 glm::vec3 cornerAlong(const model::Box& box, const glm::vec3& direction) {
@@ -29,7 +29,7 @@ std::vector<model::Section> sectionsThatCut(std::vector<model::Section> sections
 bool alike(std::span<const model::Section> a, std::span<const model::Section> b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const model::Section& x, const model::Section& y) {
-                      return x.plane == y.plane && x.hatched == y.hatched;
+                      return x.plane == y.plane && x.faces == y.faces && x.hatched == y.hatched;
                     });
 }
 

@@ -9,6 +9,7 @@
 #include "model/geometry/surface.h"
 #include "model/scene/section.h"
 #include "render/lines/cut_faces.h"
+#include "render/strokes/pattern_cache.h"
 
 namespace sline::render {
 
@@ -16,6 +17,7 @@ struct SectionedSurface {
   model::SurfacePtr surface;
   std::vector<model::Plane> planes;
   std::vector<CutFace> faces;  ///< one per plane
+  std::shared_ptr<PatternCache> patterns;
 };
 
 SectionedSurface sectioned(const model::SurfacePtr& surface, std::vector<model::Plane> planes);

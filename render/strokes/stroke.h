@@ -24,6 +24,9 @@ struct Stroke {
   float innerShare =
       1.0f;  ///< of a contour: the share of it that remains within the surface's own mask, 0 … 1
   float softness = 1.0f;  ///< of hatching: pixels over which its edge fades
+  /// The moves from a and b to where the pen draws them, px; what hides a line is found at a and b.
+  glm::vec2 moveA{0.0f};
+  glm::vec2 moveB{0.0f};
   glm::vec2 outwardA{0.0f};
   glm::vec2 outwardB{0.0f};
   float halfWidthA = 1.0f;  ///< px, at least 0.5

@@ -10,7 +10,9 @@
 #include "render/lines/hatching.h"
 #include "render/lines/lines.h"
 #include "render/raster/pixel_rect.h"
+#include "render/strokes/face_patterns.h"
 #include "render/strokes/picture_view.h"
+#include "render/strokes/prepared_surface.h"
 #include "render/strokes/sectioned_surface.h"
 #include "render/strokes/stroke.h"
 
@@ -20,6 +22,8 @@ namespace sline::render {
 struct StructureLines {
   LineSet lines;
   Hatching hatching;
+  std::vector<Segment> dashes;        ///< of the outlines, where the style wants hidden ones dashed
+  std::vector<FacePattern> patterns;  ///< of cut faces
 };
 
 /// Tells whether a structure of that style shows any line.
@@ -31,7 +35,7 @@ bool showsEdges(const model::ResolvedStyle& style);
 float penWidth(const model::Surface& surface, const PictureView& view, float penWeight);
 
 /// Returns the segments that the style's lines and edges ask for, in the patient's frame.
-LineSet styledLines(const model::Surface& surface, const PictureView& view,
+LineSet styledLines(PreparedSurface& prepared, const PictureView& view,
                     const model::ResolvedStyle& style);
 /// Returns the hatching that the style asks for; `light` is the direction towards the light in the
 /// camera's frame.
@@ -41,9 +45,10 @@ Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
 void cutLines(const SectionedSurface& cut, StructureLines& drawn);
 /// Finds when each line enters its stage and joins lines to the strokes that a pen would draw:
 /// pieces of a line become one, specks fade, and lines that their own closed surface always hides
-/// are removed.
+/// are removed. Each becomes the curve that a pen draws in light from there, a direction in the
+/// camera's frame (line_curves.h).
 void joinLines(const model::Surface& surface, const PictureView& view,
-               const model::ResolvedStyle& style, LineSet& lines);
+               const model::ResolvedStyle& style, const glm::vec3& light, StructureLines& drawn);
 
 /// Holds how contours are tested in the picture; InkDraw has the same values.
 struct ContourProbes {

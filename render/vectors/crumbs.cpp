@@ -3,18 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace sline::render {
 
 namespace {
 
-constexpr float shortest = 8.0f;  // λ
-constexpr float reach = 2.0f;     // λ
+constexpr float reach = 2.0f;  // λ
+// An end continues another where they turn by less than 45°, over a gap by less than 60°.
+constexpr float goesOn = 0.7071f;
+constexpr float leadsOn = 0.5f;
+constexpr float samePlace = 0.5f;  // λ
+// λ over which an end's direction is taken.
+constexpr float directionReach = 3.0f;
+// Strokes that are veiled this much alike are one.
+constexpr float sameVeil = 0.14f;
 
 float lengthOf(const VisibleStroke& stroke) {
   float length = 0.0f;
@@ -23,58 +28,152 @@ float lengthOf(const VisibleStroke& stroke) {
   return length;
 }
 
-/// Joins strokes of which an end lies near an end of another.
-class Joints {
+struct StrokeEnd {
+  std::size_t stroke;
+  bool atBack;
+  glm::vec2 at;
+  glm::vec2 direction;  ///< away from the stroke; 0 for a dot
+};
+
+StrokeEnd endOf(const VisibleStroke& stroke, std::size_t index, bool atBack, float way) {
+  const auto point = [&](std::size_t i) {
+    return stroke.points[atBack ? stroke.points.size() - 1 - i : i].at;
+  };
+  std::size_t i = 1;
+  while (i + 1 < stroke.points.size() && glm::distance(point(i), point(0)) < way)
+    ++i;
+  const glm::vec2 inner = i < stroke.points.size() ? point(i) : point(0);
+  const float length = glm::distance(point(0), inner);
+  return {index, atBack, point(0), length > 0.0f ? (point(0) - inner) / length : glm::vec2(0.0f)};
+}
+
+struct Joint {
+  float distance;
+  std::size_t a;  ///< of the ends
+  std::size_t b;
+};
+
+/// Tells whether the line goes on from one end to the other.
+bool continues(const StrokeEnd& a, const StrokeEnd& b, float unit) {
+  const glm::vec2 way = b.at - a.at;
+  const float distance = glm::length(way);
+  return distance <= reach * unit && glm::dot(a.direction, b.direction) < -goesOn &&
+         (distance <= samePlace * unit || glm::dot(way, a.direction) > leadsOn * distance);
+}
+
+/// Returns the pairs of ends by which strokes continue each other, nearest first.
+std::vector<Joint> joints(const std::vector<StrokeEnd>& ends, float unit) {
+  std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
+  std::vector<Joint> found;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const int column = int(std::floor(ends[i].at.x / (reach * unit)));
+    const int row = int(std::floor(ends[i].at.y / (reach * unit)));
+    for (int y = row - 1; y <= row + 1; ++y)
+      for (int x = column - 1; x <= column + 1; ++x)
+        if (const auto cell = cells.find({x, y}); cell != cells.end())
+          for (const std::size_t k : cell->second)
+            if (ends[k].stroke != ends[i].stroke && continues(ends[k], ends[i], unit))
+              found.push_back({glm::distance(ends[k].at, ends[i].at), k, i});
+    cells[{column, row}].push_back(i);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Joint& a, const Joint& b) { return a.distance < b.distance; });
+  return found;
+}
+
+bool alike(const Veil& a, const Veil& b) {
+  return std::abs(a.transmittance - b.transmittance) < sameVeil &&
+         glm::distance(a.colour, b.colour) < sameVeil;
+}
+
+/// Draws strokes that continue each other in one go; `next` and `marks` tell what follows each end.
+class Joiner {
  public:
-  Joints(const std::vector<VisibleStroke>& strokes, float distance)
-      : m_distance(distance), m_root(strokes.size()) {
-    std::iota(m_root.begin(), m_root.end(), std::size_t(0));
-    for (std::size_t i = 0; i < strokes.size(); ++i)
-      if (!strokes[i].points.empty())
-        for (const StrokePoint* end : {&strokes[i].points.front(), &strokes[i].points.back()})
-          enter(i, end->at);
+  Joiner(std::vector<VisibleStroke> strokes, float unit)
+      : m_strokes(std::move(strokes)), m_next(2 * m_strokes.size(), none) {
+    std::vector<StrokeEnd> ends;
+    for (std::size_t i = 0; i < m_strokes.size(); ++i)
+      if (!m_strokes[i].closed && !m_strokes[i].points.empty())
+        for (const bool atBack : {false, true})
+          ends.push_back(endOf(m_strokes[i], i, atBack, directionReach * unit));
+    m_continued.resize(m_strokes.size());
+    for (const Joint& joint : joints(ends, unit)) {
+      const StrokeEnd& a = ends[joint.a];
+      const StrokeEnd& b = ends[joint.b];
+      const std::size_t from = 2 * a.stroke + (a.atBack ? 1 : 0);
+      const std::size_t to = 2 * b.stroke + (b.atBack ? 1 : 0);
+      if (m_next[from] != none || m_next[to] != none)
+        continue;
+      if (!alike(m_strokes[a.stroke].veil, m_strokes[b.stroke].veil)) {
+        m_continued[a.stroke] = m_continued[b.stroke] = true;
+        continue;
+      }
+      m_next[from] = to;
+      m_next[to] = from;
+    }
   }
 
-  std::size_t rootOf(std::size_t i) {
-    while (m_root[i] != i)
-      i = m_root[i] = m_root[m_root[i]];
-    return i;
+  struct Joined {
+    VisibleStroke stroke;
+    bool continued = false;  ///< by one that is veiled otherwise
+  };
+
+  std::vector<Joined> take() {
+    std::vector<Joined> all;
+    m_taken.resize(m_strokes.size());
+    for (std::size_t end = 0; end < m_next.size(); ++end)
+      if (m_next[end] == none && !m_taken[end / 2])
+        all.push_back(walk(end));
+    for (std::size_t i = 0; i < m_strokes.size(); ++i)
+      if (!m_taken[i]) {
+        all.push_back(walk(2 * i));
+        all.back().stroke.closed = true;
+      }
+    return all;
   }
 
  private:
-  void enter(std::size_t stroke, const glm::vec2& end) {
-    const int column = int(std::floor(end.x / m_distance));
-    const int row = int(std::floor(end.y / m_distance));
-    for (int y = row - 1; y <= row + 1; ++y)
-      for (int x = column - 1; x <= column + 1; ++x)
-        if (const auto cell = m_cells.find({x, y}); cell != m_cells.end())
-          for (const auto& [other, place] : cell->second)
-            if (glm::distance(place, end) <= m_distance)
-              m_root[rootOf(stroke)] = rootOf(other);
-    m_cells[{column, row}].emplace_back(stroke, end);
+  static constexpr std::size_t none = ~std::size_t(0);
+
+  /// Follows the line from that end of its first stroke.
+  Joined walk(std::size_t start) {
+    Joined joined;
+    joined.stroke.closed = m_strokes[start / 2].closed;
+    joined.stroke.veil = m_strokes[start / 2].veil;
+    for (std::size_t end = start; end != none && !m_taken[end / 2]; end = m_next[end ^ 1u]) {
+      m_taken[end / 2] = true;
+      joined.continued = joined.continued || m_continued[end / 2];
+      std::vector<StrokePoint>& points = m_strokes[end / 2].points;
+      if (end % 2 == 1)
+        std::reverse(points.begin(), points.end());
+      joined.stroke.points.insert(joined.stroke.points.end(), points.begin(), points.end());
+    }
+    return joined;
   }
 
-  float m_distance;
-  std::vector<std::size_t> m_root;
-  std::map<std::pair<int, int>, std::vector<std::pair<std::size_t, glm::vec2>>> m_cells;
+  std::vector<VisibleStroke> m_strokes;
+  std::vector<std::size_t> m_next;  ///< the end that goes on from each: 2i a stroke's front, 2i + 1
+                                    ///< its back
+  std::vector<bool> m_continued;
+  std::vector<bool> m_taken;
 };
 
 }  // namespace
 
-std::vector<VisibleStroke> withoutCrumbs(std::vector<VisibleStroke> strokes, float outputUnit) {
+std::vector<VisibleStroke> withoutCrumbs(std::vector<VisibleStroke> strokes, float outputUnit,
+                                         float shortest) {
   if (strokes.empty())
     return strokes;
-  Joints joints(strokes, reach * outputUnit);
-  std::vector<float> lengths(strokes.size(), 0.0f);
-  for (std::size_t i = 0; i < strokes.size(); ++i)
-    lengths[joints.rootOf(i)] += lengthOf(strokes[i]);
-  const float longest = *std::max_element(lengths.begin(), lengths.end());
+  std::vector<Joiner::Joined> joined = Joiner(std::move(strokes), outputUnit).take();
+  float longest = 0.0f;
+  for (const Joiner::Joined& one : joined)
+    longest = std::max(longest, lengthOf(one.stroke));
   const float least = std::min(shortest * outputUnit, longest);
   std::vector<VisibleStroke> kept;
-  kept.reserve(strokes.size());
-  for (std::size_t i = 0; i < strokes.size(); ++i)
-    if (strokes[i].closed || lengths[joints.rootOf(i)] >= least)
-      kept.push_back(std::move(strokes[i]));
+  kept.reserve(joined.size());
+  for (Joiner::Joined& one : joined)
+    if (one.stroke.closed || one.continued || lengthOf(one.stroke) >= least)
+      kept.push_back(std::move(one.stroke));
   return kept;
 }
 

@@ -7,9 +7,11 @@
 
 namespace sline::render {
 
-/// Returns the strokes without crumbs (METHOD §11.3): pieces shorter than 8 λ in all that continue
-/// no other within 2 λ, as noise and the edges of what lies in front leave them. The longest piece
-/// stays where nothing else of the line is left. `outputUnit` is λ in pixels.
-std::vector<VisibleStroke> withoutCrumbs(std::vector<VisibleStroke> strokes, float outputUnit);
+/// Returns the strokes as a pen draws them (METHOD §11.1, §11.3): those that continue each other
+/// within 2 λ become one, and crumbs go, pieces shorter than `shortest` λ as noise and the edges of
+/// what lies in front leave them. Rings stay, and what another stroke continues behind a veil, and
+/// the longest piece where nothing else of the line is left. `outputUnit` is λ in pixels.
+std::vector<VisibleStroke> withoutCrumbs(std::vector<VisibleStroke> strokes, float outputUnit,
+                                         float shortest);
 
 }  // namespace sline::render

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/vectors/depth_layer.h"
+#include "render/strokes/hidden_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -228,6 +229,7 @@ DepthLayer depthLayer(const DrawnStructure& shown, const LayerInput& input, cons
   drawing.drawSurface();
   drawing.drawCaps();
   drawing.fill();
+  layer.halo = haloWidth(shown.surface(), input.view, shown.style);
   return layer;
 }
 

@@ -20,6 +20,8 @@ struct DepthLayer {
   std::vector<glm::vec4> colours;   ///< premultiplied
   /// The first tone that belongs to cut faces; all tones before it are shades of the surface.
   std::size_t firstCapTone = 0;
+  /// Pixels outside what it covers where lines behind it stop (METHOD §11.6).
+  float halo = 0.0f;
 
   std::ptrdiff_t index(int x, int y) const {
     if (x < area.x || y < area.y || x >= area.right() || y >= area.top())

@@ -44,6 +44,7 @@ Stroke turned(const Stroke& s) {
   Stroke t = s;
   std::swap(t.a, t.b);
   std::swap(t.depthA, t.depthB);
+  std::swap(t.moveA, t.moveB);
   std::swap(t.outwardA, t.outwardB);
   std::swap(t.halfWidthA, t.halfWidthB);
   std::swap(t.opacityA, t.opacityB);

@@ -33,6 +33,8 @@ LayerStack::LayerStack(std::span<const DepthLayer> layers, glm::vec2 size)
       m_rows(int(size.y) / tileSide + 1),
       m_tiles(std::size_t(m_columns) * std::size_t(m_rows)) {
   for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (layers[i].halo > 0.0f)
+      m_haloed.push_back(i);
     const PixelRect& area = layers[i].area;
     if (!layers[i].filled() || area.empty())
       continue;
@@ -77,6 +79,25 @@ Veil LayerStack::before(const glm::vec2& pixel, float depth, std::size_t own) co
   if (sum.a >= opaque)
     return {glm::vec3(0.0f), 0.0f};
   return {glm::vec3(sum), 1.0f - sum.a};
+}
+
+bool LayerStack::haloed(const glm::vec2& pixel, float depth, std::size_t own) const {
+  // Outlines are looked for on two rings around the pixel.
+  constexpr int directions = 12;
+  for (const std::size_t i : m_haloed) {
+    const DepthLayer& layer = m_layers[i];
+    if (i == own || layer.depthAt(pixel) < 1.0f)
+      continue;
+    for (int k = 0; k < 2 * directions; ++k) {
+      const float angle = 6.2831853f * float(k) / float(directions);
+      const float radius = layer.halo * (k < directions ? 1.0f : 0.5f);
+      const float there =
+          layer.depthAt(pixel + radius * glm::vec2(std::cos(angle), std::sin(angle)));
+      if (there < 1.0f && liesBefore(there, i, depth, own))
+        return true;
+    }
+  }
+  return false;
 }
 
 std::optional<std::size_t> LayerStack::hider(int x, int y, float depth, std::size_t own) const {

@@ -31,6 +31,8 @@ class LayerStack {
 
   /// Returns what the fills of layers other than `own` leave of something at that depth.
   Veil before(const glm::vec2& pixel, float depth, std::size_t own) const;
+  /// Tells whether a line of `own` at that depth stops beside a nearer structure.
+  bool haloed(const glm::vec2& pixel, float depth, std::size_t own) const;
   /// Returns the layer that is seen instead of something at that depth: the one with the nearest
   /// opaque fill in front of it.
   std::optional<std::size_t> hider(int x, int y, float depth, std::size_t own) const;
@@ -50,6 +52,7 @@ class LayerStack {
   int m_height = 0;
   int m_columns = 0;
   int m_rows = 0;
+  std::vector<std::size_t> m_haloed;                ///< the layers with a halo
   std::vector<std::vector<std::uint16_t>> m_tiles;  ///< the filled layers that touch each tile
 };
 

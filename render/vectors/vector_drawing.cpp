@@ -11,6 +11,8 @@
 #include "render/lines/line_technique.h"
 #include "render/lines/stages.h"
 #include "render/strokes/coverage.h"
+#include "render/strokes/face_patterns.h"
+#include "render/strokes/hidden_lines.h"
 #include "render/strokes/structure_lines.h"
 #include "render/strokes/surface_fill.h"
 #include "render/vectors/crumbs.h"
@@ -35,7 +37,7 @@ constexpr double mostLayerPixels = 90e6;
 constexpr double mostBytes = 4.4e6;
 constexpr double leastFillBytes = 0.8e6;
 constexpr double bytesPerPiece = 36.0;
-constexpr double bytesPerOutline = 2.25;
+constexpr double bytesPerOutline = 3.0;
 
 /// The size of a picture in pixels.
 struct PixelSize {
@@ -154,8 +156,10 @@ class Drawing {
           .prepared = &prepared(node),
           .sections = sectionsThatCut(m_scene.sectionsOf(node.id), node.mesh->bounds()),
           .cut = nullptr};
-      if (!shown.sections.empty())
+      if (!shown.sections.empty()) {
+        shown.pattern = cutPattern(m_scene, node);
         shown.cut = m_sections.at(shown.prepared->surface, shown.sections);
+      }
       m_bounds.add(node.mesh->bounds());
       m_work.push_back({std::move(shown), {}, {}});
     }
@@ -167,7 +171,7 @@ class Drawing {
       if (work.shown.mesh == node.mesh)
         return *work.shown.prepared;
     PreparedSurface& made = m_surfaces.emplace_back();
-    made.surface = pictureSurface(node.mesh, node.provenance);
+    made.take(node.mesh, node.provenance);
     return made;
   }
 
@@ -211,12 +215,14 @@ class Drawing {
     if (!hasLines(work.shown))
       return;
     const DrawnStructure& shown = work.shown;
-    work.lines.lines = styledLines(shown.surface(), *m_view, shown.style);
+    work.lines.lines = styledLines(*shown.prepared, *m_view, shown.style);
     if (showsHatching(shown.style))
       work.lines.hatching = styledHatching(*shown.prepared->strokes, *m_view, shown.style, m_light);
-    if (shown.cut)
+    if (shown.cut) {
       cutLines(*shown.cut, work.lines);
-    joinLines(shown.surface(), *m_view, shown.style, work.lines.lines);
+      work.lines.patterns = facePatterns(shown, *m_view);
+    }
+    joinLines(shown.surface(), *m_view, shown.style, m_light, work.lines);
   }
 
   /// Returns how long outlines of fills may be in total, in addition to these lines; pixels.
@@ -243,6 +249,7 @@ class Drawing {
     const float ink = transitions(style.gamma).lines;
     const Colour colour = inkColour(style, m_settings.environment.background);
     StructureLines one;
+    const bool pens = ink > 0.0f && style.penWeight > 0.0f;
     const auto add = [&](const char* kind, float opacity) {
       const StrokeScene scene{.stack = stack,
                               .own = layers[index],
@@ -251,24 +258,28 @@ class Drawing {
                               .probes = contourProbes(work.shown.surface(), *m_view, style),
                               .ink = opacity};
       PenShapes pen(m_page, vectorTolerance * m_view->outputUnit());
-      const bool hatched = !one.hatching.strokes.empty();
+      const bool hatched = !one.hatching.strokes.empty() || !one.patterns.empty();
       std::vector<VisibleStroke> visible;
       for (const InkChain& chain :
            inkChains(strokes(work.shown.surface(), *m_view, style, one, work.area)))
         for (VisibleStroke& stroke : withinPage(visibleStrokes(chain, scene), m_view->size()))
           visible.push_back(std::move(stroke));
       if (!hatched)
-        visible = withoutCrumbs(std::move(visible), m_view->outputUnit());
+        visible = withoutCrumbs(std::move(visible), m_view->outputUnit(), style.shortestLine);
       for (const VisibleStroke& stroke : visible)
         pen.add(stroke, colour);
       one = {};
       if (std::vector<VectorShape> shapes = pen.take(); !shapes.empty())
-        structure.lines.push_back({kind, opacity, std::move(shapes)});
+        structure.lines.push_back({kind, opacity, false, std::move(shapes)});
     };
-    const bool pens = ink > 0.0f && style.penWeight > 0.0f;
+    addHidden(work, layers, index, stack, structure);
     if (pens) {
       one.hatching = std::move(work.lines.hatching);
       add("Hatching", ink);
+    }
+    if (!work.lines.patterns.empty()) {
+      one.patterns = std::move(work.lines.patterns);
+      add("Cut tissue", 1.0f);
     }
     for (const LineTechnique& technique : lineTechniques()) {
       // Cut edges stay outlined where other lines leave.
@@ -279,6 +290,30 @@ class Drawing {
       add(technique.layer, stays ? 1.0f : ink);
     }
     return structure;
+  }
+
+  /// Adds the parts of the outlines that other structures hide, where the style wants them.
+  void addHidden(const Work& work, std::span<const DepthLayer> layers, std::size_t index,
+                 const LayerStack& stack, VectorStructure& structure) const {
+    const model::ResolvedStyle& style = work.shown.style;
+    const model::Surface& surface = work.shown.surface();
+    const std::vector<Stroke> found = hiddenStrokes(surface, *m_view, style, work.lines, work.area);
+    if (found.empty())
+      return;
+    const float ink = transitions(style.gamma).lines;
+    const StrokeScene scene{.stack = stack,
+                            .own = layers[index],
+                            .ownIndex = index,
+                            .projection = m_view->depthTerms(),
+                            .probes = contourProbes(surface, *m_view, style),
+                            .hidden = true,
+                            .ink = ink};
+    PenShapes pen(m_page, vectorTolerance * m_view->outputUnit());
+    for (const InkChain& chain : inkChains(found))
+      for (const VisibleStroke& stroke : withinPage(visibleStrokes(chain, scene), m_view->size()))
+        pen.add(stroke, inkColour(style, m_settings.environment.background));
+    if (std::vector<VectorShape> shapes = pen.take(); !shapes.empty())
+      structure.lines.push_back({"Hidden outlines", hiddenStrength * ink, true, std::move(shapes)});
   }
 
   const model::Scene& m_scene;

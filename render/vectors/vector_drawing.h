@@ -29,6 +29,7 @@ struct VectorShape {
 struct VectorLines {
   const char* kind = "";            ///< "Hatching", or a technique's layer
   float opacity = 1.0f;             ///< of all the lines together
+  bool hidden = false;              ///< by other structures
   std::vector<VectorShape> shapes;  ///< of one colour, except where they are veiled
 };
 

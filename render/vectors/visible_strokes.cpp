@@ -40,7 +40,8 @@ class StrokeSampler {
     float halfWidth = glm::mix(s.halfWidthA, s.halfWidthB, t) *
                       std::min(glm::mix(s.opacityA, s.opacityB, t) / m_scene.ink, 1.0f);
     Sample sample;
-    sample.point.at = on;
+    const glm::vec2 move = glm::mix(s.moveA, s.moveB, t);
+    sample.point.at = on + move;
     float seenAt = depth;
     if (s.kind == StrokeKind::contour) {
       const glm::vec2 outward = outwardAt(s, t);
@@ -50,7 +51,7 @@ class StrokeSampler {
       const float left = s.innerShare;
       if (left < 1.0f && depthAt(on + (wide + m_scene.probes.probe) * outward) < 1.0f)
         halfWidth *= left;
-      sample.point.at = on + std::max(halfWidth - 0.5f, 0.0f) * outward;
+      sample.point.at = on + move + std::max(halfWidth - 0.5f, 0.0f) * outward;
       seenAt = lifted(depth, 2.0f * s.tolerance);
     } else if (!surfaceLineVisible(on, depth, s.tolerance)) {
       return sample;
@@ -60,6 +61,12 @@ class StrokeSampler {
       return sample;
     sample.veil = m_scene.stack.before(sample.point.at, seenAt, m_scene.ownIndex);
     sample.grade = int(std::lround(sample.veil.transmittance * float(veilGrades)));
+    if (m_scene.hidden) {
+      sample.grade = 2 * sample.grade < veilGrades ? veilGrades : 0;
+      sample.veil = {};
+    } else if (m_scene.stack.haloed(on, seenAt, m_scene.ownIndex)) {
+      sample.grade = 0;
+    }
     return sample;
   }
 

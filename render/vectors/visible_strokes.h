@@ -30,6 +30,7 @@ struct StrokeScene {
   std::size_t ownIndex = 0;
   glm::vec4 projection{0.0f};  ///< see depth.glsl
   ContourProbes probes;
+  bool hidden = false;  ///< wanted are the parts that others hide, whole
   float ink = 1.0f;  ///< the opacity of a whole line; lines of less opacity become thinner instead
 };
 

@@ -18,13 +18,13 @@
 #include <memory>
 #include <span>
 
+#include "model/fairing/half_edges.h"
+#include "model/fairing/vertex_rings.h"
 #include "model/geometry/edge_length.h"
 #include "model/geometry/spatial_order.h"
 #include "model/meshing/edge_collapse.h"
-#include "model/meshing/half_edges.h"
 #include "model/meshing/loop_subdivision.h"
 #include "model/meshing/simplification.h"
-#include "model/meshing/vertex_rings.h"
 
 namespace sline::bench {
 

@@ -69,7 +69,8 @@ QByteArray ExportTest::exported(const QStringList& flags) {
 }
 
 void ExportTest::writesGroupsAndPage() {
-  const QByteArray svg = exported({"--size-mm", "180x120", "--gamma", "1"});
+  const QByteArray svg =
+      exported({"--size-mm", "180x120", "--gamma", "1", "--line-variation", "0"});
   QVERIFY(svg.contains("width=\"180mm\" height=\"120mm\" viewBox=\"0 0 180 120\""));
   const QStringList found = labels(svg);
   QCOMPARE(found.first(), QString("Lines"));
@@ -78,7 +79,7 @@ void ExportTest::writesGroupsAndPage() {
   for (const char* name : {"Organs", "kidney", "Vessels", "renal artery", "renal vein"})
     QVERIFY2(found.contains(name), name);
   QVERIFY(found.indexOf("renal vein") > found.indexOf("Vessels"));
-  // The pens have a usual width: 2/720 of the page's height.
+  // An even pen has a usual width: 2/720 of the page's height.
   static const QRegularExpression width("stroke-width=\"([0-9.]+)\"");
   const double pen = width.match(QString::fromUtf8(svg)).captured(1).toDouble();
   QVERIFY2(std::abs(pen - 2.0 * 120.0 / 720.0) < 0.03, qPrintable(QString::number(pen)));
@@ -106,6 +107,9 @@ void ExportTest::sectionsAndViews() {
   QVERIFY(cut.contains("Cut outlines"));
   QVERIFY(labels(cut).contains("Fills"));
   QVERIFY(!exported({}).contains("Cut outlines"));
+  // What the kidney is made of has a layer too, unless it is not asked for.
+  QVERIFY(cut.contains("Cut tissue"));
+  QVERIFY(!exported({"--section", "coronal", "--section-faces", "tint"}).contains("Cut tissue"));
 }
 
 /// A side is named only where the camera sees it, whatever a view or a flag is called.

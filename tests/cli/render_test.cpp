@@ -250,7 +250,7 @@ void RenderTest::cameraFileIsFollowed() {
 }
 
 void RenderTest::inkHasItsColour() {
-  const QStringList base{"--size", "400x200", "--gamma", "1"};
+  const QStringList base{"--size", "400x200", "--gamma", "1", "--line-variation", "0"};
   QCOMPARE(tinted(rendered(base), 0).count, 0);
   const Pixels one = rendered(base + QStringList{"--ink-colour", "renal artery=#ff0000"});
   QVERIFY(tinted(one, 0).count > 40);

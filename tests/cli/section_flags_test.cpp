@@ -20,6 +20,8 @@ class SectionFlagsTest : public QObject {
   void refused();
   void halfTowardsTheCameraGoes_data();
   void halfTowardsTheCameraGoes();
+  void facesAreSaid_data();
+  void facesAreSaid();
   void groupsAreCutByOnePlane();
   void flagsWithoutSectionAreRefused();
 };
@@ -125,6 +127,28 @@ void SectionFlagsTest::halfTowardsTheCameraGoes() {
                                       : -5.0f;
   QVERIFY(plane.keeps(side));
   QVERIFY(!plane.keeps(-side));
+}
+
+void SectionFlagsTest::facesAreSaid_data() {
+  QTest::addColumn<int>("faces");  // -1: refused
+  QTest::newRow("") << int(model::Section().faces);
+  QTest::newRow("off") << int(model::CutFaces::off);
+  QTest::newRow("tint") << int(model::CutFaces::tint);
+  QTest::newRow("tissue") << int(model::CutFaces::tissue);
+  QTest::newRow("bone") << -1;
+}
+
+void SectionFlagsTest::facesAreSaid() {
+  QFETCH(int, faces);
+  model::Scene scene;
+  scene.append({.name = "ball", .mesh = test::sphere(10.0f, 1)});
+  const auto spec = parseFlags({.sections = {"axial"}, .faces = QTest::currentDataTag()});
+  QCOMPARE(spec.ok(), faces >= 0);
+  if (!spec.ok())
+    return;
+  const Result<model::Scene> cut = sectioned(scene, *spec, {});
+  QVERIFY(cut.ok());
+  QCOMPARE(int(cut->sections()[0].faces), faces);
 }
 
 void SectionFlagsTest::groupsAreCutByOnePlane() {

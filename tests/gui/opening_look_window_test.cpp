@@ -6,6 +6,7 @@
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
 #include "widgets/focus/focus_context.h"
+#include "widgets/structure_tree/structure_tree.h"
 
 namespace sline::test {
 
@@ -65,6 +66,65 @@ class OpeningLookWindowTest : public QObject {
       QVERIFY(wait(f));
     }
     QCOMPARE(f.session.scene(), first);
+  }
+  /// Three small plates are offered; the keyboard chooses the second.
+  void subjectsToChooseFrom() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()) && wait(f));
+    trigger(f, "plate");
+    QVERIFY(wait(f));
+    trigger(f, "subjects");
+    auto* popup = f.window.findChild<QWidget*>(QStringLiteral("subjectPopup"));
+    QVERIFY(popup);
+    const auto button = [popup](int i) {
+      return popup->findChild<QToolButton*>(QStringLiteral("subject%1").arg(i));
+    };
+    QVERIFY(QTest::qWaitFor([&] { return button(2)->isVisible(); }, 60000));
+    const auto drawn = [&](int i) {
+      const QImage image = button(i)->icon().pixmap(button(i)->iconSize()).toImage();
+      const QRgb corner = image.pixel(0, 0);
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+          if (image.pixel(x, y) != corner)
+            return true;
+      return false;
+    };
+    for (int i = 0; i < 3; ++i) {
+      QVERIFY(QTest::qWaitFor([&] { return drawn(i); }, 60000));
+      QVERIFY(!button(i)->text().isEmpty());
+    }
+    const model::Scene before = f.session.scene();
+    QVERIFY(button(0)->hasFocus());
+    QTest::keyClick(button(0), Qt::Key_Right);
+    QVERIFY(button(1)->hasFocus());
+    QTest::keyClick(button(1), Qt::Key_Return);
+    QVERIFY(wait(f));
+    QCOMPARE(f.window.focus().subject(), std::size_t(2));
+    QVERIFY(!(f.session.scene() == before));
+    QVERIFY(QTest::qWaitFor(
+        [&] { return !f.window.findChild<QWidget*>(QStringLiteral("subjectPopup")); }, 5000));
+    trigger(f, "subjects");
+    popup = f.window.findChild<QWidget*>(QStringLiteral("subjectPopup"));
+    QTest::keyClick(popup, Qt::Key_Escape);
+    QVERIFY(QTest::qWaitFor(
+        [&] { return !f.window.findChild<QWidget*>(QStringLiteral("subjectPopup")); }, 5000));
+    QCOMPARE(f.window.focus().subject(), std::size_t(2));
+  }
+  /// The properties say why a structure is drawn as it is, until it is drawn otherwise by hand.
+  void choicesAreExplained() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()) && wait(f));
+    const model::NodeId kidney = f.session.scene().named("left kidney").front();
+    QVERIFY(f.window.focus().explanation(kidney).isEmpty());
+    trigger(f, "plate");
+    QVERIFY(wait(f));
+    QCOMPARE(f.window.focus().explanation(kidney), QString("in detail: it is the subject"));
+    f.window.tree().showProperties({kidney});
+    auto* text = f.window.findChild<QLabel*>(QStringLiteral("property-drawn"));
+    QVERIFY(text && text->text() == f.window.focus().explanation(kidney));
+    f.session.apply("by hand", model::withLook(f.session.scene(), {&kidney, 1},
+                                               {.gamma = Gamma::clamped(1.0f)}));
+    QVERIFY(f.window.focus().explanation(kidney).isEmpty());
   }
   void whatIsChangedMeanwhileCounts() {
     WindowFixture f;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the start page's pictures: drawn by the program or read from scene files, and remembered.
 #include <QBuffer>
+#include <QDir>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -9,8 +13,11 @@
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
+#include "widgets/session/recent_files.h"
 #include "widgets/start/demo_pictures.h"
 #include "widgets/start/scene_thumbnails.h"
+#include "widgets/start/start_page.h"
+#include "widgets/start/thumbnail_card.h"
 
 namespace sline::test {
 
@@ -26,6 +33,7 @@ class StartPicturesTest : public QObject {
     return {
         .id = QStringLiteral("ball"),
         .title = QStringLiteral("Ball"),
+        .key = QStringLiteral("ball-v2"),
         .make = [made](const model::ImportProgress&,
                        const std::stop_token&) -> Result<widgets::LoadedDocument> {
           ++*made;
@@ -53,7 +61,7 @@ class StartPicturesTest : public QObject {
     const auto made = std::make_shared<int>(0);
     QImage first;
     {
-      DemoPictures pictures(cache("demos"));
+      DemoPictures pictures(cache("none"), cache("demos"));
       QSignalSpy drawn(&pictures, &DemoPictures::drawn);
       pictures.ask({ball(made)}, DemoPictures::Missing::leave);
       pictures.ask({ball(made)}, DemoPictures::Missing::draw);
@@ -68,12 +76,84 @@ class StartPicturesTest : public QObject {
     for (int x = 0; x < first.width(); ++x)
       darkest = std::min(darkest, first.pixelColor(x, first.height() / 2).lightness());
     QVERIFY2(corner.lightness() > darkest + 60, "a shaded ball before paper");
-    DemoPictures again(cache("demos"));
+    DemoPictures again(cache("none"), cache("demos"));
     QSignalSpy drawn(&again, &DemoPictures::drawn);
     again.ask({ball(made)}, DemoPictures::Missing::leave);
     QTRY_COMPARE(drawn.count(), 1);
     QCOMPARE(*made, times);
     QVERIFY(drawn[0][1].value<QImage>().convertToFormat(QImage::Format_RGB32) == first);
+  }
+
+  void builtPicturesAreThereAtOnce() {
+    QImage green(480, 360, QImage::Format_RGB32);
+    green.fill(Qt::green);
+    cache("built").keep(QStringLiteral("ball-v2"), green);
+    const auto made = std::make_shared<int>(0);
+    DemoPictures pictures(cache("built"), cache("unused"));
+    QSignalSpy drawn(&pictures, &DemoPictures::drawn);
+    pictures.ask({ball(made)}, DemoPictures::Missing::draw);
+    QCOMPARE(drawn.count(), 1);
+    QVERIFY(drawn[0][1].value<QImage>().convertToFormat(QImage::Format_RGB32) == green);
+    QTest::qWait(50);
+    QCOMPARE(*made, 0);
+    QVERIFY(!QDir(m_folder.filePath(QStringLiteral("unused"))).exists());
+  }
+
+  void picturesOfOlderDemosAreNot() {
+    QImage green(480, 360, QImage::Format_RGB32);
+    green.fill(Qt::green);
+    cache("older").keep(QStringLiteral("ball-v1"), green);
+    const auto made = std::make_shared<int>(0);
+    DemoPictures pictures(cache("older"), cache("newer"));
+    QSignalSpy drawn(&pictures, &DemoPictures::drawn);
+    pictures.ask({ball(made)}, DemoPictures::Missing::draw);
+    QCOMPARE(drawn.count(), 0);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > 0, 60'000);
+    QCOMPARE(*made, 1);
+    QVERIFY(drawn[0][1].value<QImage>().pixelColor(0, 0) != QColor(Qt::green));
+  }
+
+  // Without a turn of the event loop, and without drawing, each card has its own picture.
+  void thePageShowsThem() {
+    const auto demos = widgets::demoScenes();
+    for (std::size_t i = 0; i < demos.size(); ++i) {
+      QImage picture(480, 360, QImage::Format_RGB32);
+      picture.fill(QColor::fromHsv(int(60 * i), 255, 255));
+      cache("page").keep(demos[i].key, picture);
+    }
+    QSettings settings(m_folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat);
+    widgets::RecentFiles recent(settings);
+    QMainWindow window;
+    window.resize(1200, 800);
+    widgets::StartPage page(window, recent,
+                            {m_folder.filePath(QStringLiteral("page")).toStdString(), {}});
+    page.setDrawing(false);
+    window.show();
+    page.show();
+    for (std::size_t i = 0; i < demos.size(); ++i) {
+      auto* card =
+          page.findChild<widgets::ThumbnailCard*>(QStringLiteral("startDemo-") + demos[i].id);
+      QVERIFY(card && card->hasPicture());
+      const QColor shown = card->grab().toImage().pixelColor(card->width() / 2, card->height() / 3);
+      QVERIFY2(std::abs(shown.hsvHue() - int(60 * i)) < 10, qPrintable(shown.name()));
+    }
+  }
+
+  // The build has drawn them: as many as there are demos, small, and each of something.
+  void theBuildHasDrawnThem() {
+    const QDir folder(QString::fromStdString(widgets::builtDemoPictures().string()));
+    if (!folder.exists())
+      QSKIP("this build draws no demos");
+    for (const widgets::DemoScene& demo : widgets::demoScenes()) {
+      const QString file = folder.filePath(demo.key + QStringLiteral(".png"));
+      QVERIFY2(QFileInfo(file).size() < 40 * 1024, qPrintable(file));
+      const QImage picture(file);
+      QCOMPARE(picture.size(), QSize(480, 360));
+      int dark = 0;
+      for (int x = 0; x < picture.width(); ++x)
+        dark += picture.pixelColor(x, picture.height() / 2).lightness() < 140;
+      QVERIFY2(dark > 4, qPrintable(file));
+    }
   }
 
   void picturesOfFiles_data() {

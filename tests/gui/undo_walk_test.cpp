@@ -131,6 +131,7 @@ model::Edited sectionEdit(const model::Scene& scene, Chance& chance) {
   section.plane = model::anatomicalPlane(side, 40.0f * chance.share());
   section.enabled = chance.below(4) != 0;
   section.hatched = chance.below(2) == 0;
+  section.faces = model::CutFaces(chance.below(3));
   return model::withSectionChanged(scene, section.id, section);
 }
 

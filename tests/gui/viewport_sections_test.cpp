@@ -156,6 +156,16 @@ class ViewportSectionsTest : public QObject {
 
     f.control<QCheckBox>("sectionHatched").click();
     QVERIFY(f.session.scene().sections()[1].hatched);
+    auto& faces = f.control<QComboBox>("sectionFaces");
+    QCOMPARE(faces.currentIndex(), int(model::CutFaces::tissue));
+    const int steps = f.session.history().count();
+    QTest::keyClick(&faces, Qt::Key_Up);
+    QCOMPARE(f.session.scene().sections()[1].faces, model::CutFaces::tint);
+    QCOMPARE(f.session.scene().sections()[0].faces, model::CutFaces::tissue);
+    QCOMPARE(f.session.history().count(), steps + 1);
+    f.session.undo();
+    QCOMPARE(f.session.scene().sections()[1].faces, model::CutFaces::tissue);
+    QCOMPARE(faces.currentIndex(), int(model::CutFaces::tissue));
     const glm::vec3 normal = f.session.scene().sections()[1].plane.normal;
     press(f, "sectionFlipOne");
     QVERIFY(f.session.scene().sections()[1].plane.normal == -normal);

@@ -34,6 +34,10 @@ layout() {
     zsh/site-functions/_sline fish/vendor_completions.d/sline.fish man/man1/sline.1; do
     [ -s "$share/$file" ] || fail "$file is not installed"
   done
+  # The pictures that the start page shows at once are drawn where the build is for use.
+  if grep -q '^CMAKE_BUILD_TYPE:STRING=Release' "$build/CMakeCache.txt"; then
+    [ "$(find "$share/sline/demos" -name '*-v*.png' -size -41k | wc -l)" -eq 5 ] || fail "demos lack pictures"
+  fi
   [ -s "$prefix/lib/sline/libsline-pixels.so" ] || fail "the part for TIFF and others is not installed"
   "$sline" --version | grep -q '^sline [0-9]' || fail "the installed program does not start"
   # DICOM is read by another program, which sline must find: this file is DICOM, and holds nothing.

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "model/disk/process.h"
+#include "widgets/focus/role_texts.h"
 
 namespace sline::widgets {
 
@@ -30,6 +31,7 @@ FocusContext::FocusContext(Session& session, CameraOf camera, QObject* parent)
 
 FocusContext::~FocusContext() {
   m_stop.request_stop();
+  m_offerStop.request_stop();
   m_pool.waitForDone();
 }
 
@@ -43,19 +45,31 @@ void FocusContext::setFromCamera(bool camera) {
     analyse(m_state.targets, camera, camera ? tr("Focus from this view") : tr("Focus all round"));
 }
 
-void FocusContext::analyse(const NodeIds& targets, bool fromCamera, const QString& step) {
+std::stop_token FocusContext::freshQuestion() {
   m_stop.request_stop();
+  m_offerStop.request_stop();
   m_stop = std::stop_source();
+  return m_stop.get_token();
+}
+
+void FocusContext::inBackground(std::function<void()> work) {
+  m_pool.start([work = std::move(work)] {
+    // A thread of the pool serves many questions, but lowers its priority only once.
+    static thread_local const bool stoodBack = (model::standBack(), true);
+    static_cast<void>(stoodBack);
+    work();
+  });
+}
+
+void FocusContext::analyse(const NodeIds& targets, bool fromCamera, const QString& step) {
+  const std::stop_token stop = freshQuestion();
   const std::uint64_t question = ++m_asked;
   std::optional<model::Camera> camera;
   if (fromCamera)
     camera = m_camera();
   // The scene is a value, so a later change in the session cannot affect this question.
-  m_pool.start([this, question, targets, camera, step, forms = m_forms,
-                scene = m_session.sceneBeforePreview(), stop = m_stop.get_token()] {
-    // A thread of the pool serves many questions, but lowers its priority only once.
-    static thread_local const bool stoodBack = (model::standBack(), true);
-    static_cast<void>(stoodBack);
+  inBackground([this, question, targets, camera, step, stop, forms = m_forms,
+                scene = m_session.sceneBeforePreview()] {
     auto analysis = model::analysed(scene, {targets, camera}, *forms, stop);
     forms->trim();
     const Answer answer =
@@ -66,14 +80,11 @@ void FocusContext::analyse(const NodeIds& targets, bool fromCamera, const QStrin
 }
 
 void FocusContext::chooseLook(float aspect, std::size_t subject, bool opening) {
-  m_stop.request_stop();
-  m_stop = std::stop_source();
+  const std::stop_token stop = freshQuestion();
   m_subject = subject;
   const std::uint64_t question = ++m_asked;
-  m_pool.start([this, question, aspect, subject, opening, forms = m_forms,
-                scene = m_session.sceneBeforePreview(), stop = m_stop.get_token()] {
-    static thread_local const bool stoodBack = (model::standBack(), true);
-    static_cast<void>(stoodBack);
+  inBackground([this, question, aspect, subject, opening, stop, forms = m_forms,
+                scene = m_session.sceneBeforePreview()] {
     auto look = model::openingLook(scene, *forms, {.subject = subject, .aspect = aspect}, stop);
     forms->trim();
     const Look answer =
@@ -81,6 +92,44 @@ void FocusContext::chooseLook(float aspect, std::size_t subject, bool opening) {
     QMetaObject::invokeMethod(this, [=, this] { takeLook(question, answer, scene, opening); });
   });
   await(question);
+}
+
+void FocusContext::offerSubjects(float aspect, std::size_t count) {
+  m_offerStop.request_stop();
+  m_offerStop = std::stop_source();
+  inBackground([this, aspect, count, from = m_subject, forms = m_forms,
+                scene = m_session.sceneBeforePreview(), stop = m_offerStop.get_token()] {
+    const std::size_t all = model::subjectsOf(scene).size();
+    for (std::size_t i = 1; i <= count && i < all; ++i) {
+      const std::size_t subject = (from + i) % all;
+      auto look = model::openingLook(scene, *forms, {.subject = subject, .aspect = aspect}, stop);
+      if (!look)
+        return;
+      const Look offer = std::make_shared<const model::OpeningLook>(std::move(*look));
+      QMetaObject::invokeMethod(this, [=, this] {
+        if (!stop.stop_requested())
+          emit subjectOffered(subject, offer);
+      });
+    }
+  });
+}
+
+QString FocusContext::explanation(model::NodeId structure) const {
+  if (!m_state.analysis)
+    return {};
+  for (model::Relation relation : m_state.analysis->relations) {
+    if (relation.structure != structure)
+      continue;
+    if (const auto wish = m_state.wishes.roles.find(structure); wish != m_state.wishes.roles.end())
+      relation.role = wish->second;
+    // What was changed by hand afterwards is not the focus' doing.
+    const model::Node* node = m_session.scene().find(structure);
+    const model::Style drawn = model::contextStyle(relation, m_state.amount);
+    const bool own = node && node->style.gamma == drawn.gamma && node->style.fill == drawn.fill &&
+                     node->style.visible == drawn.visible;
+    return own ? mannerText(relation, *drawn.visible) : QString();
+  }
+  return {};
 }
 
 void FocusContext::takeLook(std::uint64_t question, const Look& look, const model::Scene& asked,
@@ -244,6 +293,7 @@ void FocusContext::documentChange(const Document& before, const Document& now) {
     m_state = found->state;
   } else if (before.opening != now.opening) {
     m_stop.request_stop();
+    m_offerStop.request_stop();
     await(0);
     m_state = {.amount = m_state.amount};
   } else {

@@ -51,6 +51,12 @@ class FocusContext : public QObject {
   void chooseLook(float aspect, std::size_t subject, bool opening);
   /// Returns the index of the subject that was chosen last.
   std::size_t subject() const { return m_subject; }
+  /// Works out in the background what plates of the next subjects would look like, for pictures of
+  /// that width / height; `subjectOffered` tells each. A later offer or choice replaces it.
+  void offerSubjects(float aspect, std::size_t count);
+
+  /// Returns why the structure is drawn as it is, or nothing where the focus has no part in that.
+  QString explanation(model::NodeId structure) const;
 
   void dragTo(model::ContextAmount amount);
   void finishDrag();
@@ -64,6 +70,9 @@ class FocusContext : public QObject {
   void busyChanged(bool busy);
   /// Tells where the chosen look is seen from.
   void cameraChosen(const sline::model::Camera& camera);
+  /// Tells the look of a plate of the subject with that index.
+  void subjectOffered(std::size_t subject,
+                      const std::shared_ptr<const sline::model::OpeningLook>& look);
   void failed(const sline::Error& error);
 
  private:
@@ -74,6 +83,10 @@ class FocusContext : public QObject {
   using Answer = std::shared_ptr<const model::FocusAnalysis>;
   using Look = std::shared_ptr<const model::OpeningLook>;
   void takeLook(std::uint64_t question, const Look& look, const model::Scene& asked, bool opening);
+  /// Stops what was asked before.
+  std::stop_token freshQuestion();
+  /// Runs work on a thread that stands back behind the window's.
+  void inBackground(std::function<void()> work);
   void analyse(const NodeIds& targets, bool fromCamera, const QString& step);
   void take(std::uint64_t question, const Answer& answer, const NodeIds& targets,
             const QString& step);
@@ -95,6 +108,7 @@ class FocusContext : public QObject {
   std::uint64_t m_asked = 0;
   std::uint64_t m_awaited = 0;  ///< 0 for none
   std::stop_source m_stop;
+  std::stop_source m_offerStop;
   QThreadPool m_pool;
 };
 

@@ -2,8 +2,10 @@
 #include "widgets/focus/role_texts.h"
 
 #include <QLocale>
+#include <array>
 #include <cmath>
 
+#include "model/focus/context.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -48,7 +50,88 @@ QString firstClause(Session& session, const model::Relation& relation) {
   return distanceText(relation);
 }
 
+QString tissueName(model::Tissue tissue) {
+  using model::Tissue;
+  switch (tissue) {
+    case Tissue::lesion:
+      return tr("lesion");
+    case Tissue::organ:
+      return tr("organ");
+    case Tissue::vessel:
+      return tr("vessel");
+    case Tissue::nerve:
+      return tr("nerve");
+    case Tissue::bone:
+      return tr("bone");
+    case Tissue::joint:
+      return tr("joint");
+    case Tissue::muscle:
+      return tr("muscle");
+    case Tissue::skin:
+      return tr("skin");
+    case Tissue::unknown:
+      break;
+  }
+  return tr("structure");
+}
+
+QString roleOnly(ContextRole role) {
+  switch (role) {
+    case ContextRole::target:
+      return tr("the subject");
+    case ContextRole::feeder:
+      return tr("it comes to the subject");
+    case ContextRole::neighbour:
+      return tr("it is near the subject");
+    case ContextRole::shell:
+      return tr("it lies outside and hides the subject");
+    case ContextRole::backdrop:
+      break;
+  }
+  return tr("it is away from the subject");
+}
+
 }  // namespace
+
+QString mannerText(const model::Relation& relation, bool drawn) {
+  using model::ContextManner;
+  if (!drawn)
+    return tr("not drawn: more context would show it");
+  const QString tissue = tissueName(relation.tissue);
+  switch (model::mannerOf(relation)) {
+    case ContextManner::detail:
+      return tr("in detail: it is the subject");
+    case ContextManner::host:
+      return tr("solid and pale: the subject lies in it");
+    case ContextManner::outline:
+      return tr("outline: %1 in front of the subject").arg(tissue);
+    case ContextManner::feeder:
+      return tr("modelled: %1 that comes to the subject").arg(tissue);
+    case ContextManner::near:
+      return tr("solid: %1 near the subject").arg(tissue);
+    case ContextManner::far:
+      return tr("solid and pale: %1 away from the subject").arg(tissue);
+    case ContextManner::byRole:
+      break;
+  }
+  return tr("lines: %1").arg(roleOnly(relation.role));
+}
+
+QString subjectText(Session& session, const std::string& title) {
+  const std::array<std::pair<const char*, QString>, 8> known{
+      {{"ligands", tr("Ligands")},
+       {"lesions", tr("Lesions")},
+       {"organs", tr("Organs")},
+       {"joints", tr("Joints")},
+       {"vessels and nerves", tr("Vessels and nerves")},
+       {"bones", tr("Bones")},
+       {"what lies in the organs", tr("What lies in the organs")},
+       {"everything", tr("Everything")}}};
+  for (const auto& [english, text] : known)
+    if (title == english)
+      return text;
+  return session.names().shown(title);
+}
 
 std::vector<RoleRow> roleRows() {
   return {{ContextRole::target, tr("In focus"), tr("In focus")},

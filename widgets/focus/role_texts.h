@@ -21,4 +21,10 @@ std::vector<RoleRow> roleRows();
 /// Returns a sentence on why the structure has its role.
 QString reasonText(Session& session, const model::Relation& relation);
 
+/// Returns how the structure is drawn and why: "solid: bone near the subject".
+QString mannerText(const model::Relation& relation, bool drawn);
+
+/// Returns the subject of a plate by its English title.
+QString subjectText(Session& session, const std::string& title);
+
 }  // namespace sline::widgets

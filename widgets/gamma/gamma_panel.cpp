@@ -14,6 +14,7 @@
 #include "model/edit/emphasis.h"
 #include "model/edit/look.h"
 #include "model/scene/resolved_styles.h"
+#include "widgets/gamma/drawing_panel.h"
 #include "widgets/gamma/gamma_slider.h"
 #include "widgets/gamma/look_drag.h"
 #include "widgets/gamma/more_panel.h"
@@ -80,6 +81,7 @@ GammaPanel::GammaPanel(Session& session, QSettings& settings, QWidget* parent)
     : QWidget(parent),
       m_session(session),
       m_drag(session),
+      m_drawings(new DrawingPanel(session, settings)),
       m_presets(new PresetPanel(session, settings)),
       m_more(new MorePanel(session, settings)) {
   m_title = caption({});
@@ -105,19 +107,22 @@ void GammaPanel::layOut() {
   layout->addWidget(caption(tr("Presets")));
   layout->addWidget(m_presets);
   layout->addSpacing(2);
+  layout->addWidget(m_drawings);
   layout->addWidget(m_more);
   auto* area = new TallArea(content);
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   outer->addWidget(area);
   // Controls that were folded away scroll into view when they open.
-  connect(m_more, &MorePanel::opened, area, [this, area] {
-    const auto show = [this, area] {
+  const auto showWhole = [area](QWidget* opened) {
+    const auto show = [area, opened] {
       QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-      area->ensureWidgetVisible(m_more, 0, 0);
+      area->ensureWidgetVisible(opened, 0, 0);
     };
     QMetaObject::invokeMethod(area, show, Qt::QueuedConnection);
-  });
+  };
+  connect(m_more, &MorePanel::opened, area, [this, showWhole] { showWhole(m_more); });
+  connect(m_drawings, &DrawingPanel::opened, area, [this, showWhole] { showWhole(m_drawings); });
 }
 
 QLayout* GammaPanel::makeGamma() {

@@ -14,6 +14,7 @@ class QSettings;
 
 namespace sline::widgets {
 
+class DrawingPanel;
 class GammaSlider;
 class MorePanel;
 class PresetPanel;
@@ -29,6 +30,8 @@ class GammaPanel : public QWidget {
 
   /// Returns the strip for which the small pictures of the stages are drawn.
   StageStrip& stages() { return *m_stages; }
+  /// Returns the panel of drawing styles, for which small pictures are drawn, too.
+  DrawingPanel& drawings() { return *m_drawings; }
   QSize sizeHint() const override { return {270, 660}; }
 
  signals:
@@ -54,6 +57,7 @@ class GammaPanel : public QWidget {
   QPushButton* m_inherit = nullptr;
   QButtonGroup* m_fill = nullptr;
   QWidget* m_fillRow = nullptr;
+  DrawingPanel* m_drawings = nullptr;
   PresetPanel* m_presets = nullptr;
   MorePanel* m_more = nullptr;
 };

@@ -17,7 +17,7 @@ MorePanel::MorePanel(Session& session, QSettings& settings, QWidget* parent)
     : QWidget(parent), m_settings(settings), m_fold(new QToolButton), m_content(new QWidget) {
   m_fold->setObjectName(QStringLiteral("more"));
   m_fold->setText(tr("More"));
-  m_fold->setToolTip(tr("Line width, hatching, opacity and colours"));
+  m_fold->setToolTip(tr("Lines, hatching, opacity and colours"));
   m_fold->setAutoRaise(true);
   m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   QFont bold = m_fold->font();
@@ -28,6 +28,8 @@ MorePanel::MorePanel(Session& session, QSettings& settings, QWidget* parent)
   rows->setSpacing(9);
   for (const StyleNumber& row : styleNumbers())
     m_editors.push_back(new StyleNumberEditor(session, row));
+  for (const StyleChoice& row : styleChoices())
+    m_editors.push_back(new StyleChoiceEditor(session, row));
   for (const StyleColour& row : styleColours())
     m_editors.push_back(new StyleColourEditor(session, row));
   for (StyleEditor* editor : m_editors)

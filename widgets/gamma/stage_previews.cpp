@@ -77,6 +77,21 @@ SmallLines smallLines(int height, double ratio, double pen) {
   return {.pen = float(pen * ratio / (standardPen * unit)), .hatchDensity = float(closer * closer)};
 }
 
+model::Scene withSmallLines(const model::Scene& scene, const SmallLines& lines) {
+  const std::vector<model::ResolvedStyle> styles = model::resolveAll(scene);
+  std::vector<model::Node> nodes = scene.nodes();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].isGroup())
+      continue;
+    nodes[i].style.penWeight = lines.pen * styles[i].penWeight;
+    nodes[i].style.hatchDensity =
+        HatchDensity::clamped(lines.hatchDensity * styles[i].hatchDensity.value());
+  }
+  model::Scene coarser = scene;
+  coarser.setNodes(std::move(nodes));
+  return coarser;
+}
+
 model::Scene previewScene(const model::Scene& subject, Gamma gamma, int height, double ratio) {
   const SmallLines lines = smallLines(height, ratio * double(samples), penWidth);
   model::Scene result = subject;

@@ -29,6 +29,8 @@ struct SmallLines {
   float hatchDensity = 1.0f;
 };
 SmallLines smallLines(int height, double ratio, double pen);
+/// Returns the scene with all its structures' lines and hatching coarser by that.
+model::Scene withSmallLines(const model::Scene& scene, const SmallLines& lines);
 /// Returns a camera that looks as the other does, at the middle of the subject, which fills the
 /// picture.
 model::Camera previewCamera(const model::Scene& subject, const model::Camera& camera, float aspect);

@@ -2,6 +2,7 @@
 #include "widgets/gamma/style_editors.h"
 
 #include <QColorDialog>
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -155,6 +156,40 @@ void StyleNumberEditor::showSelection() {
   m_slider->showRange(low, high, own);
   m_number->showRange(low, high);
   resetButton().setEnabled(own);
+}
+
+StyleChoiceEditor::StyleChoiceEditor(Session& session, StyleChoice row, QWidget* parent)
+    : StyleEditor(session, row.id, row.text, parent),
+      m_row(std::move(row)),
+      m_values(new QComboBox) {
+  setToolTip(m_row.tip);
+  m_values->setObjectName(m_row.id + QStringLiteral("Choice"));
+  m_values->setAccessibleName(m_row.text);
+  m_values->setAccessibleDescription(m_row.tip);
+  for (const QString& name : m_row.names)
+    m_values->addItem(name);
+  label().setBuddy(m_values);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(&label(), 1);
+  layout->addWidget(m_values);
+  layout->addWidget(&resetButton());
+  connect(m_values, &QComboBox::activated, this, [this](int place) { apply(m_row.look(place)); });
+  connect(&resetButton(), &QToolButton::clicked, this, [this] { inherit(m_row.look(0)); });
+}
+
+void StyleChoiceEditor::showSelection() {
+  const model::Scene& scene = session().scene();
+  const std::vector<model::ResolvedStyle> looks = looksOf(scene, session().selection());
+  if (looks.empty())
+    return;
+  const int first = m_row.value(looks.front());
+  const bool mixed = std::any_of(looks.begin(), looks.end(),
+                                 [&](const auto& look) { return m_row.value(look) != first; });
+  m_values->setPlaceholderText(tr("Several"));
+  m_values->setCurrentIndex(mixed ? -1 : first);
+  resetButton().setEnabled(anySays(scene, session().selection(), m_row.own));
 }
 
 StyleColourEditor::StyleColourEditor(Session& session, StyleColour row, QWidget* parent)

@@ -8,6 +8,7 @@
 #include "widgets/gamma/look_drag.h"
 #include "widgets/gamma/style_rows.h"
 
+class QComboBox;
 class QLabel;
 class QToolButton;
 
@@ -55,6 +56,17 @@ class StyleNumberEditor : public StyleEditor {
   LookDrag m_drag;
   StyleSlider* m_slider;
   RangeBox* m_number;
+};
+
+class StyleChoiceEditor : public StyleEditor {
+  Q_OBJECT
+ public:
+  StyleChoiceEditor(Session& session, StyleChoice row, QWidget* parent = nullptr);
+  void showSelection() override;
+
+ private:
+  StyleChoice m_row;
+  QComboBox* m_values;
 };
 
 class StyleColourEditor : public StyleEditor {

@@ -43,6 +43,20 @@ StyleNumber with(StyleNumber row) {
 }
 
 template <const auto& Field>
+StyleChoice with(StyleChoice row) {
+  using Value = typename std::remove_cvref_t<decltype(Field)>::Value;
+  row.id = QString::fromStdString(model::camelCase(Field.key));
+  row.value = [](const model::ResolvedStyle& style) { return int(style.*Field.resolved); };
+  row.own = [](const model::Style& style) { return (style.*Field.own).has_value(); };
+  row.look = [](int value) {
+    model::Style style;
+    style.*Field.own = Value(value);
+    return style;
+  };
+  return row;
+}
+
+template <const auto& Field>
 StyleColour with(const QString& text, const QString& tip) {
   return {QString::fromStdString(model::camelCase(Field.key)), text, tip, Field.own,
           [](const model::ResolvedStyle& style) {
@@ -55,28 +69,64 @@ StyleColour with(const QString& text, const QString& tip) {
 std::vector<StyleNumber> styleNumbers() {
   namespace fields = model::style_fields;
   // A power of 2 puts the usual value, 1 of 4, in the slider's middle.
-  return {with<fields::penWeight>({.text = tr("Line width"),
-                                   .tip = tr("How wide lines are, times the usual; 0 draws none"),
-                                   .high = 4.0,
-                                   .power = 2.0}),
-          with<fields::hatchDensity>(
-              {.text = tr("Hatching: strokes"),
-               .tip = tr("How many strokes hatching has, times the usual; its tone stays"),
-               .high = 4.0,
-               .power = 2.0}),
-          with<fields::hatchTone>(
-              {.text = tr("Hatching: tone"),
-               .tip = tr("How dark hatching is, times the usual, by the width of its strokes"),
-               .high = 4.0,
-               .power = 2.0}),
-          with<fields::opacity>(
-              {.text = tr("Opacity"),
-               .tip = tr("How much of what lies behind the colour is hidden; lines stay"),
-               .unit = tr(" %"),
-               .shown = 100.0,
-               .high = 100.0,
-               .step = 5.0,
-               .decimals = 0})};
+  return {with<fields::penWeight>(
+              StyleNumber{.text = tr("Line width"),
+                          .tip = tr("How wide lines are, times the usual; 0 draws none"),
+                          .high = 4.0,
+                          .power = 2.0}),
+          with<fields::lineVariation>(StyleNumber{
+              .text = tr("Line weight"),
+              .tip = tr("How much the pen's width tells light, depth and form; 0 is an even pen"),
+              .high = 1.0}),
+          with<fields::lineSmoothing>(StyleNumber{
+              .text = tr("Line smoothing"),
+              .tip = tr("How far lines leave what turns back and forth, times the usual"),
+              .high = 2.0}),
+          with<fields::shortestLine>(StyleNumber{
+              .text = tr("Shortest line"),
+              .tip = tr("Shorter pieces of lines are left out; in 1/720 of the picture's height"),
+              .high = 40.0,
+              .step = 1.0,
+              .decimals = 0}),
+          with<fields::lineScale>(StyleNumber{
+              .text = tr("Line scale"),
+              .tip = tr("How large a form must be to get suggestive contours, times the usual; 0 "
+                        "draws all that were measured"),
+              .high = 2.0}),
+          with<fields::halo>(
+              StyleNumber{.text = tr("Halo"),
+                          .tip = tr("How many line widths before its outline lines behind stop"),
+                          .high = 4.0,
+                          .step = 0.25}),
+          with<fields::grain>(StyleNumber{.text = tr("Pencil grain"),
+                                          .tip = tr("How much the pen is a pencil on rough paper"),
+                                          .high = 1.0}),
+          with<fields::hatchDensity>(StyleNumber{
+              .text = tr("Hatching: strokes"),
+              .tip = tr("How many strokes hatching has, times the usual; its tone stays"),
+              .high = 4.0,
+              .power = 2.0}),
+          with<fields::hatchTone>(StyleNumber{
+              .text = tr("Hatching: tone"),
+              .tip = tr("How dark hatching is, times the usual, by the width of its strokes"),
+              .high = 4.0,
+              .power = 2.0}),
+          with<fields::opacity>(StyleNumber{
+              .text = tr("Opacity"),
+              .tip = tr("How much of what lies behind the colour is hidden; lines stay"),
+              .unit = tr(" %"),
+              .shown = 100.0,
+              .high = 100.0,
+              .step = 5.0,
+              .decimals = 0})};
+}
+
+std::vector<StyleChoice> styleChoices() {
+  namespace fields = model::style_fields;
+  return {with<fields::hiddenLines>(
+      StyleChoice{.text = tr("Hidden outlines"),
+                  .tip = tr("How outlines are drawn where other structures hide them"),
+                  .names = {tr("Not drawn"), tr("Thin"), tr("Dashed")}})};
 }
 
 std::vector<StyleColour> styleColours() {
@@ -91,6 +141,8 @@ std::vector<StyleField> styleFields() {
                                  {QStringLiteral("fill"), tr("Fill"), {.fill = model::Fill::none}}};
   for (const StyleNumber& row : styleNumbers())
     fields.push_back({row.id, row.text, row.look(0.0f)});
+  for (const StyleChoice& row : styleChoices())
+    fields.push_back({row.id, row.text, row.look(0)});
   for (const StyleColour& row : styleColours()) {
     model::Style which;
     which.*row.field = Colour();

@@ -27,6 +27,19 @@ struct StyleNumber {
 };
 std::vector<StyleNumber> styleNumbers();
 
+/// Describes a field of a style that has one of a few values.
+struct StyleChoice {
+  QString id;
+  QString text;
+  QString tip;
+  std::vector<QString> names;  ///< of the values, in their order
+  /// Returns the value's place among the names.
+  int (*value)(const model::ResolvedStyle&) = nullptr;
+  bool (*own)(const model::Style&) = nullptr;
+  model::Style (*look)(int) = nullptr;
+};
+std::vector<StyleChoice> styleChoices();
+
 /// Describes a colour of a style.
 struct StyleColour {
   QString id;

@@ -109,6 +109,12 @@ QWidget* SectionsPanel::makeDetails() {
   m_scope->setObjectName(QStringLiteral("sectionScope"));
   m_scope->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_scope->setMinimumContentsLength(8);
+  m_faces = new QComboBox;
+  m_faces->setObjectName(QStringLiteral("sectionFaces"));
+  m_faces->addItems({tr("Paper"), tr("Tint"), tr("Tissue")});
+  m_faces->setToolTip(
+      tr("Cut faces as white as the paper, in a tint of the structure's colour, or with the "
+         "pattern of its tissue as in printed atlases"));
   m_hatched = new QCheckBox(tr("Hatched cut faces"));
   m_hatched->setObjectName(QStringLiteral("sectionHatched"));
   connect(m_position, &QDoubleSpinBox::valueChanged, this, [this](double value) {
@@ -121,6 +127,7 @@ QWidget* SectionsPanel::makeDetails() {
            QStringLiteral("section-position-%1").arg(section.id.value));
   });
   connect(m_scope, &QComboBox::activated, this, &SectionsPanel::scopeChosen);
+  connect(m_faces, &QComboBox::activated, this, &SectionsPanel::facesChosen);
   connect(m_hatched, &QCheckBox::clicked, this, [this](bool on) {
     if (const model::Section* there = active()) {
       model::Section section = *there;
@@ -134,6 +141,7 @@ QWidget* SectionsPanel::makeDetails() {
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("&Position"), m_position);
   form->addRow(tr("&Cuts"), m_scope);
+  form->addRow(tr("Cut faces"), m_faces);
   form->addRow(QString(), m_hatched);
   return m_details;
 }
@@ -194,6 +202,14 @@ void SectionsPanel::scopeChosen(int row) {
   }
 }
 
+void SectionsPanel::facesChosen(int row) {
+  if (const model::Section* there = active()) {
+    model::Section section = *there;
+    section.faces = model::CutFaces(row);
+    change(tr("Cut Faces"), section);
+  }
+}
+
 void SectionsPanel::showActive() {
   const QScopedValueRollback following(m_following, true);
   const int row = m_sections->rowOf(m_session.activeSection());
@@ -213,6 +229,7 @@ void SectionsPanel::showActive() {
   if (!section)
     return;
   m_position->setValue(positionOf(section->plane));
+  m_faces->setCurrentIndex(int(section->faces));
   m_hatched->setChecked(section->hatched);
   listScopes(*section);
 }

@@ -36,6 +36,7 @@ class SectionsPanel : public QWidget {
   void showActive();
   void listScopes(const model::Section& section);
   void scopeChosen(int row);
+  void facesChosen(int row);
 
   Session& m_session;
   SectionList* m_sections;
@@ -46,6 +47,7 @@ class SectionsPanel : public QWidget {
   QWidget* m_details = nullptr;
   QDoubleSpinBox* m_position = nullptr;
   QComboBox* m_scope = nullptr;
+  QComboBox* m_faces = nullptr;  ///< rows in the order of model::CutFaces
   QCheckBox* m_hatched = nullptr;
   bool m_following = false;  ///< the session changes the controls, not the user
 };

@@ -22,6 +22,7 @@ DemoScene demoScene(const QString& title, model::DemoName name, model::Sex sex) 
   return {.id = QStringLiteral("%1-%2").arg(QLatin1String(id.data(), qsizetype(id.size())),
                                             QLatin1String(sexId.data(), qsizetype(sexId.size()))),
           .title = title,
+          .key = QString::fromStdString(model::demoKey(name, sex)),
           .make = make};
 }
 

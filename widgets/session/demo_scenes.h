@@ -12,6 +12,7 @@ namespace sline::widgets {
 struct DemoScene {
   QString id;     ///< its name in settings and tests
   QString title;  ///< the name that the user reads
+  QString key;    ///< another one whenever the program models it otherwise
   SceneMaker make;
 };
 

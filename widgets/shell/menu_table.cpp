@@ -47,7 +47,7 @@ std::vector<MenuRow> menuRows() {
       row("labelModeMenu", tr("S&how as"), {}),
       row("viewMenu", tr("&View"),
           ids("anterior posterior left right superior inferior fit zoomTo | plate "
-              "anotherSubject | >savedViews addView present | >sectionMenu keyLight "
+              "anotherSubject subjects | >savedViews addView present | >sectionMenu keyLight "
               ">backgroundMenu >marksMenu | >panelMenu")),
       row("savedViews", tr("Saved &Views"), {}),
       row("sectionMenu", tr("S&ection"),

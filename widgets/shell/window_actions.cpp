@@ -84,6 +84,8 @@ std::vector<ActionRow> lookRows() {
        tr("Another S&ubject"),
        {},
        tr("A plate of what else the scene may be about; again for the next")},
+      {QStringLiteral("subjects"), tr("Other Sub&jects…"), key(tr("Ctrl+Shift+J")),
+       tr("Small plates of the next three subjects, to choose from")},
       {QStringLiteral("context"), tr("&Context"), key(tr("Ctrl+D")),
        tr("The selected structures as contours"), "context"},
       {QStringLiteral("ghost"), tr("&Ghost"), key(tr("Ctrl+Shift+D")),

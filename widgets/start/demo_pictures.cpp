@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/start/demo_pictures.h"
 
-#include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
+#include "model/disk/process.h"
+#include "render/picture/card_picture.h"
 #include "render/picture/picture.h"
 
 namespace sline::widgets {
 
 namespace {
-
-constexpr int width = 480;  // as large as a card on a screen of twice the density
-constexpr int height = 360;
-constexpr int samples = 2;  // per pixel in each direction
 
 QSurfaceFormat pictureFormat() {
   QSurfaceFormat format;
@@ -23,22 +20,13 @@ QSurfaceFormat pictureFormat() {
   return format;
 }
 
-QString nameOf(const DemoScene& demo) {
-  return QStringLiteral("demo-%1-%2").arg(demo.id, QCoreApplication::applicationVersion());
-}
-
 QImage drawDemo(const model::Scene& scene) {
   const auto picture = render::Picture::create();
   if (!picture.ok())
     return {};
-  const model::Camera camera =
-      scene.views().empty() ? model::anatomicalCamera(model::AnatomicalView::anterior,
-                                                      scene.visibleBounds(), float(width) / height)
-                            : scene.views().front().camera;
-  const Result<render::Image> image = (*picture)->render(
-      scene, camera,
-      {.width = width, .height = height, .environment = {.background = render::Background::paper}},
-      samples);
+  const render::CardPicture card = render::cardPicture(scene);
+  const Result<render::Image> image =
+      (*picture)->render(scene, card.camera, card.settings, card.samples);
   if (!image.ok())
     return {};
   return QImage(image->rgba.data(), image->width, image->height, 4 * image->width,
@@ -64,8 +52,12 @@ QImage drawDemo(const DemoScene& demo, QOffscreenSurface& surface, const std::st
 
 }  // namespace
 
-DemoPictures::DemoPictures(PictureCache cache, QObject* parent)
-    : QObject(parent), m_cache(std::move(cache)) {}
+std::filesystem::path builtDemoPictures() {
+  return model::programFile().parent_path().parent_path() / "share/sline/demos";
+}
+
+DemoPictures::DemoPictures(PictureCache built, PictureCache cache, QObject* parent)
+    : QObject(parent), m_built(std::move(built)), m_cache(std::move(cache)) {}
 
 DemoPictures::~DemoPictures() {
   m_queue.drop();
@@ -78,18 +70,21 @@ void DemoPictures::stop() {
 
 void DemoPictures::ask(const std::vector<DemoScene>& demos, Missing missing) {
   m_missing = missing;
+  for (const DemoScene& demo : demos)
+    if (const QImage picture = m_built.find(demo.key); !picture.isNull())
+      emit drawn(demo.id, picture);
+    else
+      findOrDraw(demo);
+}
+
+void DemoPictures::findOrDraw(const DemoScene& demo) {
   if (!m_surface) {
     m_surface = std::make_unique<QOffscreenSurface>();
     m_surface->setFormat(pictureFormat());
     m_surface->create();
   }
-  for (const DemoScene& demo : demos)
-    findOrDraw(demo);
-}
-
-void DemoPictures::findOrDraw(const DemoScene& demo) {
   m_queue.add([this, demo, cache = m_cache](const std::stop_token&) -> BackgroundQueue::Sequel {
-    const QImage picture = cache.find(nameOf(demo));
+    const QImage picture = cache.find(demo.key);
     if (picture.isNull())
       return [this, demo] { draw(demo); };
     return [this, id = demo.id, picture] { emit drawn(id, picture); };
@@ -104,7 +99,7 @@ void DemoPictures::draw(const DemoScene& demo) {
         const QImage picture = sline::widgets::drawDemo(demo, *m_surface, stop);
         if (picture.isNull())
           return {};
-        cache.keep(nameOf(demo), picture);
+        cache.keep(demo.key, picture);
         return [this, id = demo.id, picture] { emit drawn(id, picture); };
       });
 }

@@ -13,17 +13,24 @@ class QOffscreenSurface;
 
 namespace sline::widgets {
 
-/// Provides pictures of the demo scenes, drawn once by the renderer itself, in the background and
-/// when nothing else is to be done.
+/// Returns the folder of the pictures that were drawn of the demos when the program was built:
+/// ../share/sline/demos, from where the program lies.
+std::filesystem::path builtDemoPictures();
+
+/// Provides pictures of the demo scenes: those drawn when the program was built, at once; where one
+/// is missing or shows an older demo, the renderer draws it, once, in the background and when
+/// nothing else is to be done.
 class DemoPictures : public QObject {
   Q_OBJECT
  public:
-  explicit DemoPictures(PictureCache cache, QObject* parent = nullptr);
+  /// Reads pictures from both, and keeps in the second what it draws.
+  DemoPictures(PictureCache built, PictureCache cache, QObject* parent = nullptr);
   ~DemoPictures() override;
 
   enum class Missing { draw, leave };
-  /// Asks for the pictures of the demos, remembered ones first. Each is answered by `drawn`, unless
-  /// it is missing and is to be left so, or cannot be drawn.
+  /// Asks for the pictures of the demos. Each is answered by `drawn`, before this returns if it was
+  /// drawn when the program was built, else later, unless it is missing and is to be left so, or
+  /// cannot be drawn.
   void ask(const std::vector<DemoScene>& demos, Missing missing);
   /// Stops the drawing that is under way.
   void stop();
@@ -35,6 +42,7 @@ class DemoPictures : public QObject {
   void findOrDraw(const DemoScene& demo);
   void draw(const DemoScene& demo);
 
+  PictureCache m_built;
   PictureCache m_cache;
   std::unique_ptr<QOffscreenSurface> m_surface;
   Missing m_missing = Missing::leave;

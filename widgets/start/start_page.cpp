@@ -50,12 +50,12 @@ QPushButton* button(const QString& words, const char* name, const QString& icon)
 
 }  // namespace
 
-StartPage::StartPage(QMainWindow& window, RecentFiles& recent, const std::filesystem::path& cache)
+StartPage::StartPage(QMainWindow& window, RecentFiles& recent, const PictureFolders& folders)
     : QWidget(&window),
       m_window(window),
       m_recent(recent),
-      m_thumbnails(PictureCache(cache)),
-      m_demoPictures(PictureCache(cache)),
+      m_thumbnails(PictureCache(folders.cache)),
+      m_demoPictures(PictureCache(folders.built), PictureCache(folders.cache)),
       m_messagePlace(new QVBoxLayout),
       m_recentTitle(section(tr("Opened Last"))),
       m_recentCards(new CardGrid),
@@ -234,7 +234,11 @@ void StartPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   cover();
   askForPictures();
-  m_demoPictures.ask(m_demos,
+  std::vector<DemoScene> unseen;
+  for (std::size_t i = 0; i < m_demos.size(); ++i)
+    if (!m_demoCards->cards()[i]->hasPicture())
+      unseen.push_back(m_demos[i]);
+  m_demoPictures.ask(unseen,
                      m_drawing ? DemoPictures::Missing::draw : DemoPictures::Missing::leave);
 }
 

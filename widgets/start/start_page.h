@@ -18,13 +18,20 @@ class CardGrid;
 class RecentFiles;
 class RecoveryList;
 
+/// Says where small pictures are: those of the demos that came with the program, and those that it
+/// remembers.
+struct PictureFolders {
+  std::filesystem::path built;
+  std::filesystem::path cache;
+};
+
 /// Shows, while nothing is open, what a crash has left, what was open last, and the demos. It lies
 /// over the whole window below the toolbar; panels keep their places beneath it.
 class StartPage : public QWidget {
   Q_OBJECT
  public:
-  /// Makes the page. Both must outlive it. Pictures are remembered in the folder.
-  StartPage(QMainWindow& window, RecentFiles& recent, const std::filesystem::path& cache);
+  /// Makes the page. Window and list must outlive it.
+  StartPage(QMainWindow& window, RecentFiles& recent, const PictureFolders& folders);
 
   void setRecoverable(const std::vector<model::Recoverable>& found);
   /// Sets whether demos are drawn; otherwise their cards show only remembered pictures.

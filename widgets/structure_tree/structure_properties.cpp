@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "model/fairing/faired.h"
 #include "model/scene/resolved_styles.h"
 #include "widgets/gamma/stages.h"
 #include "widgets/text/tr.h"
@@ -63,6 +64,10 @@ QString imported(const model::Provenance& p) {
     done << tr("smoothed in %1 steps, at most %2 mm off")
                 .arg(p.smoothingSteps)
                 .arg(number(double(p.displacementMm), 2));
+  if (p.sliceMm > 0.0f)
+    done << tr("drawn without the steps of slices %1 mm apart, at most %2 mm off")
+                .arg(number(double(p.sliceMm), 2),
+                     number(double(model::fairingShare * p.sliceMm), 2));
   if (p.refinementSteps > 0)
     done << tr("refined in %1 steps").arg(p.refinementSteps);
   if (p.repairedFaces > 0)
@@ -173,7 +178,7 @@ std::vector<Property> extentProperties(const std::vector<model::MeshPtr>& meshes
 }
 
 StructureProperties::StructureProperties(const Session& session, const NodeIds& ids,
-                                         QWidget* parent)
+                                         const QString& explanation, QWidget* parent)
     : QDialog(parent), m_form(new QFormLayout) {
   setObjectName(QStringLiteral("propertiesDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -207,6 +212,8 @@ StructureProperties::StructureProperties(const Session& session, const NodeIds& 
   buttons->button(QDialogButtonBox::Close)->setDefault(true);
 
   add(propertiesOf(session.scene(), ids));
+  if (!explanation.isEmpty())
+    add({{QStringLiteral("drawn"), tr("Drawn"), explanation}});
   std::vector<model::MeshPtr> meshes;
   for (const auto& [node, style] : model::resolvedBelow(session.scene(), ids))
     meshes.push_back(node->mesh);

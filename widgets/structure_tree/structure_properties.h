@@ -29,7 +29,9 @@ std::vector<Property> extentProperties(const std::vector<model::MeshPtr>& meshes
 class StructureProperties : public QDialog {
   Q_OBJECT
  public:
-  StructureProperties(const Session& session, const NodeIds& ids, QWidget* parent = nullptr);
+  /// `explanation` says why a single structure is drawn as it is; it may be empty.
+  StructureProperties(const Session& session, const NodeIds& ids, const QString& explanation,
+                      QWidget* parent = nullptr);
 
  private:
   void add(const std::vector<Property>& properties);

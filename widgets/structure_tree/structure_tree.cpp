@@ -116,8 +116,10 @@ void StructureTree::chooseColour(const NodeIds& ids) {
 }
 
 void StructureTree::showProperties(const NodeIds& ids) {
-  if (!ids.empty())
-    (new StructureProperties(m_session, ids, this))->show();
+  if (ids.empty())
+    return;
+  const QString explanation = ids.size() == 1 && m_explain ? m_explain(ids.front()) : QString();
+  (new StructureProperties(m_session, ids, explanation, this))->show();
 }
 
 }  // namespace sline::widgets

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 
 #include "widgets/session/session.h"
 
@@ -23,6 +24,10 @@ class StructureTree : public QWidget {
   /// Opens a dialog for the colour of the nodes.
   void chooseColour(const NodeIds& ids);
   void showProperties(const NodeIds& ids);
+  /// Has properties say why a structure is drawn as it is, where `explain` knows that.
+  void setExplanation(std::function<QString(model::NodeId)> explain) {
+    m_explain = std::move(explain);
+  }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -32,6 +37,7 @@ class StructureTree : public QWidget {
   void showCount();
 
   Session& m_session;
+  std::function<QString(model::NodeId)> m_explain;
   QLineEdit* m_filter;
   QLabel* m_count;
   StructureTreeView* m_view;

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "model/edit/views.h"
-#include "model/scene/resolved_styles.h"
 #include "widgets/gamma/stage_previews.h"
 
 namespace sline::widgets {
@@ -78,19 +77,8 @@ const QImage* ViewPictures::kept(const Key& key) const {
 PreviewRequest::Preview ViewPictures::previewOf(int id, const Key& key) const {
   const int height = samples * key.size.height();
   const SmallLines lines = smallLines(height, m_ratio * double(samples), penWidth);
-  const std::vector<model::ResolvedStyle> styles = model::resolveAll(key.scene);
-  model::Scene scene = key.scene;
-  std::vector<model::Node> nodes = key.scene.nodes();
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].isGroup())
-      continue;
-    nodes[i].style.penWeight = lines.pen * styles[i].penWeight;
-    nodes[i].style.hatchDensity =
-        HatchDensity::clamped(lines.hatchDensity * styles[i].hatchDensity.value());
-  }
-  scene.setNodes(std::move(nodes));
   return {.id = id,
-          .scene = std::move(scene),
+          .scene = withSmallLines(key.scene, lines),
           .camera = key.camera,
           .settings = {.width = samples * key.size.width(),
                        .height = height,

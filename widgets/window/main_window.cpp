@@ -16,6 +16,7 @@
 
 #include "widgets/export/export_actions.h"
 #include "widgets/focus/focus_context.h"
+#include "widgets/focus/subject_popup.h"
 #include "widgets/help/help_key.h"
 #include "widgets/preferences/preferences_dialog.h"
 #include "widgets/shell/message_bar.h"
@@ -170,6 +171,7 @@ void MainWindow::connectActions() {
   on("focus", [this] { m_focus->focusOn(m_session.selection()); });
   on("plate", [this] { chooseLook(0, false); });
   on("anotherSubject", [this] { chooseLook(m_focus->subject() + 1, false); });
+  on("subjects", [this] { (new SubjectPopup(m_session, *m_focus, *m_viewport))->open(); });
   on("fit", [this] { m_viewport->fitAll(); });
   on("help", [this] { showHelp(); });
   on("controls",

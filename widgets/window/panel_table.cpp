@@ -9,8 +9,10 @@
 #include "widgets/annotations/annotations_panel.h"
 #include "widgets/annotations/in_picture/label_actions.h"
 #include "widgets/focus/focus_panel.h"
+#include "widgets/gamma/drawing_panel.h"
 #include "widgets/gamma/gamma_panel.h"
 #include "widgets/gamma/stage_previews.h"
+#include "widgets/preferences/preferences.h"
 #include "widgets/sections/sections_panel.h"
 #include "widgets/shell/window_actions.h"
 #include "widgets/structure_tree/structure_tree.h"
@@ -27,6 +29,11 @@ QWidget* makeGamma(const PanelContext& context) {
   QObject::connect(panel, &GammaPanel::focusWanted, &context.actions[QStringLiteral("focus")],
                    &QAction::trigger);
   drawStages(context.session, context.viewport, panel->stages());
+  offerDrawings(context.session, context.viewport, panel->drawings());
+  QObject::connect(&panel->drawings(), &DrawingPanel::backgroundWanted, &context.preferences,
+                   [&preferences = context.preferences](const QString& background) {
+                     preferences.set(QStringLiteral("picture/background"), background);
+                   });
   return panel;
 }
 

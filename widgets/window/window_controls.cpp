@@ -26,6 +26,7 @@
 #include "widgets/sections/sections_panel.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/shell/message_bar.h"
+#include "widgets/start/demo_pictures.h"
 #include "widgets/start/start_page.h"
 #include "widgets/structure_tree/structure_actions.h"
 #include "widgets/structure_tree/structure_tree.h"
@@ -104,6 +105,7 @@ void MainWindow::makePanels() {
                     .tour = *tour,
                     .actions = m_actions});
   m_tree = findChild<StructureTree*>();
+  m_tree->setExplanation([this](model::NodeId id) { return m_focus->explanation(id); });
   m_tour = tour;
   new TourActions({.window = *this,
                    .session = m_session,
@@ -196,7 +198,8 @@ void MainWindow::makeExports() {
 
 void MainWindow::makeStart() {
   const std::filesystem::path cache = model::userCacheFolder();
-  m_start = new StartPage(*this, m_files->recent(), cache.empty() ? cache : cache / "pictures");
+  m_start = new StartPage(*this, m_files->recent(),
+                          {builtDemoPictures(), cache.empty() ? cache : cache / "pictures"});
   m_start->setDrawing(m_settings.value(QLatin1String(demoPicturesKey), true).toBool());
   connect(m_start, &StartPage::filesWanted, &m_actions[QStringLiteral("openFiles")],
           &QAction::trigger);

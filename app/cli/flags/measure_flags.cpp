@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "app/cli/files/camera_file.h"
 #include "app/cli/files/names.h"
 
 namespace sline::cli {
@@ -37,12 +36,8 @@ Result<PictureSpec> pictureSpecOf(const MeasureFlags& flags) {
   if (!size.ok())
     return size.error();
   spec.size = *size;
-  if (!flags.cameraFile.empty()) {
-    const Result<model::Camera> camera = readCamera(flags.cameraFile);
-    if (!camera.ok())
-      return camera.error();
-    spec.camera = *camera;
-  }
+  if (const Status taken = takeCamera(flags.cameraFile, spec); !taken.ok())
+    return taken.error();
   return spec;
 }
 

@@ -7,6 +7,7 @@
 #include "app/cli/files/camera_file.h"
 #include "app/cli/files/interruption.h"
 #include "app/cli/files/names.h"
+#include "app/cli/flags/drawing_flags.h"
 #include "app/cli/flags/style_flags.h"
 #include "model/edit/look.h"
 #include "model/edit/views.h"
@@ -220,10 +221,8 @@ Result<PictureSpec> parseFlagsWithoutOutput(const PictureFlags& flags) {
   if (!samples.ok())
     return samples.error();
   spec.samples = *samples;
-  const Result<render::Background> background = parseBackground(flags.background);
-  if (!background.ok())
-    return background.error();
-  spec.environment.background = *background;
+  if (const Status drawing = parseDrawing(flags, spec); !drawing.ok())
+    return drawing.error();
   if (const Status drawn = parseHatchingFlags(flags, spec); !drawn.ok())
     return drawn.error();
   spec.blackAndWhite = flags.blackAndWhite;
@@ -252,21 +251,30 @@ Result<PictureSpec> parseFlagsWithoutOutput(const PictureFlags& flags) {
   if (!sections.ok())
     return sections.error();
   spec.sections = *sections;
-  spec.sections.hatched = spec.sections.hatched || spec.blackAndWhite;
-  if (!flags.cameraFile.empty()) {
-    const Result<model::Camera> camera = readCamera(flags.cameraFile);
-    if (!camera.ok())
-      return camera.error();
-    spec.camera = *camera;
-  }
+  spec.sections.hatched = spec.sections.hatched || spec.blackAndWhite ||
+                          (spec.drawing && spec.drawing->hatchedSections);
+  if (const Status taken = takeCamera(flags.cameraFile, spec); !taken.ok())
+    return taken.error();
   return spec;
+}
+
+Status takeCamera(const std::string& file, PictureSpec& spec) {
+  if (file.empty())
+    return Unit{};
+  const Result<model::Camera> camera = readCamera(file);
+  if (!camera.ok())
+    return camera.error();
+  spec.camera = *camera;
+  return Unit{};
 }
 
 std::string shownViewName(const model::Scene& scene, const PictureSpec& spec) {
   if (!spec.camera)
     if (const model::View* saved = savedView(scene, spec.view))
       return saved->name;
-  const auto side = spec.camera ? model::anatomicalViewOf(*spec.camera) : viewOf(spec);
+  const auto side = spec.camera   ? model::anatomicalViewOf(*spec.camera)
+                    : spec.fitted ? spec.fitted->view
+                                  : viewOf(spec);
   return side ? std::string(model::anatomicalViewNames[std::size_t(*side)]) : std::string();
 }
 
@@ -308,8 +316,9 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec) 
 }
 
 Result<model::Scene> withOpeningLook(const model::Scene& scene, PictureSpec& spec) {
-  if (!spec.choosesLook || !model::hasNoLook(scene) || !spec.focus.names.empty() || spec.fill ||
-      sayForAll(spec.gammas))
+  if (!model::hasNoLook(scene) || !spec.focus.names.empty())
+    return scene;
+  if (!spec.drawing && (!spec.choosesLook || spec.fill || sayForAll(spec.gammas)))
     return scene;
   const Result<model::Scene> some =
       spec.only.empty() ? Result<model::Scene>(scene) : withOnly(scene, spec.only);
@@ -331,12 +340,14 @@ Result<model::Scene> withOpeningLook(const model::Scene& scene, PictureSpec& spe
   const std::optional<model::OpeningLook> look = model::openingLook(*cut, forms, wishes);
   if (!look)
     return scene;
-  if (!wishes.camera) {
+  if (look->view)
     spec.view = std::string(model::anatomicalViewNames[std::size_t(*look->view)]);
+  if (!wishes.camera)
     spec.fitted = *look;
-  }
   model::Scene dressed = scene;
   dressed.setNodes(look->scene.nodes());
+  if (spec.drawing && !spec.drawing->styleOf)
+    spec.drawing = nullptr;  // it is a plate now
   return dressed;
 }
 
@@ -367,12 +378,12 @@ Result<model::Camera> cameraFor(const model::Scene& scene, const PictureSpec& sp
     return *spec.camera;
   if (const model::View* saved = savedView(scene, spec.view))
     return saved->camera;
-  const auto view = viewOf(spec);
-  if (!view)
-    return unknownView(scene, spec.view);
   const float aspect = spec.size.aspect();
   if (spec.fitted)
     return model::framedCamera(*spec.fitted, aspect, spec.labels.sides);
+  const auto view = viewOf(spec);
+  if (!view)
+    return unknownView(scene, spec.view);
   const model::Camera camera = model::anatomicalCamera(*view, scene.visibleBounds(), aspect);
   return model::fittedToVisible(scene, camera, aspect, spec.labels.sides);
 }

@@ -13,6 +13,7 @@
 #include "app/cli/flags/section_flags.h"
 #include "app/cli/flags/values.h"
 #include "model/base/result.h"
+#include "model/look/drawing_styles.h"
 #include "model/look/opening_look.h"
 #include "model/scene/scene.h"
 #include "render/strokes/picture_settings.h"
@@ -28,7 +29,8 @@ struct PictureFlags {
   std::string look = "plain";  ///< auto where `addLookOption` declares it
   std::string cameraFile;
   std::string fill;
-  std::string background = "white";
+  std::string background;  ///< empty: the drawing style's, else white
+  std::string drawing;     ///< empty: none
   std::string hatching = "strokes";
   std::string light;
   std::optional<bool> keyLight;
@@ -59,8 +61,9 @@ struct PictureSpec {
   render::Environment environment;
   render::HatchingMethod hatching = render::HatchingMethod::strokes;
   bool blackAndWhite = false;
-  std::optional<model::Camera> camera;       ///< from a file; else `view`
-  std::string view;                          ///< empty: not given
+  std::optional<model::Camera> camera;           ///< from a file; else `view`
+  std::string view;                              ///< empty: not given
+  const model::DrawingStyle* drawing = nullptr;  ///< given to the scene before single styles are
   bool choosesLook = false;                  ///< gives one to a scene that has no look of its own
   std::optional<model::OpeningLook> fitted;  ///< the look that views are fitted to
   std::optional<model::Fill> fill;
@@ -88,13 +91,16 @@ std::string shownViewName(const model::Scene& scene, const PictureSpec& spec);
 /// value for a structure or an inner group wins over one for a group around it, whatever the order
 /// of the flags.
 Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec);
+/// Takes the camera of a file, if there is one.
+Status takeCamera(const std::string& file, PictureSpec& spec);
 /// Returns the scene with the focus of the order, if it has one; sections of the order count.
 Result<model::Scene> inFocus(const model::Scene& scene, const PictureSpec& spec);
 /// Returns the scene with the sections of the order, if it has any.
 Result<model::Scene> cutOpen(const model::Scene& scene, const PictureSpec& spec);
 /// Returns the scene with the opening look (model/look) where the spec wants one, and the scene,
-/// the focus and Γ or fill for all structures say nothing of how it looks; then `spec` looks from
-/// where that look does, unless it says another view. Labels have room at the spec's free sides.
+/// the focus and Γ or fill for all structures say nothing of how it looks; a drawing style always
+/// wants one for a scene without a look. Then `spec` looks from where that look does, unless it
+/// says another view. Labels have room at the spec's free sides.
 Result<model::Scene> withOpeningLook(const model::Scene& scene, PictureSpec& spec);
 /// Returns the saved view of that name, or null if there is none.
 const model::View* savedView(const model::Scene& scene, const std::string& name);

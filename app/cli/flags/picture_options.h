@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/flags/drawing_flags.h"
 #include "app/cli/flags/focus_options.h"
 #include "app/cli/flags/label_flags.h"
 #include "app/cli/flags/option_kinds.h"
@@ -43,7 +44,8 @@ inline void addAppearanceOptions(CLI::App& command, PictureFlags& flags) {
   CLI::Option* ink = addStyleOptions(command, flags);
   CLI::Option* background =
       command.add_option("--background", flags.background, "What lies behind the drawing");
-  background->type_name("white|paper|dark|transparent")->capture_default_str();
+  background->type_name("white|paper|dark|transparent")->default_str("white");
+  command.add_option("--drawing", flags.drawing, drawingHelp())->type_name("NAME");
   command
       .add_option("--hatching", flags.hatching,
                   "strokes that follow the form, or the grey hatching that Sline's paper prints, "

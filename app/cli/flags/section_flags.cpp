@@ -122,14 +122,21 @@ Result<SectionsSpec> parseFlags(const SectionFlags& flags) {
   SectionsSpec spec;
   spec.groups = flags.groups;
   spec.hatched = flags.hatched;
+  if (!flags.faces.empty()) {
+    const auto faces = model::cutFacesNamed(flags.faces);
+    if (!faces)
+      return Error{.reason = "--section-faces does not know \"" + flags.faces + "\"",
+                   .remedy = "Say off, tint or tissue"};
+    spec.faces = *faces;
+  }
   for (const std::string& text : flags.sections) {
     const Result<SectionText> section = parseSection(text);
     if (!section.ok())
       return section.error();
     spec.sections.push_back(*section);
   }
-  if (flags.sections.empty() && (!flags.groups.empty() || flags.hatched))
-    return Error{.reason = "a section's group or hatching is given without a section",
+  if (flags.sections.empty() && (!flags.groups.empty() || flags.hatched || !flags.faces.empty()))
+    return Error{.reason = "a section's group, faces or hatching is given without a section",
                  .remedy = "Add --section sagittal, coronal or axial"};
   return spec;
 }
@@ -160,6 +167,7 @@ Result<model::Scene> sectioned(const model::Scene& scene, const SectionsSpec& sp
       if (wanted.plane)
         section.plane = *wanted.plane;
       section.name = wanted.text;
+      section.faces = spec.faces;
       section.hatched = spec.hatched;
       model::Edited edited = model::withSection(result, section);
       if (!edited.changed)

@@ -16,6 +16,7 @@ namespace sline::cli {
 struct SectionFlags {
   std::vector<std::string> sections;
   std::vector<std::string> groups;
+  std::string faces;  ///< empty: as sections are by default
   bool hatched = false;
 };
 
@@ -31,6 +32,7 @@ struct SectionText {
 struct SectionsSpec {
   std::vector<SectionText> sections;
   std::vector<std::string> groups;  ///< empty: the whole scene
+  model::CutFaces faces = model::Section().faces;
   bool hatched = false;
 };
 

@@ -22,7 +22,14 @@ inline void addSectionOptions(CLI::App& command, SectionFlags& flags) {
   repeatable(command.add_option("--section-group", flags.groups,
                                 "Cuts this structure or group alone; may be given again"))
       ->type_name("NAME");
-  command.add_flag("--section-hatching", flags.hatched, "Hatches the cut faces at 45 degrees");
+  command
+      .add_option(
+          "--section-faces", flags.faces,
+          "How cut faces are drawn: off (paper), tint (of the structure's colour) or tissue "
+          "(the tint with the pattern of bone, muscle, fat ...)")
+      ->type_name("off|tint|tissue");
+  command.add_flag("--section-hatching", flags.hatched,
+                   "Hatches the cut faces that have no pattern at 45 degrees");
 }
 
 }  // namespace sline::cli

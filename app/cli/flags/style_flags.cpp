@@ -25,6 +25,17 @@ Result<model::Style> parseStyleField(std::string_view what, std::string_view tex
   return style;
 }
 
+template <const auto& Field>
+Result<model::Style> parseStyleChoice(std::string_view what, std::string_view text) {
+  using Value = typename std::remove_cvref_t<decltype(Field)>::Value;
+  const Result<std::size_t> place = parseName(model::namesOf(Value()), what, text);
+  if (!place)
+    return place.error();
+  model::Style style;
+  style.*Field.own = Value(*place);
+  return style;
+}
+
 constexpr std::array fieldFlags{
     StyleFlag{.flag = "--pen",
               .value = "[NAME=]W",
@@ -32,6 +43,43 @@ constexpr std::array fieldFlags{
                       "structure or of all in a group",
               .what = "pen",
               .parse = parseStyleField<model::style_fields::penWeight>},
+    StyleFlag{.flag = "--line-variation",
+              .value = "[NAME=]V",
+              .help = "How much the pen's width tells light, depth and form, 0 (an even pen) to 1",
+              .what = "line variation",
+              .parse = parseStyleField<model::style_fields::lineVariation>},
+    StyleFlag{.flag = "--line-smoothing",
+              .value = "[NAME=]S",
+              .help = "How far lines leave what turns back and forth, 0 to 2 times the usual",
+              .what = "line smoothing",
+              .parse = parseStyleField<model::style_fields::lineSmoothing>},
+    StyleFlag{.flag = "--shortest-line",
+              .value = "[NAME=]L",
+              .help = "The shortest piece of a line that is drawn, in 1/720 of the picture's "
+                      "height, 0 to 40 (usually 8)",
+              .what = "shortest line",
+              .parse = parseStyleField<model::style_fields::shortestLine>},
+    StyleFlag{.flag = "--line-scale",
+              .value = "[NAME=]S",
+              .help = "How large a form must be in the picture to get suggestive contours, 0 (as "
+                      "measured) to 2 times the usual",
+              .what = "line scale",
+              .parse = parseStyleField<model::style_fields::lineScale>},
+    StyleFlag{.flag = "--hidden-lines",
+              .value = "[NAME=]none|thin|dashed",
+              .help = "How outlines are drawn where other structures hide them",
+              .what = "hidden lines",
+              .parse = parseStyleChoice<model::style_fields::hiddenLines>},
+    StyleFlag{.flag = "--halo",
+              .value = "[NAME=]H",
+              .help = "How many pens before its outline lines behind a structure stop, 0 to 4",
+              .what = "halo",
+              .parse = parseStyleField<model::style_fields::halo>},
+    StyleFlag{.flag = "--grain",
+              .value = "[NAME=]G",
+              .help = "How much the pen is a pencil on rough paper, 0 to 1",
+              .what = "grain",
+              .parse = parseStyleField<model::style_fields::grain>},
     StyleFlag{.flag = "--hatch-density",
               .value = "[NAME=]D",
               .help = "How many strokes hatching has, 0 to 4 times the usual; they get thinner as "

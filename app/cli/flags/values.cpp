@@ -177,11 +177,22 @@ Result<model::Threshold> parseThreshold(std::string_view text) {
   return threshold;
 }
 
+Result<std::size_t> parseName(std::span<const std::string_view> names, std::string_view what,
+                              std::string_view text) {
+  std::string all = "one of";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (equalsIgnoringCase(names[i], text))
+      return i;
+    all += (i == 0 ? " " : ", ") + std::string(names[i]);
+  }
+  return unreadableValue(what, text, all);
+}
+
 Result<model::Fill> parseFill(std::string_view text) {
-  std::array<Choice<model::Fill>, model::fillNames.size()> fills;
-  for (std::size_t i = 0; i < fills.size(); ++i)
-    fills[i] = {model::fillNames[i], model::Fill(i)};
-  return parseChoice(fills, "fill", text);
+  const Result<std::size_t> place = parseName(model::fillNames, "fill", text);
+  if (!place)
+    return place.error();
+  return model::Fill(*place);
 }
 
 Result<render::Background> parseBackground(const std::string& text) {

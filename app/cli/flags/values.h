@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,6 +43,9 @@ Result<float> parseUnit(std::string_view text);
 Result<model::Smoothing> parseSmoothing(std::string_view text);
 /// Reads "NAME=VALUE", "NAME=LO..HI" (either may be left out) or the name of a preset.
 Result<model::Threshold> parseThreshold(std::string_view text);
+/// Reads one of the names, whatever their case, and returns its place; errors call it `what`.
+Result<std::size_t> parseName(std::span<const std::string_view> names, std::string_view what,
+                              std::string_view text);
 Result<model::Fill> parseFill(std::string_view text);
 Result<render::Background> parseBackground(const std::string& text);
 /// Reads "strokes" or "as-printed".

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 #include "model/demo/abdomen/parts.h"
@@ -30,57 +31,97 @@ float cavityWall(const glm::vec3& p) {
   return std::min({back - p.y, p.y - front, p.z - floor, 100.0f - std::abs(p.x)});
 }
 
-std::vector<glm::vec3> laidPath() {
+/// The bowel leaves the duodenum straight, and comes straight to the medial wall of the caecum;
+/// what lies between settles.
+constexpr float straight = 16.0f;
+constexpr glm::vec3 caecalMouth(-69, -45, -148);
+constexpr glm::vec3 intoCaecum(-0.90f, 0.35f, 0.26f);
+
+/// Returns the path on the left, where jejunum lies.
+std::vector<glm::vec3> leftPath() {
   return {// from the duodenojejunal flexure, rows behind the transverse colon
-          {46.4f, -44.4f, -28.3f},
-          {54, -50, -36},
-          {76, -30, -34},
+          duodenojejunalFlexure + straight * intoJejunum,
+          {66, -40, -55},
+          {78, -32, -52},
           {90, -22, -46},
-          {84, -22, -66},
-          {62, -26, -64},
-          {44, -36, -72},
-          {46, -40, -92},
-          {66, -28, -90},
-          {88, -20, -92},
+          {92, -20, -62},
+          {80, -22, -74},
+          {60, -28, -72},
+          {46, -36, -78},
+          {46, -44, -93},
+          {66, -34, -90},
+          {88, -27, -90},
           {94, -40, -108},
           {84, -66, -120},
-          // a front layer of upright loops below it
-          {82, -84, -146},
-          {74, -84, -172},
-          {58, -86, -170},
-          {52, -88, -142},
-          {42, -90, -122},
-          {28, -90, -130},
-          {24, -90, -160},
-          {16, -88, -182},
-          {0, -90, -176},
-          {-4, -92, -146},
-          {-14, -92, -124},
-          {-30, -90, -132},
-          {-34, -88, -160},
-          {-44, -80, -180},
+          // in front, rows from side to side below it on the left
+          {70, -88, -122},
+          {36, -93, -127},
+          {27, -93, -138},
+          {38, -92, -147},
+          {68, -89, -142},
+          {86, -82, -149},
+          {88, -82, -162},
+          {72, -88, -166},
+          {46, -92, -164},
+          {30, -92, -170}};
+}
+
+/// Returns the path from there to the caecum.
+std::vector<glm::vec3> rightPath() {
+  return {// upright loops on the right
+          {18, -92, -184},
+          {7, -92, -176},
+          {9, -92, -146},
+          {4, -92, -126},
+          {-9, -92, -124},
+          {-15, -92, -142},
+          {-11, -91, -170},
+          {-17, -90, -188},
+          {-30, -90, -184},
+          {-33, -91, -158},
+          {-32, -91, -136},
+          {-44, -90, -126},
+          {-55, -88, -138},
+          {-54, -86, -164},
+          {-58, -80, -184},
           // low across the brim of the pelvis
-          {-36, -66, -202},
-          {-10, -72, -208},
-          {18, -72, -210},
-          {44, -74, -206},
-          {62, -68, -196},
+          {-48, -70, -202},
+          {-24, -64, -211},
+          {6, -68, -209},
+          {30, -84, -196},
+          {60, -86, -186},
+          {82, -76, -184},
+          {84, -66, -198},
+          {62, -66, -207},
+          {38, -62, -210},
           // and back behind, up to the caecum
-          {64, -52, -166},
-          {56, -46, -140},
-          {32, -48, -136},
-          {26, -56, -158},
-          {4, -56, -160},
-          {-4, -50, -138},
-          {-24, -50, -132},
-          {-34, -52, -150},
-          {-48, -52, -158},
-          {-66, -46, -148}};
+          {36, -54, -190},
+          {58, -50, -176},
+          {66, -50, -156},
+          {50, -46, -144},
+          {32, -50, -154},
+          {24, -54, -176},
+          {6, -56, -184},
+          {2, -54, -162},
+          {6, -50, -142},
+          {-12, -48, -134},
+          {-20, -52, -152},
+          {-20, -56, -174},
+          {-38, -58, -180},
+          {-46, -54, -162},
+          caecalMouth - straight * intoCaecum};
+}
+
+std::vector<glm::vec3> laidPath() {
+  std::vector<glm::vec3> path = leftPath();
+  const std::vector<glm::vec3> onward = rightPath();
+  path.insert(path.end(), onward.begin(), onward.end());
+  return path;
 }
 
 DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube, float from,
                       float to) {
-  const bool first = from <= 0.0f;
+  const bool first = to < tube->length();
   const Field field = [=](const glm::vec3& p) {
     const SweptCoordinates at = tube->place(p);
     if (at.distance > 8.0f)
@@ -88,7 +129,7 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
     // Loops flatten where they touch.
     const float others = tube->distanceToOthers(p, at, 6.0f);
     const float wall = blendedDifference(at.distance, 0.5f * (others - at.distance) - 0.2f, 1.0f);
-    return std::max(wall, first ? tube->beyond(to, p, at) : -tube->beyond(from, p, at));
+    return std::max(wall, std::max(tube->beyond(to, p, at), -tube->beyond(from, p, at)));
   };
   DemoStructure s{.name = name,
                   .groups = {"Digestive system"},
@@ -114,6 +155,23 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
   return s;
 }
 
+const Field& fieldNamed(const std::vector<DemoStructure>& there, std::string_view name) {
+  return std::find_if(there.begin(), there.end(),
+                      [name](const DemoStructure& s) { return s.name == name; })
+      ->field;
+}
+
+/// Returns the place on the tube, from that end of it on, where it comes out of the organ.
+float outOf(const Field& organ, const Swept& tube, float end) {
+  constexpr float step = 0.25f;
+  constexpr float clear = 1.2f;  // mm, a little more than what parts the two
+  const float inward = end > 0.0f ? -step : step;
+  float along = end;
+  while (organ(tube.ring(along).position) < clear)
+    along += inward;
+  return along;
+}
+
 /// Returns the region closed to the bowel as samples, which are quick to read, since it is read
 /// many times for each point of the tube.
 Field sampledKeepOut(const Field& keepOut) {
@@ -132,24 +190,29 @@ std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& there)
         d = std::min(d, organ.field(p));
     return d;
   };
-  const std::vector<glm::vec3> line = settledCoil(laidPath(), {.radius = bowelRadius + 0.6f,
-                                                               .spacing = 4.5f,
-                                                               .keepOut = sampledKeepOut(keepOut),
-                                                               .rounds = 40,
-                                                               .stages = 15,
-                                                               .settling = 6,
-                                                               .growth = 1.13f});
+  std::vector<glm::vec3> line = settledCoil(laidPath(), {.radius = bowelRadius + 0.6f,
+                                                         .spacing = 4.5f,
+                                                         .keepOut = sampledKeepOut(keepOut),
+                                                         .rounds = 40,
+                                                         .stages = 12,
+                                                         .settling = 6,
+                                                         .growth = 1.12f});
+  line.insert(line.begin(), {duodenojejunalFlexure - 4.0f * intoJejunum, duodenojejunalFlexure,
+                             duodenojejunalFlexure + 0.5f * straight * intoJejunum});
+  line.insert(line.end(), {caecalMouth - 0.5f * straight * intoCaecum, caecalMouth});
   // The tube narrows towards its end, with slow waves of narrower and wider places.
   std::vector<SweptPoint> points;
-  for (std::size_t i = 0; i < line.size(); i += 2) {
+  for (std::size_t i = line.size() % 2 == 0 ? 1 : 0; i < line.size(); i += 2) {
     const float share = float(i) / float(line.size());
     const float wave = 0.35f * std::sin(0.31f * float(i)) + 0.25f * std::sin(0.19f * float(i) + 1);
     points.push_back({line[i], bowelRadius * (1.06f - 0.12f * share) + wave});
   }
   const auto tube = std::make_shared<Swept>(points, glm::vec3(0, -1, 0), 2.5f);
   const float middle = 0.36f * tube->length();
-  return {stretch("jejunum", tube, 0.0f, middle - 0.3f),
-          stretch("ileum", tube, middle + 0.3f, tube->length())};
+  return {
+      stretch("jejunum", tube, outOf(fieldNamed(there, "duodenum"), *tube, 0.0f), middle - 0.3f),
+      stretch("ileum", tube, middle + 0.3f,
+              outOf(fieldNamed(there, "ascending colon"), *tube, tube->length()))};
 }
 
 }  // namespace sline::model

@@ -37,35 +37,52 @@ float rugae(const SweptCoordinates& at, float length) {
   return (0.3f + 0.9f * fade) * (1.0f + std::sin(phase));
 }
 
+/// The middle of the pylorus, where the stomach ends and the duodenum begins.
+constexpr glm::vec3 pylorus(-32, -56, 0);
+
+/// Returns by how much the wall of the stomach's end lies further in (positive) or out: the pyloric
+/// antrum, a shallow furrow where the pyloric canal begins, the ring of muscle at its end.
+float pyloricRelief(float beforePylorus) {
+  const auto ring = [=](float place, float width) {
+    const float d = (beforePylorus - place) / width;
+    return std::exp(-0.5f * d * d);
+  };
+  return 1.7f * ring(27.0f, 5.0f) + 1.3f * ring(13.0f, 5.0f) - 1.6f * ring(4.5f, 3.0f) +
+         1.6f * ring(-1.0f, 2.5f);
+}
+
 DemoStructure stomach() {
+  // From the fundus along the middle to the pylorus: the body sinks to the left and forward, the
+  // antrum climbs to the right.
   const auto body =
-      std::make_shared<Swept>(std::array<SweptPoint, 10>{{{{57, 9, 88}, 29, 1.0f},
-                                                          {{64, -4, 68}, 36, 0.97f},
-                                                          {{67, -26, 40}, 38.5f, 0.89f},
-                                                          {{62, -49, 10}, 36, 0.82f},
-                                                          {{46, -65, -15}, 31.5f, 0.82f},
-                                                          {{22, -71, -27}, 25.5f, 0.90f},
-                                                          {{-4, -69, -22}, 19, 0.95f},
-                                                          {{-20, -64, -11}, 13.5f, 1.0f},
-                                                          {{-28, -59, -3}, 11.0f, 1.0f},
-                                                          {{-33, -55, 1}, 11.0f, 1.0f}}},
+      std::make_shared<Swept>(std::array<SweptPoint, 11>{{{{62, 8, 90}, 29, 1.0f},
+                                                          {{67, -6, 67}, 35, 0.93f},
+                                                          {{70, -27, 40}, 37, 0.85f},
+                                                          {{68, -46, 14}, 36.5f, 0.80f},
+                                                          {{58, -61, -10}, 34, 0.80f},
+                                                          {{39, -71, -27}, 29, 0.84f},
+                                                          {{18, -75, -31}, 25.5f, 0.90f},
+                                                          {{0, -73, -26}, 23.5f, 0.95f},
+                                                          {{-14, -68, -16}, 18.5f, 1.0f},
+                                                          {{-24, -62, -7}, 12.5f, 1.0f},
+                                                          {pylorus, 10.5f, 1.0f}}},
                               glm::vec3(0, -1, 0));
-  const auto gullet = std::make_shared<Swept>(std::array<SweptPoint, 5>{{{{17, -19, 132}, 8.5f},
-                                                                         {{17, -20, 106}, 8.5f},
-                                                                         {{22, -19, 90}, 9.0f},
-                                                                         {{34, -15, 75}, 13.0f},
-                                                                         {{48, -12, 64}, 17.0f}}},
+  // The gullet comes to the cardia from the right; the cardial notch parts it from the fundus.
+  const auto gullet = std::make_shared<Swept>(std::array<SweptPoint, 6>{{{{16, -20, 132}, 8.5f},
+                                                                         {{15, -21, 106}, 8.5f},
+                                                                         {{16, -21, 88}, 8.5f},
+                                                                         {{21, -20, 72}, 9.5f},
+                                                                         {{32, -19, 59}, 14.0f},
+                                                                         {{47, -18, 50}, 17.0f}}},
                                               glm::vec3(0, -1, 0));
   const Field field = [body, gullet](const glm::vec3& p) {
     const SweptCoordinates at = body->place(p);
-    // The pylorus is a ring of muscle at the end of a narrow canal.
-    const float towardsPylorus = at.along - body->length();
-    const float canal = 1.4f * std::exp(-0.5f * std::pow((towardsPylorus + 13.0f) / 5.0f, 2.0f));
-    const float ring = 1.6f * std::exp(-0.5f * std::pow((towardsPylorus + 3.0f) / 4.0f, 2.0f));
-    const float d = blendedUnion(at.distance + canal - ring, gullet->distance(p), 8.0f);
+    const float d = blendedUnion(at.distance + pyloricRelief(body->length() - at.along),
+                                 gullet->distance(p), 6.0f);
     // The angular notch of the lesser curvature parts body and antrum.
-    const float notch = Blob({16, -66, 9}, {7.0f, 30.0f, 16.0f}, {0, -24, 0}).distance(p);
-    return blendedDifference(d, notch, 13.0f);
+    const float notch = Blob({23, -70, 4}, {5.5f, 36.0f, 23.0f}, {0, 26, 0}).distance(p);
+    const float notched = blendedDifference(d, notch, 8.0f);
+    return -blendedUnion(-notched, -body->beyond(body->length(), p, at), 1.5f);
   };
   Box box = grown(body->bounds(), 5.0f);
   box.add(gullet->bounds());
@@ -80,28 +97,32 @@ DemoStructure stomach() {
 }
 
 DemoStructure duodenum() {
-  const auto tube = std::make_shared<Swept>(std::array<SweptPoint, 15>{{{{-34, -54, 2}, 11},
-                                                                        {{-44, -45, 7}, 15},
-                                                                        {{-55, -28, 8}, 14},
-                                                                        {{-60, -16, -2}, 13.5f},
-                                                                        {{-61, -10, -20}, 13.5f},
-                                                                        {{-59, -9, -40}, 13.5f},
-                                                                        {{-53, -16, -58}, 14},
-                                                                        {{-40, -26, -69}, 13.5f},
-                                                                        {{-20, -36, -72}, 13},
-                                                                        {{0, -40, -71}, 12.5f},
-                                                                        {{19, -36, -64}, 12.5f},
-                                                                        {{29, -29, -48}, 12.5f},
-                                                                        {{32, -28, -32}, 12.5f},
-                                                                        {{38, -35, -22}, 12.0f},
-                                                                        {{46, -44, -28}, 10.0f}}},
-                                            glm::vec3(0, -1, 0));
+  const auto tube =
+      std::make_shared<Swept>(std::array<SweptPoint, 17>{{{pylorus, 10},
+                                                          {{-37, -52, 4}, 13.5f},
+                                                          {{-45, -44, 8}, 15.5f},
+                                                          {{-55, -30, 7}, 13.5f},
+                                                          {{-60, -17, -2}, 13.5f},
+                                                          {{-61, -10, -20}, 13.5f},
+                                                          {{-59, -9, -40}, 13.5f},
+                                                          {{-53, -16, -58}, 14},
+                                                          {{-40, -26, -69}, 13.5f},
+                                                          {{-20, -36, -72}, 13},
+                                                          {{0, -40, -71}, 12.5f},
+                                                          {{19, -36, -64}, 12.5f},
+                                                          {{29, -29, -48}, 12.5f},
+                                                          {{31, -27, -33}, 12.5f},
+                                                          {{37, -30, -22}, 12.0f},
+                                                          {{45, -34, -22}, 11.0f},
+                                                          {duodenojejunalFlexure, 10.0f}}},
+                              glm::vec3(0, -1, 0));
   DemoStructure s = organ(
       "duodenum", bowelColour, 3.0f,
       [tube](const glm::vec3& p) {
-        // The jejunum continues where the duodenum ends.
+        // The stomach comes before the duodenum, the jejunum after it.
         const SweptCoordinates at = tube->place(p);
-        return -blendedUnion(-at.distance, -tube->beyond(tube->length(), p, at), 3.0f);
+        const float d = -blendedUnion(-at.distance, tube->beyond(0.0f, p, at), 1.5f);
+        return -blendedUnion(-d, -tube->beyond(tube->length(), p, at), 1.5f);
       },
       grown(tube->bounds(), 4.0f));
   s.inkColour = bowelInk;

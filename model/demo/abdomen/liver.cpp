@@ -64,14 +64,17 @@ float visceralHeight(const glm::vec2& p) {
   const float flank = std::max(-104.0f - p.x, 0.0f);
   const float margin = -58.0f + 0.54f * (p.x + 120.0f) + 0.016f * flank * flank;
   float z = margin + (24.0f + 26.0f * ramp(-120.0f, -30.0f, p.x)) * ramp(-95.0f, -18.0f, p.y);
-  z += 34.0f * hill(p, {-48, 46}, {26, 28});            // right kidney
-  z += 12.0f * hill(p, {-104, -34}, {24, 26}, 0.5f);    // colic flexure
-  z += 12.0f * hill(p, {46, -34}, {34, 20}, 0.3f);      // stomach
-  z -= 13.0f * hill(p, {-29, -58}, {10, 17}, -0.15f);   // quadrate lobe
-  z -= 20.0f * hill(p, {-22, -10}, {13, 9}, 0.2f);      // caudate lobe
-  z += 17.0f * hill(p, {-31, -31}, {20, 5.0f}, 0.12f);  // porta
-  z += 22.0f * hill(p, {-5, -62}, {3.2f, 26}, -0.12f);  // fissure of the round ligament
-  z += 16.0f * hill(p, {-2, -18}, {4.0f, 12}, -0.5f);   // fissure of the venous ligament
+  z += 34.0f * hill(p, {-48, 46}, {26, 28});          // right kidney
+  z += 12.0f * hill(p, {-104, -34}, {24, 26}, 0.5f);  // colic flexure
+  z += 12.0f * hill(p, {46, -34}, {34, 20}, 0.3f);    // stomach
+  // The fissures form an H: gallbladder and vena cava on the right, the ligaments on the left, the
+  // porta across; quadrate lobe in front of the porta, caudate lobe behind it.
+  z -= 14.0f * hill(p, {-33, -61}, {12, 17}, -0.15f);   // quadrate lobe
+  z -= 22.0f * hill(p, {-21, -9}, {12, 9}, 0.2f);       // caudate lobe
+  z += 21.0f * hill(p, {-33, -32}, {23, 5.0f}, 0.12f);  // porta
+  z += 9.0f * hill(p, {-69, -60}, {10, 20}, -0.48f);    // fossa of the gallbladder
+  z += 32.0f * hill(p, {-5, -66}, {4.2f, 28}, -0.12f);  // fissure of the round ligament
+  z += 22.0f * hill(p, {-2, -17}, {4.2f, 13}, -0.45f);  // fissure of the venous ligament
   return z;
 }
 
@@ -91,7 +94,9 @@ Field liverField() {
     constexpr float farAway = 30.0f;
     if (dome > farAway)
       return dome;
-    return blendedIntersection(dome + leftLobeStep(p), visceralField(p), 11.0f);
+    // The inferior margin is sharp, the border behind it blunt.
+    const float edge = 6.5f + 4.5f * ramp(-40.0f, 10.0f, p.y);
+    return blendedIntersection(dome + leftLobeStep(p), visceralField(p), edge);
   };
 }
 

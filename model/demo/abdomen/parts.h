@@ -5,6 +5,7 @@
 // those that textbooks of anatomy give for an adult.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "model/sculpting/demo_structure.h"
@@ -23,6 +24,11 @@ std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& there)
 std::vector<DemoStructure> abdomenUrinary();
 std::vector<DemoStructure> abdomenArteries();
 std::vector<DemoStructure> abdomenVeins();
+
+/// The place where the duodenum ends and the jejunum begins, and the unit vector on along the
+/// bowel.
+inline constexpr glm::vec3 duodenojejunalFlexure{50, -38, -30};
+inline constexpr glm::vec3 intoJejunum{0.50f, -0.36f, -0.79f};
 
 /// Returns the liver before its neighbours press into it.
 Field liverField();

@@ -21,40 +21,42 @@ void addShaft(Sculpture& bone) {
                 {{121, -93, 767}, 15.2f},
                 {{119, -97, 750}, 14.8f}},
                6.0f);
-  // The neck is taller than it is thick and has two strands, the lower one the calcar.
-  bone.addTube({{{97, -87, 879}, 14.5f}, {{111, -86, 865}, 12.0f}, {{126, -85, 853}, 13.0f}}, 8.0f);
+  // The neck is taller than it is thick and has two strands, the lower one the calcar. It points
+  // forward by some 11 degrees and stands at some 126 degrees to the shaft.
+  bone.addTube(
+      {{{97, -87, 879}, 14.8f}, {{111.5f, -85, 866.4f}, 12.0f}, {{127.5f, -81.5f, 854.6f}, 13.2f}},
+      7.0f);
   bone.addTube({{{95, -88, 872}, 13.0f},
-                {{105, -86, 856}, 12.5f},
-                {{113, -84, 838}, 13.0f},
-                {{119, -83, 820}, 15.5f}},
-               8.0f);
+                {{106, -85.7f, 856.5f}, 11.3f},
+                {{113.8f, -83, 838.5f}, 12.7f},
+                {{119, -81.5f, 820}, 15.5f}},
+               7.0f);
 }
 
 void addTrochanters(Sculpture& bone) {
-  bone.addPlate({{{{143, -92, 865}, 6.5f},
-                  {{147, -79, 870}, 7.0f},
-                  {{139, -66, 870}, 6.0f},
-                  {{147, -90, 852}, 9.0f},
-                  {{150, -78, 853}, 10.5f},
-                  {{139, -66, 852}, 8.0f},
-                  {{142, -86, 838}, 11.0f},
-                  {{145, -78, 838}, 12.0f},
-                  {{136, -68, 838}, 9.0f}},
+  // The greater trochanter has a flat top, whose tip leans over the fossa, and a flat outer face.
+  bone.addPlate({{{{142, -94, 866}, 6.0f},
+                  {{149, -80, 868}, 6.5f},
+                  {{139, -65, 871}, 5.0f},
+                  {{147, -92, 853}, 8.5f},
+                  {{152, -79, 853}, 9.5f},
+                  {{141, -65, 853}, 6.5f},
+                  {{142, -87, 838}, 11.0f},
+                  {{146, -79, 838}, 11.5f},
+                  {{137, -67, 838}, 8.0f}},
                  3},
-                6.0f);
-  bone.addTube({{{144, -79, 846}, 14.0f}, {{140, -79, 830}, 15.0f}, {{133, -81, 808}, 14.0f}},
+                5.0f);
+  bone.addTube({{{144, -79, 846}, 14.0f}, {{139, -79, 829}, 14.5f}, {{131, -82, 808}, 14.0f}},
                8.0f);
   // The intertrochanteric crest runs behind, down to the lesser trochanter.
-  bone.addTube({{{136, -63, 862}, 5.0f},
-                {{132, -63, 845}, 5.5f},
-                {{123, -67, 827}, 6.0f},
-                {{112, -73, 812}, 8.0f}},
-               6.0f);
-  bone.addTube({{{116, -80, 818}, 10.0f},
-                {{108, -75, 809}, 7.5f},
-                {{107, -76, 804}, 7.0f},
-                {{113, -82, 790}, 7.0f}},
-               8.0f);
+  bone.addTube({{{137, -63, 864}, 4.8f},
+                {{133, -62.5f, 846}, 5.0f},
+                {{124, -66.5f, 829}, 5.5f},
+                {{112, -73, 815}, 7.0f}},
+               5.0f);
+  // The lesser trochanter is a knob, steep below.
+  bone.addTube({{{118, -81, 822}, 10.5f}, {{109, -74.5f, 813}, 8.6f}, {{106, -72.5f, 808}, 7.0f}},
+               5.0f);
   // The intertrochanteric line lies in front.
   bone.addTube({{{142, -93, 862}, 5.0f},
                 {{134, -96, 851}, 3.0f},
@@ -62,7 +64,7 @@ void addTrochanters(Sculpture& bone) {
                 {{112, -90, 818}, 2.5f}},
                8.0f);
   // The fossa lies behind the neck, under the tip of the greater trochanter.
-  bone.carveTube({{{124, -60, 879}, 8.0f}, {{131, -70, 866}, 5.0f}}, 9.0f);
+  bone.carveTube({{{122, -59, 881}, 9.0f}, {{129, -68, 867}, 6.5f}, {{127, -67, 856}, 4.5f}}, 6.0f);
 }
 }  // namespace
 

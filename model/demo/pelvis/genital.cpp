@@ -152,6 +152,8 @@ std::vector<DemoStructure> maleOrgans() {
   for (std::size_t i = outer; i < list.size(); ++i) {
     list[i].gamma = Gamma::clamped(1.4f);
     list[i].inkColour = genitalInk;
+    if (list[i].name.starts_with("corpora"))
+      list[i].smoothing = 0.8f;  // where the crura lie on the rami of the pubis
   }
   return list;
 }

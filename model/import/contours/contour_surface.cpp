@@ -7,11 +7,11 @@
 #include <numbers>
 #include <utility>
 
+#include "model/fairing/half_edges.h"
+#include "model/fairing/vertex_rings.h"
+#include "model/fairing/windowed_sinc.h"
 #include "model/import/contours/stack_field.h"
 #include "model/isosurface/zero_surface.h"
-#include "model/meshing/half_edges.h"
-#include "model/meshing/vertex_rings.h"
-#include "model/meshing/windowed_sinc.h"
 
 namespace sline::model {
 

@@ -8,6 +8,7 @@
 
 #include "model/import/molecules/ball_and_stick.h"
 #include "model/import/molecules/surface/excluded_surface.h"
+#include "model/import/molecules/surface/pocket_lining.h"
 
 namespace sline::model {
 
@@ -21,6 +22,13 @@ constexpr double chainTriangles = 2e6;
 constexpr double ligandTriangles = 5e5;
 constexpr std::size_t mostLigands = 60;
 constexpr std::size_t mostWithSurface = 5000;  ///< atoms in a ligand
+/// Smaller molecules, such as those of a crystal's buffer, rarely have a pocket.
+constexpr std::size_t fewestWithPocket = 7;  ///< atoms in a ligand
+constexpr std::size_t mostPockets = 12;
+/// What lies nearer than this to a ligand's atoms, in ångström, lines its pocket: some two of van
+/// der Waals' radii and a little more.
+constexpr float pocketReach = 6.0f;
+constexpr Colour pocketColour{226, 198, 138};
 constexpr const char* tooClose = "its atoms lie closer together than those of matter do";
 constexpr std::size_t longestTitle = 90;
 
@@ -226,9 +234,38 @@ class Surfacer {
         raw->groups = {m_group, "Ligands", ligand.name};
         raw->colour = part.element->colour;
       }
-      if (ligand.atoms.size() <= mostWithSurface)
+      if (ligand.atoms.size() <= mostWithSurface) {
         addLigandSurface(ligand, *accessible);
+        addPocket(ligand);
+      }
     }
+  }
+
+  /// Adds what of the chains lines the ligand's pocket, hidden at first as it lies on the chains.
+  void addPocket(const Ligand& ligand) {
+    if (ligand.atoms.size() < fewestWithPocket || m_pockets >= mostPockets)
+      return;
+    std::vector<glm::vec3> guest;
+    for (const Atom& atom : ligand.atoms)
+      guest.emplace_back(atom.place);
+    TriangleMesh all;
+    for (const RawMesh& mesh : m_result.meshes) {
+      if (mesh.molecule->role != MoleculeOrigin::Role::chain)
+        continue;
+      const TriangleMesh lining =
+          pocketLining({mesh.positions, mesh.triangles}, guest, pocketReach);
+      const auto first = std::uint32_t(all.positions.size());
+      all.positions.insert(all.positions.end(), lining.positions.begin(), lining.positions.end());
+      for (const Triangle& t : lining.triangles)
+        all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+    RawMesh* raw = add(ligand.code + " pocket", std::move(all), MoleculeOrigin::Role::other);
+    if (!raw)
+      return;
+    ++m_pockets;
+    raw->groups = {m_group, "Pockets"};
+    raw->colour = pocketColour;
+    raw->visible = false;
   }
 
   /// Adds the surface, hidden at first and in a group of its own, so that statements about ligands
@@ -281,6 +318,7 @@ class Surfacer {
   std::string m_group;
   std::shared_ptr<const Backbone> m_backbone;
   std::vector<glm::dvec3> m_guests;
+  std::size_t m_pockets = 0;
   RawMeshes m_result;
 };
 

@@ -17,10 +17,11 @@ Colour chainColour(std::size_t number);
 /// Returns the colour of bonds and carbons in the ligands of the first, second, … entry of a scene.
 Colour bondColour(std::size_t entry);
 
-/// Returns one excluded surface for each chain; for each ligand balls and sticks by element and a
-/// hidden excluded surface; and balls for each kind of ion. They are enclosed in groups: the entry,
-/// and in it "Ligands" and "Ions". `file` is named in warnings, `stem` stands in for a missing
-/// name.
+/// Returns one excluded surface for each chain; for each ligand balls and sticks by element, a
+/// hidden excluded surface and, hidden too, the part of the chains' surfaces that lines its pocket;
+/// and balls for each kind of ion. They are enclosed in groups: the entry, and in it "Ligands",
+/// "Ligand surfaces", "Pockets" and "Ions". `file` is named in warnings, `stem` stands in for a
+/// missing name.
 RawMeshes surfacesOf(const Molecule& molecule, const std::string& file, const std::string& stem,
                      const ReadOptions& options);
 

@@ -9,6 +9,7 @@
 
 #include "model/anatomy/body_systems.h"
 #include "model/edit/tree.h"
+#include "model/focus/twins.h"
 #include "model/import/plan/folder_tree.h"
 #include "model/import/plan/frame_and_unit.h"
 #include "model/import/plan/kept_scans.h"
@@ -36,6 +37,13 @@ NewIds putScenesBefore(Imported& imported, const ReadInputs& read, const ImportO
   NewIds ids = append(all, std::move(imported));
   imported = std::move(all);
   return ids;
+}
+
+/// Says what the files hold twice.
+void warnOfTwins(Imported& imported, const ReadInputs& read) {
+  const std::string text = twinsText(imported.scene, twinsOf(imported.scene));
+  if (!text.empty() && !read.inputs.empty())
+    imported.report.warnings.push_back({read.inputs.front().filename().string(), text});
 }
 
 /// Returns the structures that are not wanted or did not come, and the groups that hold nothing
@@ -172,6 +180,8 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   Imported imported{.report = std::move(report)};
   putScenesBefore(imported, read, options);
   imported.scene = withSurfaces(plan, std::move(parts));
+  if (!read.scenes)
+    warnOfTwins(imported, read);
   imported.scene.setScans(std::move(scans));
   return imported;
 }

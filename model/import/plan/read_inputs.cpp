@@ -160,6 +160,7 @@ void readAsSmoothed(std::vector<Part>& parts, const ReadInputs& read, const Smoo
       part->raw.positions = again->raw.positions;
       part->raw.triangles = again->raw.triangles;
       part->raw.displacement = again->raw.displacement;
+      part->raw.sliceDistance = again->raw.sliceDistance;
       part->provenance.fingerprint = again->provenance.fingerprint;
     }
   }

@@ -6,12 +6,12 @@
 #include <map>
 #include <set>
 
+#include "model/fairing/windowed_sinc.h"
 #include "model/geometry/nearest_point.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/load_parts.h"
 #include "model/import/plan/shape_parts.h"
 #include "model/meshing/repair.h"
-#include "model/meshing/windowed_sinc.h"
 #include "model/scene_file/fingerprint.h"
 
 namespace sline::model {
@@ -108,6 +108,7 @@ Result<MeshPtr> repeatImport(RawMesh raw, Provenance& as, const ReadOptions& opt
   if (raw.triangles.empty())
     return Error{.reason = "it has no face with area any more"};
   float displacement = raw.displacement;
+  const float sliceMm = raw.smooth ? raw.sliceDistance * as.mmPerUnit : as.sliceMm;
   if (!raw.smooth) {
     // The automatic mode, which looks for the grid of a label map, takes just as many steps.
     const bool automatic = as.smoothingSteps == SincFilter().iterations;
@@ -123,7 +124,11 @@ Result<MeshPtr> repeatImport(RawMesh raw, Provenance& as, const ReadOptions& opt
     displacement = smoothed.displacement + refined.displacement;
   }
   as.displacementMm = displacement * as.mmPerUnit;
+  const bool known = !raw.smooth;
+  as.sliceMm = sliceMm;
   Result<MeshPtr> mesh = placedMesh(std::move(raw), as);
+  if (known)
+    as.sliceMm = sliceMm;  // in millimetres of the scene already
   if (!mesh)
     return mesh;
   // As many triangles are removed as before, within the bound of the earlier decimation.

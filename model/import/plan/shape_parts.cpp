@@ -118,6 +118,7 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
     const Smoothing how = asked(part);
     if (part.raw.smooth) {
       part.provenance.displacementMm = part.raw.displacement * part.unit;
+      part.provenance.sliceMm = part.raw.sliceDistance * part.unit;
       if (how.mode == Smoothing::Mode::steps)
         part.provenance.smoothingSteps = how.steps;
       return;
@@ -127,6 +128,8 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
     part.provenance.smoothingSteps = done.smoothingSteps;
     part.provenance.refinementSteps = done.refinementSteps;
     part.provenance.displacementMm = done.displacement * part.unit;
+    if (done.smoothingSteps > 0)
+      part.provenance.sliceMm = grids[i].coarsest() * part.unit;
     meter.add(work, part.name);
   });
 }
@@ -138,6 +141,7 @@ Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as) {
       p = placed(p, as, raw, toWorld);
     const double scale = toWorld ? glm::determinant(glm::dmat3(*toWorld)) : 1.0;
     as.displacementMm *= float(std::cbrt(std::abs(scale)));
+    as.sliceMm *= float(std::cbrt(std::abs(scale)));
     if ((scale < 0.0) != isMirrored(raw, as))
       for (Triangle& t : raw.triangles)
         std::swap(t[1], t[2]);

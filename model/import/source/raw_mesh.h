@@ -48,7 +48,9 @@ struct RawMesh {
   std::optional<bool> visible;  ///< set where the reader would rather hide it at first
   std::optional<MoleculeOrigin> molecule;  ///< cut from a molecule: named, grouped and coloured by
                                            ///< its reader, not by anatomy
-  float displacement = 0.0f;  ///< the farthest that the reader moved a vertex, in the file's unit
+  float displacement = 0.0f;   ///< the farthest that the reader moved a vertex, in the file's unit
+  float sliceDistance = 0.0f;  ///< of the slices that it was cut from, in the file's unit, where
+                               ///< their steps may still show; else 0
   std::optional<Threshold> threshold;  ///< made it from a scan; has resolved bounds
 };
 

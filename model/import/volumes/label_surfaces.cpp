@@ -133,6 +133,8 @@ class Surfacer {
       farthest = std::max(farthest, glm::length(axes * (index - middle)));
     }
     mesh.displacement = float(farthest);
+    if (m_options.smoothing.mode != Smoothing::Mode::off)
+      mesh.sliceDistance = std::max({m_spacing.x, m_spacing.y, m_spacing.z});
     if (glm::determinant(axes) < 0.0)
       for (Triangle& t : mesh.triangles)
         std::swap(t[1], t[2]);

@@ -69,6 +69,7 @@ class Thresholder {
       return surfaces.error();
     ThresholdSurface result{std::move(surfaces->meshes.front()), std::move(m_notes)};
     result.mesh.displacement = m_displacement;
+    result.mesh.sliceDistance = 0.0f;  // intensities tell where it lies between voxels
     result.mesh.threshold = m_threshold;
     return result;
   }

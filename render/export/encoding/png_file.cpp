@@ -13,6 +13,7 @@
 #include "render/export/encoding/byte_order.h"
 #include "render/export/encoding/colour_profile.h"
 #include "render/export/encoding/deflate.h"
+#include "render/export/encoding/png_chunk.h"
 #include "render/export/encoding/row_file.h"
 #include "render/export/encoding/xmp_packet.h"
 
@@ -24,30 +25,14 @@ constexpr std::size_t partBytes = 1 << 20;
 
 enum class Filter : std::uint8_t { none = 0, left = 1, up = 2 };
 
-std::string chunk(std::string_view name, std::string_view data) {
-  std::string body(name);
-  body += data;
-  const uLong sum = crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size()));
-  return bigEndian(data.size(), 4) + body + bigEndian(sum, 4);
-}
-
 std::string profileChunk(const std::string& profile) {
-  return chunk("iCCP",
-               std::string("Grey") + '\0' + '\0' + zlibStream(std::as_bytes(std::span(profile))));
-}
-
-/// Returns sRGB's own chunk, and the chunks that replace it for readers that do not know it.
-std::string srgbChunks() {
-  std::string primaries;
-  for (const unsigned value : {31270u, 32900u, 64000u, 33000u, 30000u, 60000u, 15000u, 6000u})
-    primaries += bigEndian(value, 4);
-  return chunk("sRGB", std::string(1, '\0')) + chunk("gAMA", bigEndian(45455, 4)) +
-         chunk("cHRM", primaries);
+  return pngChunk(
+      "iCCP", std::string("Grey") + '\0' + '\0' + zlibStream(std::as_bytes(std::span(profile))));
 }
 
 /// Returns a chunk of UTF-8 text that is not deflated and has no language.
 std::string textChunk(const std::string& keyword, const std::string& text) {
-  return text.empty() ? std::string() : chunk("iTXt", keyword + std::string(5, '\0') + text);
+  return text.empty() ? std::string() : pngChunk("iTXt", keyword + std::string(5, '\0') + text);
 }
 
 std::string creditChunks(const ExportCredit& credit) {
@@ -62,13 +47,13 @@ std::string headOf(const PixelLayout& layout) {
   header += char(layout.bits);
   header += colourTypes[std::size_t(layout.channels)];
   header += std::string(3, '\0');
-  std::string head = "\x89PNG\r\n\x1A\n" + chunk("IHDR", header);
-  head += layout.isGrey() ? profileChunk(greyProfile()) : srgbChunks();
+  std::string head = std::string(pngSignature) + pngChunk("IHDR", header);
+  head += layout.isGrey() ? profileChunk(greyProfile()) : pngSrgbChunks();
   if (layout.dpi > 0.0f) {
     const auto perMetre = std::uint64_t(std::lround(layout.dpi / 0.0254f));
-    head += chunk("pHYs", bigEndian(perMetre, 4) + bigEndian(perMetre, 4) + '\x01');
+    head += pngChunk("pHYs", bigEndian(perMetre, 4) + bigEndian(perMetre, 4) + '\x01');
   }
-  head += chunk("tEXt", std::string("Software") + '\0' + "Sline " SLINE_VERSION);
+  head += pngChunk("tEXt", std::string("Software") + '\0' + "Sline " SLINE_VERSION);
   return head + creditChunks(layout.credit);
 }
 
@@ -103,7 +88,7 @@ class PngFile : public RowFile {
   Status finish() override {
     if (Status begun = begin(); !begun.ok())
       return begun;
-    return m_sink(chunk("IDAT", m_stream.finish()) + chunk("IEND", {}));
+    return m_sink(pngChunk("IDAT", m_stream.finish()) + pngChunk("IEND", {}));
   }
 
  private:
@@ -118,7 +103,7 @@ class PngFile : public RowFile {
     for (std::size_t i = 0; i < filtered.size(); i += partBytes)
       parts.push_back(filtered.subspan(i, std::min(partBytes, filtered.size() - i)));
     for (const std::string& deflated : m_stream.add(parts))
-      if (Status written = m_sink(chunk("IDAT", deflated)); !written.ok())
+      if (Status written = m_sink(pngChunk("IDAT", deflated)); !written.ok())
         return written;
     return Unit{};
   }
@@ -160,6 +145,21 @@ class PngFile : public RowFile {
 };
 
 }  // namespace
+
+std::string pngChunk(std::string_view name, std::string_view data) {
+  std::string body(name);
+  body += data;
+  const uLong sum = crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size()));
+  return bigEndian(data.size(), 4) + body + bigEndian(sum, 4);
+}
+
+std::string pngSrgbChunks() {
+  std::string primaries;
+  for (const unsigned value : {31270u, 32900u, 64000u, 33000u, 30000u, 60000u, 15000u, 6000u})
+    primaries += bigEndian(value, 4);
+  return pngChunk("sRGB", std::string(1, '\0')) + pngChunk("gAMA", bigEndian(45455, 4)) +
+         pngChunk("cHRM", primaries);
+}
 
 std::unique_ptr<RowFile> pngRows(const PixelLayout& layout, ByteSink sink) {
   return std::make_unique<PngFile>(layout, std::move(sink));

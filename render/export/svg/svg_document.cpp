@@ -164,7 +164,7 @@ class Document {
   void addStructure(const VectorStructure& structure) {
     for (const VectorLines& lines : structure.lines) {
       m_text += "<g inkscape:label=\"" + std::string(lines.kind) + "\"" +
-                opacityAttribute(lines.opacity) + ">\n";
+                (lines.hidden ? " class=\"hidden\"" : "") + opacityAttribute(lines.opacity) + ">\n";
       for (const VectorShape& shape : lines.shapes)
         addPath(shape, false);
       close();

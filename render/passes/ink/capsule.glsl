@@ -4,6 +4,7 @@
 // texture of every branch.
 #include "depth.glsl"
 flat in vec4 lineEnds;
+flat in vec4 drawnEnds;
 flat in vec4 strokeEnds;
 flat in vec4 lineDepths;
 flat in vec4 lineOutwards;
@@ -21,6 +22,7 @@ out vec4 fragment;
 struct Capsule {
   vec2 pixel;
   vec2 on;         // the line's nearest point
+  vec2 place;      // where the pen draws it
   float depth;     // of that point
   float distance;  // from the stroke's middle, px
   float halfWidth;
@@ -31,7 +33,8 @@ struct Capsule {
 Capsule capsuleAt(vec2 pixel) {
   vec2 along = strokeEnds.zw - strokeEnds.xy;
   float t = clamp(dot(pixel - strokeEnds.xy, along) / max(dot(along, along), 1e-12), 0.0, 1.0);
-  return Capsule(pixel, mix(lineEnds.xy, lineEnds.zw, t), mix(lineDepths.x, lineDepths.y, t),
+  return Capsule(pixel, mix(lineEnds.xy, lineEnds.zw, t),
+                 mix(drawnEnds.xy, drawnEnds.zw, t), mix(lineDepths.x, lineDepths.y, t),
                  length(pixel - mix(strokeEnds.xy, strokeEnds.zw, t)),
                  mix(lineStrokes.x, lineStrokes.y, t), mix(lineStrokes.z, lineStrokes.w, t), t);
 }

@@ -2,6 +2,8 @@
 // Draws the ink of contours, outside the surface's own line (S eq. 1).
 #include "capsule.glsl"
 #include "contour_visibility.glsl"
+#include "grain.glsl"
+uniform vec2 channel;  // which of the ink's values is written
 uniform float probe;  // distance outside (px) at which the own mask means an inner contour
 
 // A neighbour that touches the surface along its contour lies as deep as the line, and by a hair in
@@ -23,18 +25,18 @@ void main() {
   float inner = lineDepths.w - 1.0;  // share that remains within the surface's own mask
   if (inner < 1.0) {
     bool within = depthAt(c.on + (wide + probe) * outward) < 1.0 ||
-        (depthAt(c.pixel) < 1.0 && length(c.pixel - c.on) > 1.0);
+        (depthAt(c.pixel) < 1.0 && length(c.pixel - c.place) > 1.0);
     if (within) {
       // Thinner strokes keep one pixel and lose opacity instead.
       float thin = c.halfWidth * inner;
       c.opacity *= min(1.0, thin * 2.0);
       c.halfWidth = max(thin, 0.5);
-      c.distance = length(c.pixel - c.on - outward * (c.halfWidth - 0.5));
+      c.distance = length(c.pixel - c.place - outward * (c.halfWidth - 0.5));
     }
   }
-  float coverage = coverageOf(c, 1.0);
+  float coverage = coverageOf(c, 1.0) * grained(c.pixel);
   if (coverage <= 0.002)
     discard;
-  fragment = vec4(coverage);
+  fragment = vec4(channel * coverage, 0.0, 0.0);
   gl_FragDepth = lifted(c.depth, 2.0 * lineDepths.z);
 }

@@ -19,14 +19,21 @@ gpu::ProgramRecipe inkRecipe(InkKind kind) {
                                          {"slot", UniformType::ivec4},
                                          {"toAtlas", UniformType::ivec2},
                                          {"projection", UniformType::vec4}}};
-  if (kind == InkKind::surfaceLines)
+  if (kind == InkKind::surfaceLines) {
+    recipe.uniforms.push_back({"grain", UniformType::vec2});
     return recipe;
+  }
   recipe.uniforms.push_back({"reach", UniformType::vec2});
   recipe.uniforms.push_back({"sheet", UniformType::real});
-  if (kind == InkKind::contours) {
-    recipe.name = "contours";
+  if (kind == InkKind::contours || kind == InkKind::hidden) {
+    recipe.name = kind == InkKind::contours ? "contours" : "hidden outlines";
     recipe.fragmentFile = "contour.frag.glsl";
     recipe.uniforms.push_back({"probe", UniformType::real});
+    recipe.uniforms.push_back({"channel", UniformType::vec2});
+    recipe.uniforms.push_back({"grain", UniformType::vec2});
+  } else if (kind == InkKind::halos) {
+    recipe.name = "halos";
+    recipe.fragmentFile = "halo.frag.glsl";
   } else {
     recipe.name = "edges of fills";
     recipe.fragmentFile = "edge.frag.glsl";
@@ -35,6 +42,9 @@ gpu::ProgramRecipe inkRecipe(InkKind kind) {
   }
   return recipe;
 }
+
+// The stored value of hidden ink that covers all; more means a halo (resolve.frag.glsl).
+constexpr float hiddenCoverage = 0.5f;
 
 /// A stroke as the shaders read it.
 struct InkVertex {
@@ -48,6 +58,8 @@ struct InkVertex {
   float kind;
   glm::vec2 outwardA;
   glm::vec2 outwardB;
+  glm::vec2 moveA;
+  glm::vec2 moveB;
   float halfWidthA;
   float halfWidthB;
   float opacityA;
@@ -73,7 +85,8 @@ std::vector<gpu::Stream> streams(const gpu::Buffer& buffer) {
            .attributes = {{0, 4, AttributeType::float32, offsetof(InkVertex, a)},
                           {1, 4, AttributeType::float32, offsetof(InkVertex, depthA)},
                           {2, 4, AttributeType::float32, offsetof(InkVertex, outwardA)},
-                          {3, 4, AttributeType::float32, offsetof(InkVertex, halfWidthA)}},
+                          {3, 4, AttributeType::float32, offsetof(InkVertex, halfWidthA)},
+                          {4, 4, AttributeType::float32, offsetof(InkVertex, moveA)}},
            .perInstance = true}};
 }
 
@@ -85,7 +98,8 @@ InkPass::InkPass()
 
 Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
   std::unique_ptr<InkPass> pass(new InkPass);
-  for (const InkKind kind : {InkKind::surfaceLines, InkKind::contours, InkKind::edges}) {
+  for (std::size_t i = 0; i < inkKindCount; ++i) {
+    const auto kind = InkKind(i);
     auto program = gpu::Program::create(shaderFiles(), dialect, inkRecipe(kind));
     if (!program)
       return program.error();
@@ -99,7 +113,8 @@ void InkPass::upload(std::span<const Stroke> strokes) {
   vertices.reserve(strokes.size());
   for (const Stroke& s : strokes)
     vertices.push_back({s.a, s.b, s.depthA, s.depthB, s.tolerance, kindOf(s), s.outwardA,
-                        s.outwardB, s.halfWidthA, s.halfWidthB, s.opacityA, s.opacityB});
+                        s.outwardB, s.moveA, s.moveB, s.halfWidthA, s.halfWidthB, s.opacityA,
+                        s.opacityB});
   m_segments.stream(std::as_bytes(std::span(vertices)));
 }
 
@@ -119,8 +134,14 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
     program.set("reach", draw.reach);
     program.set("sheet", draw.sheet);
   }
-  if (draw.kind == InkKind::contours)
+  const bool outlines = draw.kind == InkKind::contours || draw.kind == InkKind::hidden;
+  if (outlines) {
     program.set("probe", draw.probe);
+    program.set("channel", draw.kind == InkKind::contours ? glm::vec2(1.0f, 0.0f)
+                                                          : glm::vec2(0.0f, hiddenCoverage));
+  }
+  if (outlines || draw.kind == InkKind::surfaceLines)
+    program.set("grain", glm::vec2(draw.grain, draw.grainSize));
   if (draw.kind == InkKind::edges) {
     program.set("paint", draw.paint);
     program.set("key", draw.key);
@@ -132,7 +153,7 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
       .viewport = draw.slot,
       .scissor = draw.slot,
       .depth = gpu::DepthTest::always,
-      .writeDepth = true,
+      .writeDepth = draw.kind != InkKind::hidden,
       .blend = draw.kind == InkKind::edges ? gpu::Blend::over : gpu::Blend::maximum};
   device.quads({target, program, m_geometry, state}, draw.count);
 }

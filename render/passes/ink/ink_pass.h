@@ -15,8 +15,10 @@
 
 namespace sline::render::passes {
 
-/// Tells what strokes draw: ink, or the soft edges of a fill along its contours.
-enum class InkKind { surfaceLines, contours, edges };
+/// Tells what strokes draw: ink, the soft edges of a fill along its contours, outlines that show
+/// through what lies before them, or where lines behind an outline stop.
+enum class InkKind { surfaceLines, contours, edges, hidden, halos };
+inline constexpr std::size_t inkKindCount = 5;
 
 struct InkDraw {
   InkKind kind = InkKind::surfaceLines;  ///< that of all its strokes
@@ -28,8 +30,10 @@ struct InkDraw {
   float probe = 3.0f;  ///< px outside a contour at which its own mask makes it an inner contour
   glm::vec2 reach{1.0f, 4.0f};  ///< px outside a contour at which the surface has fallen away
   glm::vec4 paint{0.0f};        ///< a fill's colour and opacity, for edges
-  glm::vec3 key{0.0f};  ///< the surfaces' key light in the camera's frame, for edges; 0: none
-  float sheet = 0.0f;   ///< mm in front of a contour within which its own sheet may lie (see .glsl)
+  glm::vec3 key{0.0f};     ///< the surfaces' key light in the camera's frame, for edges; 0: none
+  float grain = 0.0f;      ///< of a pencil on paper, 0 … 1, for ink
+  float grainSize = 1.0f;  ///< px
+  float sheet = 0.0f;  ///< mm in front of a contour within which its own sheet may lie (see .glsl)
 };
 
 class InkPass {
@@ -43,7 +47,7 @@ class InkPass {
 
  private:
   InkPass();
-  std::array<std::unique_ptr<gpu::Program>, 3> m_programs;  ///< by InkKind
+  std::array<std::unique_ptr<gpu::Program>, inkKindCount> m_programs;  ///< by InkKind
   gpu::Buffer m_segments;
   gpu::Geometry m_geometry;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws the ink of lines on the surface: suggestive contours, hatching, outlines of cut faces.
 #include "capsule.glsl"
+#include "grain.glsl"
 
 bool surfaceLineVisible(Capsule c) {
   vec2 corner = c.on - 0.5;
@@ -14,9 +15,9 @@ void main() {
   Capsule c = capsuleAt(gl_FragCoord.xy - vec2(toAtlas));
   if (c.distance >= c.halfWidth + 0.5 || !surfaceLineVisible(c))
     discard;
-  float coverage = coverageOf(c, lineDepths.w < 0.0 ? -lineDepths.w : 1.0);
+  float coverage = coverageOf(c, lineDepths.w < 0.0 ? -lineDepths.w : 1.0) * grained(c.pixel);
   if (coverage <= 0.002)
     discard;
-  fragment = vec4(coverage);
+  fragment = vec4(coverage, 0.0, 0.0, 0.0);
   gl_FragDepth = c.depth;
 }

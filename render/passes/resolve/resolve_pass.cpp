@@ -12,6 +12,8 @@ namespace {
 
 constexpr int filledFlag = 1 << 24;
 constexpr int inkedFlag = 1 << 25;
+constexpr int hiddenFlag = 1 << 26;
+constexpr int haloFlag = 1 << 27;
 /// The number of layers of tiles that are drawn in one batch; llvmpipe needs about 10 ms for them.
 constexpr int batchEntries = 400;
 
@@ -32,6 +34,7 @@ gpu::ProgramRecipe resolveRecipe() {
                        {"depths", UniformType::texture},
                        {"entries", UniformType::intTexture},
                        {"rowBits", UniformType::integer},
+                       {"hiddenLines", UniformType::integer},
                        {"background", UniformType::vec4}}};
 }
 
@@ -42,7 +45,8 @@ ResolveEntry resolveEntry(const ResolveLayer& layer) {
   const int ink = layer.ink.red << 16 | layer.ink.green << 8 | layer.ink.blue;
   return {{pair(layer.offsetX + 32768, layer.offsetY + 32768), pair(a.x, a.right() - 1),
            pair(a.y, a.top() - 1),
-           ink | (layer.filled ? filledFlag : 0) | (layer.inked ? inkedFlag : 0)}};
+           ink | (layer.filled ? filledFlag : 0) | (layer.inked ? inkedFlag : 0) |
+               (layer.hiddenInk ? hiddenFlag : 0) | (layer.haloed ? haloFlag : 0)}};
 }
 
 ResolvePass::ResolvePass()
@@ -79,6 +83,9 @@ void ResolvePass::upload(std::span<const ResolveTile> tiles,
     m_entries = std::make_unique<gpu::Texture>(gpu::TextureFormat::rgba32i,
                                                gpu::TextureSize{entriesPerRow, rows + rows / 2},
                                                "layers of tiles");
+  m_hiddenLines = std::any_of(entries.begin(), entries.end(), [](const ResolveEntry& entry) {
+    return (entry.packed[3] & hiddenFlag) != 0;
+  });
   m_rows.assign(std::size_t(rows) * entriesPerRow, ResolveEntry{});
   std::copy(entries.begin(), entries.end(), m_rows.begin());
   m_entries->upload(std::as_bytes(std::span(m_rows)), rows);
@@ -98,6 +105,7 @@ void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
   m_program->set("depths", inputs.depths);
   m_program->set("entries", *m_entries);
   m_program->set("rowBits", rowBits);
+  m_program->set("hiddenLines", m_hiddenLines ? 1 : 0);
   m_program->set("background", inputs.background);
   const gpu::DrawState state{.viewport = {0, 0, size.width, size.height}};
   std::size_t first = 0;

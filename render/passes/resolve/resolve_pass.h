@@ -24,6 +24,8 @@ struct ResolveLayer {
   Colour ink;
   bool filled = false;  ///< has colour
   bool inked = false;
+  bool hiddenInk = false;  ///< has lines that show through what lies before them
+  bool haloed = false;     ///< keeps lines behind it away from its outline
 };
 /// Packs a layer. Areas must lie within 65535 pixels and offsets within ±32767.
 ResolveEntry resolveEntry(const ResolveLayer& layer);
@@ -63,6 +65,7 @@ class ResolvePass {
   gpu::Geometry m_geometry;
   std::unique_ptr<gpu::Texture> m_entries;
   std::vector<ResolveEntry> m_rows;    ///< the entries padded to whole rows
+  bool m_hiddenLines = false;          ///< an entry has some
   std::vector<std::size_t> m_batches;  ///< the end of each batch, after its last tile
 };
 

@@ -57,9 +57,27 @@ plate pelvis_left pelvis --view left --size 900x900 --section sagittal=32:right 
 plate half_pelvis_male pelvis --sex male --view Midsagittal --section sagittal --size 900x900
 plate half_pelvis_female pelvis --view Midsagittal --section sagittal --size 900x900
 
+# Lines as measured and as drawn
+"$sline" demo pelvis --gamma 2 --fill paper --size 700x700 -o "$scratch/measured.png" \
+  --line-smoothing 0 --line-variation 0 --shortest-line 0 --line-scale 0
+"$sline" demo pelvis --gamma 2 --fill paper --size 700x700 -o "$scratch/drawn.png"
+oiiotool "$scratch/measured.png" "$scratch/drawn.png" --mosaic 2x1 -o "$scratch/lines.png"
+keep "$scratch/lines.png" lines.png
+plate hidden_lines abdomen --gamma 2 --fill paper --gamma Arteries=3 --size 900x900 \
+  --hidden-lines Arteries=dashed --halo Arteries=1
+
 # Print, cut
 plate print pelvis --bw --view Midsagittal --section sagittal --size 1000x1000
 plate abdomen_axial abdomen --view "Transpyloric plane" --size 1100x800
+
+# Drawing styles, side by side.
+cells=()
+for style in plate even-pen textbook woodcut pencil operating-note lecture-hall; do
+  cells+=("$scratch/style_$style.png")
+  "$sline" demo abdomen --view Overview --drawing "$style" --size 180x210 -o "${cells[-1]}"
+done
+oiiotool "${cells[@]}" --mosaic 7x1 -o "$scratch/drawing_styles.png"
+keep "$scratch/drawing_styles.png" drawing_styles.png
 
 row gamma_liver abdomen liver anterior
 row gamma_kidney kidney "left kidney" anterior

@@ -77,6 +77,10 @@ class AbdomenTest : public QObject {
   void sizes();
   void neighbours();
   void liverHasItsHollows();
+  void shapes_data();
+  void shapes();
+  void bowelIsOneWay_data();
+  void bowelIsOneWay();
   void womanIsSmallerMan();
   void cachedSceneIsTheSame();
   void badCachesAreRemade_data();
@@ -292,6 +296,63 @@ void AbdomenTest::liverHasItsHollows() {
   QVERIFY(inside(bvh, bladder + glm::vec3(-28, 0, 22)));
   QVERIFY(inside(bvh, bladder + glm::vec3(18, -6, 30)));
   QVERIFY(!inside(bvh, bladder));
+}
+
+void AbdomenTest::shapes_data() {
+  QTest::addColumn<QString>("organ");
+  QTest::addColumn<glm::vec3>("place");
+  QTest::addColumn<bool>("within");
+  const auto row = [](const char* name, const char* organ, const glm::vec3& place, bool within) {
+    QTest::newRow(name) << QString(organ) << place << within;
+  };
+  row("gullet", "stomach", {16, -20, 105}, true);
+  row("cardial notch", "stomach", {29, -10, 100}, false);
+  row("fundus", "stomach", {62, 8, 110}, true);
+  row("body at the angular notch", "stomach", {44, -66, -8}, true);
+  row("angular notch", "stomach", {23, -70, -2}, false);
+  row("antrum", "stomach", {0, -73, -12}, true);
+  row("left of the round ligament", "liver", {14, -62, 46}, true);
+  row("fissure of the round ligament", "liver", {-5, -66, 36}, false);
+  row("quadrate lobe", "liver", {-28, -66, 12}, true);
+}
+
+/// Before neighbours press in, notches part what they part.
+void AbdomenTest::shapes() {
+  QFETCH(QString, organ);
+  QFETCH(glm::vec3, place);
+  QFETCH(bool, within);
+  const auto all = model::abdomenStructures(model::Sex::male);
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const auto& s) { return s.name == organ.toStdString(); });
+  QVERIFY(found != all.end());
+  const float distance = found->field(place);
+  QVERIFY2((distance < 0.0f) == within, std::to_string(distance).c_str());
+}
+
+void AbdomenTest::bowelIsOneWay_data() {
+  QTest::addColumn<QString>("next");
+  QTest::newRow("stomach") << "duodenum";
+  QTest::newRow("duodenum") << "jejunum";
+  QTest::newRow("jejunum") << "ileum";
+  QTest::newRow("ileum") << "ascending colon";
+  QTest::newRow("ascending colon") << "transverse colon";
+  QTest::newRow("transverse colon") << "descending colon";
+  QTest::newRow("descending colon") << "sigmoid colon";
+}
+
+/// Each part begins where the one before it ends: a ring of either wall lies close to the other's.
+void AbdomenTest::bowelIsOneWay() {
+  QFETCH(QString, next);
+  const model::Mesh& before = meshOf(QTest::currentDataTag());
+  const model::Mesh& after = meshOf(next.toUtf8().constData());
+  constexpr float close = 3.5f;  // mm
+  Box seam;
+  for (const glm::vec3& p : before.positions())
+    if (std::any_of(after.positions().begin(), after.positions().end(),
+                    [&p](const glm::vec3& q) { return glm::distance(p, q) < close; }))
+      seam.add(p);
+  QVERIFY(!seam.empty());
+  QVERIFY2(glm::length(seam.size()) > 12.0f, std::to_string(glm::length(seam.size())).c_str());
 }
 
 void AbdomenTest::womanIsSmallerMan() {

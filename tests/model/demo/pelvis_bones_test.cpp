@@ -8,8 +8,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "model/demo/pelvis/hip_bone.h"
 #include "model/geometry/bvh.h"
 #include "model/geometry/spatial_order.h"
 #include "model/geometry/surface.h"
@@ -128,6 +130,60 @@ class PelvisBonesTest : public QObject {
     const glm::vec3 extent = real.size();
     QVERIFY(glm::all(glm::lessThan(glm::abs(made.size() - extent), 0.15f * extent)));
     QVERIFY(glm::all(glm::lessThan(glm::abs(made.centre() - real.centre()), 0.15f * extent)));
+  }
+
+  // Textbooks: the neck stands at some 127 degrees to the shaft and points forward by some 12; the
+  // greater trochanter's tip is level with the middle of the head, and the lesser one stands out.
+  void femurStandsAsInLife_data() {
+    QTest::addColumn<bool>("woman");
+    QTest::newRow("man") << false;
+    QTest::newRow("woman") << true;
+  }
+  void femurStandsAsInLife() {
+    QFETCH(const bool, woman);
+    const model::MeshPtr femur = meshOf(woman ? m_female : m_male, "left femur");
+    const auto placed = [woman](const glm::vec3& p) {
+      return woman ? model::toFemalePelvis(p) : p;
+    };
+    const glm::vec3 head = placed(model::leftHipJoint);
+    const auto middle = [&femur](const auto& counts) {
+      glm::vec3 sum(0.0f);
+      float count = 0.0f;
+      for (const glm::vec3& p : femur->positions())
+        if (counts(p)) {
+          sum += p;
+          ++count;
+        }
+      return sum / count;
+    };
+    const auto slab = [&](float low, float high) {
+      return middle([low = placed({120, -90, low}).z, high = placed({120, -90, high}).z](
+                        const glm::vec3& p) { return p.z > low && p.z < high; });
+    };
+    const glm::vec3 neck = middle([&head](const glm::vec3& p) {
+      const float away = glm::distance(p, head);
+      return away > 29.0f && away < 34.0f;
+    });
+    const glm::vec3 towardsHead = glm::normalize(head - neck);
+    const glm::vec3 shaft = glm::normalize(slab(774, 778) - slab(790, 794));
+    const float angle = glm::degrees(std::acos(glm::dot(towardsHead, shaft)));
+    QVERIFY2(angle > 120.0f && angle < 134.0f, std::to_string(angle).c_str());
+    const float forward = glm::degrees(std::atan2(-towardsHead.y, -towardsHead.x));
+    QVERIFY2(forward > 5.0f && forward < 20.0f, std::to_string(forward).c_str());
+
+    float tip = 0.0f;
+    float knob = 1000.0f;  // the most medial place there
+    float below = 1000.0f;
+    for (const glm::vec3& p : femur->positions()) {
+      if (p.x > head.x + 40.0f)
+        tip = std::max(tip, p.z);
+      if (std::abs(p.z - placed({105, -73, 809}).z) < 4.0f)
+        knob = std::min(knob, p.x);
+      if (std::abs(p.z - placed({105, -73, 788}).z) < 3.0f)
+        below = std::min(below, p.x);
+    }
+    QVERIFY2(std::abs(tip - head.z) < 8.0f, std::to_string(tip - head.z).c_str());
+    QVERIFY2(knob < below - 4.0f, std::to_string(below - knob).c_str());
   }
 
   // At most one point in a hundred of the smaller of two bones lies inside the other.

@@ -15,8 +15,9 @@ namespace sline::model {
 
 namespace {
 
-/// Returns a closed tube between two places.
-MeshPtr tube(const glm::vec3& from, const glm::vec3& to, float radius, int around = 16) {
+/// Returns a tube between two places, with lids or open.
+MeshPtr tube(const glm::vec3& from, const glm::vec3& to, float radius, int around = 16,
+             bool lids = true) {
   const glm::vec3 along = glm::normalize(to - from);
   const glm::vec3 u = glm::normalize(
       glm::cross(along, std::abs(along.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0)));
@@ -36,12 +37,25 @@ MeshPtr tube(const glm::vec3& from, const glm::vec3& to, float radius, int aroun
       triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
       triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
     }
-  for (int k = 1; k + 1 < around; ++k) {
+  for (int k = 1; lids && k + 1 < around; ++k) {
     triangles.push_back({at(0, 0), at(0, k + 1), at(0, k)});
     triangles.push_back({at(rings, 0), at(rings, k), at(rings, k + 1)});
   }
   Result<Mesh> mesh = Mesh::create(std::move(positions), std::move(triangles));
   return std::make_shared<const Mesh>(std::move(*mesh));
+}
+
+/// Returns a vessel as two walls without lids, the inner one facing its lumen.
+MeshPtr hollowTube(const glm::vec3& from, const glm::vec3& to, float radius) {
+  const MeshPtr outer = tube(from, to, radius, 16, false);
+  const MeshPtr inner = tube(from, to, 0.85f * radius, 16, false);
+  std::vector<Triangle> triangles(inner->triangles().begin(), inner->triangles().end());
+  for (Triangle& t : triangles)
+    std::swap(t[1], t[2]);
+  Result<Mesh> turned =
+      Mesh::create(std::vector<glm::vec3>(inner->positions().begin(), inner->positions().end()),
+                   std::move(triangles));
+  return test::together(*outer, *turned);
 }
 
 }  // namespace
@@ -103,6 +117,16 @@ class FocusAnalysisTest : public QObject {
   }
 
  private slots:
+  /// A vessel modelled as two walls without lids is as much a vessel as a solid one.
+  void hollowVesselsAreVessels() {
+    std::vector<Part> all = parts();
+    all[1].mesh = hollowTube({0, 0, 19}, {2, 1, 52}, 1.5f);
+    all[2].mesh = hollowTube({-38, 3, 56}, {38, -3, 56}, 5.0f);
+    const std::optional<FocusAnalysis> analysis = ask(sceneOf(all));
+    QVERIFY(analysis);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      QVERIFY2(analysis->relations[i].role == all[i].role, all[i].name.c_str());
+  }
   void rolesFollowFromForm_data() {
     QTest::addColumn<int>("index");
     const std::vector<Part> all = parts();

@@ -55,6 +55,34 @@ class FocusContextTest : public QObject {
                                 {.structure = m_third, .role = ContextRole::backdrop}}};
   }
 
+  void manners_data() {
+    QTest::addColumn<Relation>("relation");
+    QTest::addColumn<ContextManner>("manner");
+    const auto row = [](const char* name, const Relation& relation, ContextManner manner) {
+      QTest::newRow(name) << relation << manner;
+    };
+    row("subject", {.role = ContextRole::target}, ContextManner::detail);
+    row("protein around a ligand", {.contact = 0.8f, .hides = 0.3f}, ContextManner::host);
+    row("closed around it", {.contact = 0.8f, .hides = 0.9f}, ContextManner::byRole);
+    row("bone beside it", {.tissue = Tissue::bone, .nearness = 1.0f}, ContextManner::near);
+    row("bone far off", {.tissue = Tissue::bone}, ContextManner::far);
+    row("muscle before it", {.tissue = Tissue::muscle, .hides = 0.2f}, ContextManner::outline);
+    row("its vessel", {.tissue = Tissue::vessel, .role = ContextRole::feeder, .hides = 0.2f},
+        ContextManner::feeder);
+    row("unknown", {.role = ContextRole::neighbour, .nearness = 1.0f}, ContextManner::byRole);
+  }
+  /// What is said of a structure and what is drawn come of the same choice.
+  void manners() {
+    QFETCH(Relation, relation);
+    QFETCH(ContextManner, manner);
+    QCOMPARE(mannerOf(relation), manner);
+    const Style style = contextStyle(relation, amount(1.0f));
+    if (manner == ContextManner::outline)
+      QVERIFY(style.fill == Fill::none && style.gamma->value() < 0.5f);
+    if (manner == ContextManner::host || manner == ContextManner::near)
+      QVERIFY(style.fill == Fill::paper);
+  }
+
   void moreIsNeverLessAndNothingJumps() {
     constexpr int steps = 200;
     for (const Relation& relation : allSorts()) {

@@ -42,7 +42,7 @@ class OpeningAnatomyTest : public QObject {
                                  << "organs" << QStringList{"sigmoid colon", "apex of prostate"}
                                  << QStringList{"sacrum", "ilium compact bone L"};
     QTest::newRow("protein") << "protein/2src.pdb"
-                             << "ligands" << QStringList{"ANP oxygen"}
+                             << "ligands" << QStringList{"ANP oxygen", "ANP pocket"}
                              << QStringList{"Chain A – Tyrosine-protein kinase SRC"};
     QTest::newRow("vessels of a liver")
         << "misc/bp3d_liver_vessels"

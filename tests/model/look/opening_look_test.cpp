@@ -66,6 +66,44 @@ class OpeningLookTest : public QObject {
     add(scene, "Chain A", 40.0f, {0, 0, 0});
     QCOMPARE(firstTitle(scene), std::string("ligands"));
   }
+  /// What lines a ligand's pocket is hidden until the ligand is the subject, and then in detail;
+  /// the view is one from where the chain does not hide the ligand.
+  void pocketsOpen() {
+    Scene scene;
+    const NodeId chain = add(scene, "Chain A", 40.0f, {0, 0, 0});
+    const NodeId ligand = add(scene, "ANP carbon", 5.0f, {30, 30, 30});
+    const NodeId pocket = add(scene, "ANP pocket", 12.0f, {19, 19, 19});
+    const NodeId ligands = scene.append({.name = "Ligands"});
+    std::vector<Node> nodes = scene.nodes();
+    nodes[2].style.visible = false;
+    std::swap(nodes[1], nodes[3]);
+    nodes[3].parent = ligands;
+    scene.setNodes(std::move(nodes));
+    const Subject subject = subjectsOf(scene).front();
+    QCOMPARE(subject.structures, (std::vector{ligand, pocket}));
+    QCOMPARE(subject.pockets, std::vector{pocket});
+    const OpeningLook opened = look(scene);
+    QVERIFY(styleOf(opened.scene, "ANP pocket").visible);
+    QVERIFY(styleOf(opened.scene, "ANP pocket").gamma.value() > 4.0f);
+    QVERIFY(styleOf(opened.scene, "Chain A").gamma.value() < 4.0f);
+    QVERIFY(!opened.view);
+    const glm::vec3 eye = glm::normalize(opened.camera.eye - opened.camera.target);
+    QVERIFY(glm::dot(eye, glm::normalize(glm::vec3(1.0f))) > 0.0f);
+    const Scene without = withHidden(scene, {&ligand, 1}).scene;
+    QVERIFY(subjectsOf(without).front().pockets.empty());
+    QVERIFY(styleOf(opened.scene, "Chain A").visible && scene.find(chain));
+  }
+  void theSecondVersionIsHidden() {
+    Scene scene = body();
+    const NodeId second = add(scene, "liver 2", 41.0f, {0, 0, 1});
+    const OpeningLook opened = look(scene);
+    QCOMPARE(opened.subject.structures, scene.named("liver"));
+    QVERIFY(!styleOf(opened.scene, "liver 2").visible && styleOf(opened.scene, "liver").visible);
+    std::vector<Node> nodes = scene.nodes();
+    nodes.back().locked = true;
+    scene.setNodes(std::move(nodes));
+    QVERIFY(scene.find(second)->locked && styleOf(look(scene).scene, "liver 2").visible);
+  }
   void vesselsInAnOrgan() {
     Scene scene;
     add(scene, "liver", 60.0f, {0, 0, 0});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "model/meshing/half_edges.h"
+#include "model/fairing/half_edges.h"
 #include "model/meshing/repair.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

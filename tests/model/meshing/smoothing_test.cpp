@@ -3,10 +3,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "model/meshing/half_edges.h"
+#include "model/fairing/half_edges.h"
+#include "model/fairing/windowed_sinc.h"
 #include "model/meshing/loop_subdivision.h"
 #include "model/meshing/smoothing.h"
-#include "model/meshing/windowed_sinc.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

@@ -9,26 +9,56 @@ namespace sline::test {
 
 using namespace model;
 
+namespace {
+
+Style sampleStyle() {
+  return {.colour = Colour{1, 2, 3},
+          .inkColour = Colour{250, 251, 252},
+          .gamma = Gamma::clamped(3.3f),
+          .opacity = Opacity::clamped(0.7f),
+          .fill = Fill::tint,
+          .visible = false,
+          .penWeight = 1.7f,
+          .lineVariation = 0.25f,
+          .lineSmoothing = 0.5f,
+          .shortestLine = 5.0f,
+          .lineScale = 1.5f,
+          .hiddenLines = HiddenLines::dashed,
+          .halo = 1.5f,
+          .grain = 0.5f,
+          .hatchDensity = HatchDensity::clamped(0.6f),
+          .hatchTone = HatchTone::clamped(1.3f)};
+}
+
+Provenance sampleProvenance() {
+  Provenance p{.file = "a.ply",
+               .frame = "LPS",
+               .frameReason = "said so",
+               .smoothingSteps = 3,
+               .refinementSteps = 2,
+               .repairedFaces = 1,
+               .displacementMm = 0.25f,
+               .sliceMm = 1.5f,
+               .mmPerUnit = 1000.0f,
+               .unitReason = "glTF: metres",
+               .decimatedFrom = 4321,
+               .decimationMm = 0.125f};
+  p.part = "artery";
+  p.fingerprint = Fingerprint{12'345'678'901, 0xfedcba98u};
+  p.transform = {1, 0, 0, 0.1f, 0, -1, 0, 0, 0, 0, 1, -7};
+  return p;
+}
+
+}  // namespace
+
 Scene sampleScene() {
   Scene scene;
   const NodeId vessels = scene.append({.name = "Vessels"});
   const NodeId arteries = scene.append({.parent = vessels, .name = "Arteries"});
   Node artery{.parent = arteries, .name = "Ärterie \"a\"", .mesh = sphere(7.3f, 2)};
-  artery.style = {.colour = Colour{1, 2, 3},
-                  .inkColour = Colour{250, 251, 252},
-                  .gamma = Gamma::clamped(3.3f),
-                  .opacity = Opacity::clamped(0.7f),
-                  .fill = Fill::tint,
-                  .visible = false,
-                  .penWeight = 1.7f,
-                  .hatchDensity = HatchDensity::clamped(0.6f),
-                  .hatchTone = HatchTone::clamped(1.3f)};
+  artery.style = sampleStyle();
   artery.locked = true;
-  artery.provenance = {"a.ply", "LPS",   "said so",      3,    2,     1,
-                       0.25f,   1000.0f, "glTF: metres", 4321, 0.125f};
-  artery.provenance.part = "artery";
-  artery.provenance.fingerprint = Fingerprint{12'345'678'901, 0xfedcba98u};
-  artery.provenance.transform = {1, 0, 0, 0.1f, 0, -1, 0, 0, 0, 0, 1, -7};
+  artery.provenance = sampleProvenance();
   const NodeId one = scene.append(artery);
   scene.append({.name = "its twin", .style = {.visible = true}, .mesh = artery.mesh});
   scene.append({.name = "loose", .style = {.fill = Fill::veil}, .mesh = torus(9, 2, 12, 8)});
@@ -37,6 +67,7 @@ Scene sampleScene() {
                      .plane = {.normal = {0, 1, 0}, .offset = 2.5f},
                      .scope = vessels,
                      .enabled = false,
+                     .faces = CutFaces::tint,
                      .hatched = true};
   scene.setSections({half});
   const Camera camera{.projection = Projection::orthographic,

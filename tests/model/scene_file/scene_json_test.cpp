@@ -20,6 +20,7 @@ class SceneJsonTest : public QObject {
   Q_OBJECT
  private slots:
   void roundTrip();
+  void sectionsWithoutFacesAreTinted();
   void keysStandInTheOrderDescribed();
   void unknownKeysAreKeptEverywhere();
   void newerWordsAreKept();
@@ -40,6 +41,23 @@ void SceneJsonTest::roundTrip() {
   QVERIFY(empty.ok() && empty->nodes().empty());
 }
 
+/// Files from before there were patterns look as they did.
+void SceneJsonTest::sectionsWithoutFacesAreTinted() {
+  const Scene scene = test::sampleScene();
+  auto json = jsonOf(scene);
+  for (const auto& [said, meant] : {std::pair<const char*, CutFaces>{"off", CutFaces::off},
+                                    {"tint", CutFaces::tint},
+                                    {"tissue", CutFaces::tissue},
+                                    {nullptr, CutFaces::tint}}) {
+    json["sections"][0].erase("faces");
+    if (said)
+      json["sections"][0]["faces"] = said;
+    const auto read = sceneFromJson(json, meshesByName(scene));
+    QVERIFY(read.ok());
+    QCOMPARE(read->sections()[0].faces, meant);
+  }
+}
+
 void SceneJsonTest::keysStandInTheOrderDescribed() {
   const auto root = nlohmann::ordered_json::parse(sceneJson(test::sampleScene()));
   const auto keysOf = [](const nlohmann::ordered_json& object) {
@@ -51,14 +69,16 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
   QCOMPARE(keysOf(root),
            QString("format schema frame unit nodes sections annotations views key_light"));
   QCOMPARE(keysOf(root["nodes"][2]), QString("id parent name mesh style locked provenance"));
-  QCOMPARE(
-      keysOf(root["nodes"][2]["style"]),
-      QString("colour ink_colour gamma opacity fill visible pen_weight hatch_density hatch_tone"));
-  QCOMPARE(keysOf(root["sections"][0]), QString("id name normal offset_mm scope enabled hatched"));
+  QCOMPARE(keysOf(root["nodes"][2]["style"]),
+           QString("colour ink_colour gamma opacity fill visible pen_weight line_variation "
+                   "line_smoothing shortest_line line_scale hidden_lines halo grain hatch_density "
+                   "hatch_tone"));
+  QCOMPARE(keysOf(root["sections"][0]),
+           QString("id name normal offset_mm scope enabled faces hatched"));
   QCOMPARE(keysOf(root["nodes"][2]["provenance"]),
            QString("file frame frame_reason mm_per_unit unit_reason smoothing_steps "
-                   "refinement_steps repaired_faces displacement_mm decimated_from decimation_mm "
-                   "part fingerprint transform"));
+                   "refinement_steps repaired_faces displacement_mm slice_mm decimated_from "
+                   "decimation_mm part fingerprint transform"));
   QCOMPARE(keysOf(root["views"][1]), QString("name camera sections"));
   QCOMPARE(keysOf(root["views"][3]), QString("name camera looks annotations"));
   QCOMPARE(keysOf(root["annotations"][0]),

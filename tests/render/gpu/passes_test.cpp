@@ -151,10 +151,13 @@ void PassesTest::shadersSpeakBothDialects() {
 std::vector<std::uint8_t> PassesTest::resolved(const Case& c, const glm::vec4& background) {
   const gpu::TextureSize size{atlasWidth, atlasHeight};
   gpu::Texture colours(gpu::TextureFormat::rgba8, size, "colours");
-  gpu::Texture inks(gpu::TextureFormat::r8, size, "inks");
+  gpu::Texture inks(gpu::TextureFormat::rg8, size, "inks");
   gpu::Texture depths(gpu::TextureFormat::depth32f, size, "depths");
   colours.upload(std::as_bytes(std::span(c.pixels.colours)), atlasHeight);
-  inks.upload(std::as_bytes(std::span(c.pixels.inks)), atlasHeight);
+  std::vector<std::uint8_t> pairs;  // each with nothing hidden
+  for (const std::uint8_t ink : c.pixels.inks)
+    pairs.insert(pairs.end(), {ink, 0});
+  inks.upload(std::as_bytes(std::span(pairs)), atlasHeight);
   // Depth comes from clears, as it cannot be uploaded.
   auto depthTarget = std::move(gpu::Target::create({{}, &depths}, "depths").value());
   m_device->clear(*depthTarget, {.depth = 1.0f});
@@ -215,7 +218,7 @@ void PassesTest::resolvesLikeTheReference() {
 
 std::vector<int> PassesTest::inked(std::span<const Stroke> segments) {
   const gpu::TextureSize size{64, 64};
-  gpu::Texture ink(gpu::TextureFormat::r8, size, "ink");
+  gpu::Texture ink(gpu::TextureFormat::rg8, size, "ink");
   gpu::Texture layerDepths(gpu::TextureFormat::depth32f, size, "layer");
   gpu::Texture surfaceDepths(gpu::TextureFormat::depth32f, size, "surface");
   auto target = std::move(gpu::Target::create({{&ink}, &layerDepths}, "ink").value());

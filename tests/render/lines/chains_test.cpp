@@ -94,12 +94,14 @@ class ChainsTest : public QObject {
     };
     std::vector<render::Segment> segments{at(0, 1), at(1, 3), at(2, 9)};
     segments.push_back({.a = {0, 1, 0}, .b = {0, 6, 0}});  // continues the first: 6 mm together
-    render::fadeShortChains(segments, render::connectedChains(segments), 2.0f, 6.0f);
+    const render::Chains chains = render::connectedChains(segments);
+    const std::vector<float> lengths = render::chainLengths(chains, segments);
+    render::fadeShortChains(segments, chains, lengths, {2.0f, 6.0f});
     QCOMPARE(segments[0].opacityA, 1.0f);
     QCOMPARE(segments[1].opacityB, 0.25f);
     QCOMPARE(segments[2].opacityA, 1.0f);
     QCOMPARE(segments[3].opacityA, 1.0f);
-    render::fadeShortChains(segments, render::connectedChains(segments), 4.0f, 6.0f);
+    render::fadeShortChains(segments, chains, lengths, {4.0f, 6.0f});
     QCOMPARE(segments[1].opacityA, 0.0f);
   }
 };

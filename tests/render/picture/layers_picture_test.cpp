@@ -354,6 +354,7 @@ void LayersPictureTest::whatTouchesHidesNoOutline() {
   }
   model::Node ball{.id = {1}, .name = "ball", .style = gammaStyle(1.0f), .mesh = sphere(30, 5)};
   ball.style.fill = model::Fill::paper;
+  ball.style.lineVariation = 0.0f;
   model::Node ring{.id = {2}, .name = "ring", .style = gammaStyle(1.0f)};
   ring.mesh = std::make_shared<const model::Mesh>(
       std::move(*model::Mesh::create(std::move(positions), std::move(triangles))));

@@ -35,6 +35,7 @@ model::NodeId add(model::Scene& scene, model::MeshPtr mesh, const model::Style& 
 model::Style gammaStyle(float gamma) {
   model::Style style;
   style.gamma = Gamma::clamped(gamma);
+  style.lineVariation = 0.0f;  // widths are measured
   return style;
 }
 

@@ -22,7 +22,7 @@ class CrumbsTest : public QObject {
     return one;
   }
   static std::size_t kept(std::vector<VisibleStroke> strokes) {
-    return withoutCrumbs(std::move(strokes), unit).size();
+    return withoutCrumbs(std::move(strokes), unit, 8.0f).size();
   }
 
  private slots:
@@ -30,12 +30,27 @@ class CrumbsTest : public QObject {
     QCOMPARE(kept({stroke(0, 20), stroke(0, 7.5f, 10)}), std::size_t(1));
     QCOMPARE(kept({stroke(0, 20), stroke(0, 8.5f, 10)}), std::size_t(2));
   }
-  void whatContinuesALineStays() {
-    QCOMPARE(kept({stroke(0, 20), stroke(21.5f, 23)}), std::size_t(2));
+  void whatContinuesALineJoinsIt() {
+    QCOMPARE(kept({stroke(0, 20), stroke(21.5f, 23)}), std::size_t(1));
+    const auto one = withoutCrumbs({stroke(0, 20), stroke(23, 21.5f)}, unit, 8.0f);
+    QCOMPARE(one.front().points.front().at.x, 0.0f);
+    QCOMPARE(one.front().points.back().at.x, 23.0f * unit);
+    QCOMPARE(kept({stroke(0, 20), stroke(22.5f, 35)}), std::size_t(2));
     QCOMPARE(kept({stroke(0, 20), stroke(22.5f, 24)}), std::size_t(1));
     // Crumbs in a row are one line with gaps.
-    QCOMPARE(kept({stroke(0, 20, 50), stroke(0, 4), stroke(5, 9)}), std::size_t(3));
+    QCOMPARE(kept({stroke(0, 20, 50), stroke(0, 4), stroke(5, 9)}), std::size_t(2));
     QCOMPARE(kept({stroke(0, 20, 50), stroke(0, 3), stroke(4, 7)}), std::size_t(1));
+  }
+  void spursGo() {
+    VisibleStroke spur;
+    for (int i = 0; i <= 10; ++i)
+      spur.points.push_back({unit * glm::vec2(20.5f, 0.4f * float(i)), 1.0f});
+    QCOMPARE(kept({stroke(0, 20), spur}), std::size_t(1));
+  }
+  void whatGoesOnBehindAVeilStays() {
+    VisibleStroke veiled = stroke(20, 25);
+    veiled.veil.transmittance = 0.5f;
+    QCOMPARE(kept({stroke(0, 20), veiled}), std::size_t(2));
   }
   void theOnlyOneStays() {
     QCOMPARE(kept({stroke(0, 2)}), std::size_t(1));

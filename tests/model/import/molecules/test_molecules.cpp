@@ -113,6 +113,26 @@ class TestMolecules : public QObject {
     QVERIFY(read.report.warnings.empty());
   }
 
+  /// A ligand beside a chain has a pocket, hidden at first; a molecule of two atoms has none.
+  void pockets() {
+    const QTemporaryDir folder;
+    std::vector<Written> atoms = helix("ACDEFGHIKL");
+    for (int i = 0; i < 9; ++i)
+      atoms.push_back({.name = " C  ",
+                       .residue = i < 7 ? "LIG" : "EOH",
+                       .number = i < 7 ? 50 : 51,
+                       .place = {i < 7 ? 7.0 : -9.0, 0.0, 1.4 * i},
+                       .element = "C",
+                       .hetero = true});
+    const Imported read = imported({written(folder, "ten.pdb", pdbFile(atoms))});
+    const Node* pocket = nodeNamed(read.scene, "LIG pocket");
+    QVERIFY(pocket && !read.scene.resolve(pocket->id).visible);
+    QVERIFY(read.scene.groupPath(pocket->id).ends_with("Pockets"));
+    const Node* chain = nodeNamed(read.scene, "Chain A");
+    QVERIFY(chain && pocket->mesh->triangleCount() < chain->mesh->triangleCount());
+    QVERIFY(!nodeNamed(read.scene, "EOH pocket"));
+  }
+
   void unitsStay() {
     // In other files anatomical names and a size below three units would mean metres.
     const QTemporaryDir folder;

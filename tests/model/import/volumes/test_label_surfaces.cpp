@@ -8,8 +8,8 @@
 #include <random>
 #include <set>
 
+#include "model/fairing/half_edges.h"
 #include "model/import/volumes/label_surfaces.h"
-#include "model/meshing/half_edges.h"
 #include "tests/model/import/volumes/written_volumes.h"
 #include "tests/support/suite.h"
 

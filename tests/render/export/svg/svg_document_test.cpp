@@ -39,7 +39,7 @@ render::VectorStructure structure(model::NodeId id, float depth) {
           .depth = depth,
           .fills = {fill},
           .fillOpacity = 0.75f,
-          .lines = {{"Contours", 1.0f, {pen}}}};
+          .lines = {{.kind = "Contours", .shapes = {pen}}}};
 }
 
 /// Returns the labels of all groups with ids, in the order of the document, each with its depth in

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "model/meshing/vertex_rings.h"
+#include "model/fairing/vertex_rings.h"
 
 namespace sline::model {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/meshing/windowed_sinc.h"
+#include "model/fairing/windowed_sinc.h"
 
 #include <cmath>
 #include <numbers>
@@ -10,7 +10,7 @@ namespace sline::model {
 
 namespace {
 
-constexpr std::size_t grain = 16384;
+constexpr std::size_t grain = 3072;
 
 /// Returns the value of the Chebyshev series at k: cos(n·acos(1 − k/2)) is T_n there.
 double response(const std::vector<double>& c, double k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/meshing/half_edges.h"
+#include "model/fairing/half_edges.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/meshing/vertex_rings.h"
+#include "model/fairing/vertex_rings.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

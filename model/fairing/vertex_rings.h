@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "model/meshing/half_edges.h"
+#include "model/fairing/half_edges.h"
 
 namespace sline::model {
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Implements `sline demo-pictures FOLDER MODELS`, which `--help` does not list: draws, when the
+// program is built, the pictures of the demos that the start page shows
+// (widgets/start/demo_pictures.h).
+#include <filesystem>
+#include <string>
+
+#include "app/cli/command.h"
+#include "model/demo/demo.h"
+#include "model/disk/whole_file.h"
+#include "render/export/encoding/few_colours.h"
+#include "render/picture/card_picture.h"
+#include "render/picture/headless/headless_picture.h"
+
+namespace sline::cli {
+
+namespace {
+
+struct DemoPictureFlags {
+  std::string folder;
+  std::string models;
+};
+
+constexpr int mostColours = 192;
+
+Status writePicture(const render::HeadlessPicture& picture, const model::Scene& scene,
+                    const std::filesystem::path& file) {
+  const render::CardPicture card = render::cardPicture(scene);
+  const Result<render::Image> image =
+      picture->render(scene, card.camera, card.settings, card.samples);
+  if (!image.ok())
+    return image.error();
+  return model::writeText(file, render::pngOfFewColours(*image, mostColours));
+}
+
+Exit writePictures(const DemoPictureFlags& flags) {
+  const auto picture = render::HeadlessPicture::create();
+  if (!picture.ok())
+    return complain(picture.error(), Exit::failed);
+  const std::filesystem::path folder = flags.folder;
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+    return complain({.file = flags.folder, .reason = failed.message()}, Exit::failed);
+  for (std::size_t i = 0; i < model::demoNames.size(); ++i)
+    for (const model::Sex sex : {model::Sex::female, model::Sex::male}) {
+      const auto name = model::DemoName(i);
+      const std::filesystem::path file = folder / (model::demoKey(name, sex) + ".png");
+      if (std::filesystem::exists(file))  // the same for both
+        continue;
+      if (const Status written = writePicture(*picture, model::demo(name, sex, flags.models), file);
+          !written.ok())
+        return complain(written.error(), Exit::failed);
+    }
+  return Exit::done;
+}
+
+}  // namespace
+
+void addDemoPictures(CLI::App& program, Exit& exit) {
+  addCommand<DemoPictureFlags>(
+      program, exit, {"demo-pictures", "Draw the start page's pictures of the demos"},
+      [](CLI::App& command, DemoPictureFlags& flags) {
+        command.group("");
+        command.add_option("FOLDER", flags.folder, "Where those that are missing are written")
+            ->required();
+        command.add_option("MODELS", flags.models, "Where the modelled scenes are kept")
+            ->required();
+      },
+      writePictures);
+}
+
+}  // namespace sline::cli

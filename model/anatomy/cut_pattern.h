@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names the patterns that tell tissues apart where they are cut, as printed atlases draw them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace sline::model {
+
+enum class CutPattern {
+  plain,       ///< no strokes
+  spongy,      ///< irregular small rings within a dense rim: bone
+  fibres,      ///< parallel short strokes: muscle, tendon
+  cells,       ///< a network of small rounded cells: fat
+  waterlines,  ///< broken level lines: fluid
+  wall,        ///< strokes along the rim: vessels and hollow organs
+  lamellae,    ///< strokes along the rim, all the way in: discs
+  lacunae,     ///< sparse pairs of short marks: cartilage
+  fascicles,   ///< round bundles with a dot within: nerves
+  stipple,     ///< sparse fine dots, denser at the rim: parenchymal organs
+  crossed      ///< small crosses in disorder: lesions
+};
+
+/// The names of the patterns in resources/anatomy/tissue_patterns.tsv, in the order of the values.
+inline constexpr std::array<std::string_view, 11> cutPatternNames{
+    "plain",    "spongy",  "fibres",    "cells",   "waterlines", "wall",
+    "lamellae", "lacunae", "fascicles", "stipple", "crossed"};
+
+inline std::optional<CutPattern> cutPatternNamed(std::string_view name) {
+  const auto* const found = std::find(cutPatternNames.begin(), cutPatternNames.end(), name);
+  return found == cutPatternNames.end()
+             ? std::nullopt
+             : std::optional(CutPattern(found - cutPatternNames.begin()));
+}
+
+}  // namespace sline::model

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Says which patterns a structure's cut faces show in a view, and how thick their strokes are.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/strokes/drawn_structure.h"
+#include "render/strokes/picture_view.h"
+
+namespace sline::render {
+
+/// The marks on one cut face.
+struct FacePattern {
+  std::shared_ptr<const Hatching> marks;
+  glm::vec3 depthPlane{0.0f};  ///< like CapPaint's, a hair nearer to the eye
+  /// The size of a pixel where marks have their own width; farther away they are thinner.
+  float millimetresPerPixel = 1.0f;
+  float width = 1.0f;  ///< a factor on the marks' own: thinner where the face is seen aslant
+};
+
+/// Returns how a structure's cut faces are drawn: by its own name, else by that of a group above
+/// it (resources/anatomy/tissue_patterns.tsv); plain where none of them says.
+model::CutPattern cutPattern(const model::Scene& scene, const model::Node& node);
+
+/// Returns the patterns of those of the structure's cut faces that show any.
+std::vector<FacePattern> facePatterns(const DrawnStructure& shown, const PictureView& view);
+
+}  // namespace sline::render

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes confident lines of what extraction finds (METHOD §11): pieces are joined, and each line
+// gets the smooth curve and the pressure with which a pen would draw it.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "render/lines/chains.h"
+#include "render/strokes/picture_view.h"
+
+namespace sline::render {
+
+/// Tells how lines of one kind become curves. Lengths are in pixels of the picture.
+struct CurveSettings {
+  float smoothing = 1.0f;  ///< times 3 λ: the deviation of the weights that lines are averaged with
+  float variation = 1.0f;  ///< how much the pressure varies, 0 … 1
+  float pen = 2.0f;        ///< the width of the pen
+  float waver = 0.0f;      ///< how far a hand wavers to either side
+  bool outline = false;    ///< the line ends a surface: its ink lies outside, along the normals
+  glm::vec3 light{0.0f};   ///< towards the light, in the camera's frame
+};
+
+/// No point of a curve lies farther than this from the line it was made of, in λ.
+inline constexpr float curveBound = 1.25f;
+/// Of an outline: and no farther outside the surface than this, so that no gap opens to its fill.
+inline constexpr float outlineBound = 0.5f;
+
+/// Returns chains that hold every segment once, also across places where several meet and across
+/// gaps: an end is joined to the nearest other end within 2 λ in the picture, at about the same
+/// depth, that goes on in its direction. Segments that close gaps are added to `segments`.
+Chains joinedChains(std::vector<Segment>& segments, const PictureView& view);
+
+/// Returns the same lines with points at even distances of about half a λ, each with the move to
+/// its curve and the pen's pressure there; order and ends of the chains stay. The curve is the line
+/// averaged with a Gaussian's weights, applied twice so that round forms keep their size (J.
+/// Tukey's twicing), and held to the bounds. It keeps the line's ends, and its corners, where it
+/// turns by more than 60° within 4 λ.
+std::vector<Segment> curved(const std::vector<Segment>& segments, const Chains& chains,
+                            const PictureView& view, const CurveSettings& settings);
+
+/// Returns the length of each chain in the picture, in pixels.
+std::vector<float> lengthsInPicture(const Chains& chains, const std::vector<Segment>& segments,
+                                    const PictureView& view);
+
+}  // namespace sline::render

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <map>
+#include <utility>
+
+#include "render/strokes/line_curves.h"
+
+namespace sline::render {
+
+namespace {
+
+// Lengths in λ: a gap that a pen would not lift for; the way over which an end's direction is
+// taken; up to here two ends count as one place.
+constexpr float widestGap = 2.0f;
+constexpr float directionReach = 4.0f;
+constexpr float samePlace = 0.5f;
+// An end continues another where they turn by less than 45°, over a gap by less than 60°.
+constexpr float goesOn = 0.7071f;
+constexpr float leadsOn = 0.5f;
+// Ends that lie together in the picture may be this many times as far apart in depth.
+constexpr float depthShare = 4.0f;
+// The fewest segments of a line whose ends may meet.
+constexpr std::size_t fewestOfRing = 8;
+
+struct LineEnd {
+  std::size_t chain;
+  std::uint32_t segment;
+  bool atB;   ///< the end is the segment's b
+  bool last;  ///< it is the chain's end, not its beginning
+  glm::vec2 pixel;
+  glm::vec2 direction;  ///< away from the line, unit
+  std::size_t links;    ///< of the chain
+};
+
+const glm::vec3& placeOf(const std::vector<Segment>& segments, const LineEnd& end) {
+  const Segment& s = segments[end.segment];
+  return end.atB ? s.b : s.a;
+}
+
+class EndFinder {
+ public:
+  EndFinder(const std::vector<Segment>& segments, const Chains& chains, const PictureView& view)
+      : m_segments(segments), m_chains(chains), m_view(view) {}
+
+  std::vector<LineEnd> ends() const {
+    std::vector<LineEnd> found;
+    for (std::size_t chain = 0; chain < m_chains.count(); ++chain) {
+      const std::size_t first = m_chains.first[chain];
+      const std::size_t last = m_chains.first[chain + 1] - 1;
+      if (point(first, false) == point(last, true) && last > first)
+        continue;  // closed
+      add(chain, first, false, found);
+      add(chain, last, true, found);
+    }
+    return found;
+  }
+
+ private:
+  const glm::vec3& point(std::size_t link, bool atEnd) const {
+    const Chains::Link& l = m_chains.links[link];
+    const Segment& s = m_segments[l.segment];
+    return atEnd != l.reversed ? s.b : s.a;
+  }
+
+  void add(std::size_t chain, std::size_t link, bool atEnd, std::vector<LineEnd>& found) const {
+    const auto at = m_view.project(point(link, atEnd));
+    if (!(at.w > 0.0f))
+      return;
+    const std::size_t first = m_chains.first[chain];
+    const std::size_t last = m_chains.first[chain + 1] - 1;
+    glm::vec2 inner = at.pixel;
+    for (std::size_t i = link;; i = atEnd ? i - 1 : i + 1) {
+      inner = m_view.project(point(i, !atEnd)).pixel;
+      if (glm::distance(inner, at.pixel) > directionReach * m_view.outputUnit() ||
+          i == (atEnd ? first : last))
+        break;
+    }
+    const float length = glm::distance(inner, at.pixel);
+    if (!(length > 0.0f) || !std::isfinite(length))
+      return;
+    const Chains::Link& l = m_chains.links[link];
+    found.push_back({chain, l.segment, atEnd != l.reversed, atEnd, at.pixel,
+                     (at.pixel - inner) / length, last + 1 - first});
+  }
+
+  const std::vector<Segment>& m_segments;
+  const Chains& m_chains;
+  const PictureView& m_view;
+};
+
+struct Pair {
+  float distance;
+  std::size_t a;
+  std::size_t b;
+};
+
+/// Returns the pairs of ends that continue each other, nearest first.
+std::vector<Pair> pairsOf(const std::vector<LineEnd>& ends, const std::vector<Segment>& segments,
+                          const PictureView& view) {
+  const float unit = view.outputUnit();
+  const float reach = widestGap * unit;
+  std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
+  const auto cellOf = [&](const glm::vec2& p) {
+    return std::pair(int(std::floor(p.x / reach)), int(std::floor(p.y / reach)));
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (glm::length(ends[i].pixel) > 1e6f)
+      continue;
+    const auto [column, row] = cellOf(ends[i].pixel);
+    for (int y = row - 1; y <= row + 1; ++y)
+      for (int x = column - 1; x <= column + 1; ++x) {
+        const auto cell = cells.find({x, y});
+        if (cell == cells.end())
+          continue;
+        for (const std::size_t k : cell->second) {
+          // A crumb is no ring.
+          if (ends[k].chain == ends[i].chain && ends[i].links < fewestOfRing)
+            continue;
+          const glm::vec2 way = ends[k].pixel - ends[i].pixel;
+          const float distance = glm::length(way);
+          const float apart = glm::distance(placeOf(segments, ends[k]), placeOf(segments, ends[i]));
+          const float mm = view.millimetresPerPixel(placeOf(segments, ends[i]));
+          if (distance > reach || glm::dot(ends[i].direction, ends[k].direction) > -goesOn ||
+              apart > depthShare * reach * mm)
+            continue;
+          if (distance > samePlace * unit && glm::dot(way, ends[i].direction) < leadsOn * distance)
+            continue;
+          pairs.push_back({distance, k, i});
+        }
+      }
+    cells[{column, row}].push_back(i);
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+  return pairs;
+}
+
+Segment bridgeBetween(const std::vector<Segment>& segments, const LineEnd& from,
+                      const LineEnd& to) {
+  const Segment& a = segments[from.segment];
+  const Segment& b = segments[to.segment];
+  return {.a = placeOf(segments, from),
+          .b = placeOf(segments, to),
+          .normalA = from.atB ? a.normalB : a.normalA,
+          .normalB = to.atB ? b.normalB : b.normalA,
+          .opacityA = from.atB ? a.opacityB : a.opacityA,
+          .opacityB = to.atB ? b.opacityB : b.opacityA,
+          .entryA = from.atB ? a.entryB : a.entryA,
+          .entryB = to.atB ? b.entryB : b.entryA,
+          .triangle = a.triangle};
+}
+
+/// Puts chains together at their ends. End 2i is the beginning of chain i, end 2i + 1 its end.
+class ChainLinker {
+ public:
+  explicit ChainLinker(const Chains& chains)
+      : m_chains(chains), m_next(2 * chains.count(), none), m_bridges(2 * chains.count(), none) {}
+
+  /// Returns false where one of the ends has been joined already.
+  bool join(const LineEnd& a, const LineEnd& b) {
+    const std::size_t from = indexOf(a);
+    const std::size_t to = indexOf(b);
+    if (m_next[from] != none || m_next[to] != none || from == to)
+      return false;
+    m_next[from] = to;
+    m_next[to] = from;
+    return true;
+  }
+  /// Lays a segment between two ends that were joined; its a lies at the first.
+  void bridge(const LineEnd& a, std::uint32_t segment, const LineEnd& b) {
+    m_bridges[indexOf(a)] = 2 * std::size_t(segment);
+    m_bridges[indexOf(b)] = 2 * std::size_t(segment) + 1;
+  }
+
+  Chains take() {
+    m_taken.resize(m_chains.count());
+    for (std::size_t end = 0; end < m_next.size(); ++end)
+      if (m_next[end] == none && !m_taken[end / 2])
+        walk(end);
+    for (std::size_t chain = 0; chain < m_taken.size(); ++chain)
+      if (!m_taken[chain])
+        walk(2 * chain);
+    m_joined.first.push_back(std::uint32_t(m_joined.links.size()));
+    return std::move(m_joined);
+  }
+
+ private:
+  static constexpr std::size_t none = ~std::size_t(0);
+
+  static std::size_t indexOf(const LineEnd& end) { return 2 * end.chain + (end.last ? 1 : 0); }
+
+  /// Follows the line from that end of its first chain.
+  void walk(std::size_t start) {
+    m_joined.first.push_back(std::uint32_t(m_joined.links.size()));
+    for (std::size_t end = start; end != none && !m_taken[end / 2];) {
+      const std::size_t chain = end / 2;
+      m_taken[chain] = true;
+      const std::uint32_t first = m_chains.first[chain];
+      const std::uint32_t last = m_chains.first[chain + 1];
+      for (std::uint32_t i = first; i < last; ++i) {
+        Chains::Link link = m_chains.links[end % 2 == 0 ? i : last - 1 - (i - first)];
+        link.reversed = link.reversed != (end % 2 == 1);
+        m_joined.links.push_back(link);
+      }
+      const std::size_t out = end ^ 1u;
+      if (const std::size_t bridge = m_bridges[out]; bridge != none)
+        m_joined.links.push_back({std::uint32_t(bridge / 2), bridge % 2 == 1});
+      end = m_next[out];
+    }
+  }
+
+  const Chains& m_chains;
+  std::vector<std::size_t> m_next;     ///< the end that each goes on to
+  std::vector<std::size_t> m_bridges;  ///< twice the segment between, one more where its b is there
+  std::vector<bool> m_taken;
+  Chains m_joined;
+};
+
+}  // namespace
+
+Chains joinedChains(std::vector<Segment>& segments, const PictureView& view) {
+  const Chains chains = connectedChains(segments);
+  const std::vector<LineEnd> ends = EndFinder(segments, chains, view).ends();
+  ChainLinker linker(chains);
+  for (const Pair& pair : pairsOf(ends, segments, view)) {
+    const LineEnd& a = ends[pair.a];
+    const LineEnd& b = ends[pair.b];
+    if (!linker.join(a, b) || placeOf(segments, a) == placeOf(segments, b))
+      continue;
+    linker.bridge(a, std::uint32_t(segments.size()), b);
+    segments.push_back(bridgeBetween(segments, a, b));
+  }
+  return linker.take();
+}
+
+}  // namespace sline::render

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes strokes of a pen from segments and points of one surface in one view.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "render/lines/stage_entry.h"
+#include "render/lines/view_fields.h"
+#include "render/strokes/section_caps.h"
+#include "render/strokes/structure_lines.h"
+
+namespace sline::render {
+
+struct Pen {
+  float width;    ///< px
+  float opacity;  ///< 0 … 1
+};
+
+/// Lines never become thinner than one pixel; they lose opacity instead (METHOD §4).
+inline Pen devicePen(float width, float opacity) {
+  return width >= 1.0f ? Pen{width, opacity} : Pen{1.0f, opacity * std::max(width, 0.0f)};
+}
+
+/// Returns the pixels over which the edge of hatching is softened. Its strokes are nearly all edge:
+/// in print, at two pixels to λ and more, they would turn grey (METHOD §6.8); on the screen they
+/// must not crawl.
+inline float hatchEdge(float outputUnit) {
+  return std::clamp(1.4f - 0.4f * outputUnit, 0.36f, 1.0f);
+}
+
+inline bool isContour(const Stroke& stroke) {
+  return stroke.kind == StrokeKind::contour;
+}
+
+/// Collects strokes within an area of the picture.
+class StrokeMaker {
+ public:
+  StrokeMaker(const model::Surface& surface, const PictureView& view, const PixelRect& area)
+      : m_surface(surface), m_view(view), m_area(area) {}
+
+  std::vector<Stroke> take() {
+    // Contours come last, as they are drawn in another way; each kind is sorted by depth, so that
+    // where strokes of a layer cross the nearest depth is written last; the sort is stable, so that
+    // equal depths keep the surface's own order.
+    std::stable_sort(m_strokes.begin(), m_strokes.end(), [](const auto& a, const auto& b) {
+      if (isContour(a) != isContour(b))
+        return isContour(b);
+      return a.depthA + a.depthB > b.depthA + b.depthB;
+    });
+    return std::move(m_strokes);
+  }
+
+  /// Adds a contour, of which `inner` shares of width remain within the structure's own mask.
+  void contour(const Segment& s, float width, float opacity, float inner) {
+    Stroke stroke;
+    if (!place(s, stroke))
+      return;
+    stroke.outwardA = m_view.projectedDirection(s.a, s.normalA);
+    stroke.outwardB = m_view.projectedDirection(s.b, s.normalB);
+    stroke.kind = StrokeKind::contour;
+    stroke.innerShare = inner;
+    stroke.tolerance = 0.5f * m_surface.meanEdge + 1e-3f * m_surface.filigreeSize;
+    finish(stroke, devicePen(s.pressureA * width, s.opacityA * opacity),
+           devicePen(s.pressureB * width, s.opacityB * opacity));
+  }
+
+  /// Adds the edge of a fill along a contour, one pixel wide.
+  void edge(const Segment& s) {
+    Segment plain = s;
+    plain.moveA = plain.moveB = glm::vec3(0.0f);
+    plain.pressureA = plain.pressureB = plain.opacityA = plain.opacityB = 1.0f;
+    contour(plain, 1.0f, 1.0f, 1.0f);
+  }
+
+  /// Adds a line around a cut face: centred on the line, in front of the faces that it borders.
+  void outline(const Segment& s, float width, float opacity) {
+    Stroke stroke;
+    if (!place(s, stroke))
+      return;
+    stroke.depthA -= outlineLift;
+    stroke.depthB -= outlineLift;
+    stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
+                       3.0f * m_view.millimetresPerPixel(s.a);
+    finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
+  }
+
+  /// Adds a line on the surface; `t` is T_SC.
+  void surfaceLine(const Segment& s, float width, float opacity, float t) {
+    Stroke stroke;
+    if (!place(s, stroke))
+      return;
+    stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
+                       1.5f * m_view.millimetresPerPixel(s.a) *
+                           std::max(slope(s.a, s.normalA), slope(s.b, s.normalB));
+    const auto pen = [&](float fade, float rank, float pressure) {
+      const float share = entered(t, rank);
+      const float full = width * pressure * (0.45f + 0.55f * fade);
+      return devicePen(full * std::min(1.0f, 0.35f + 0.65f * share),
+                       opacity * std::sqrt(fade) * std::min(1.0f, 2.0f * share));
+    };
+    finish(stroke, pen(s.opacityA, s.entryA, s.pressureA), pen(s.opacityB, s.entryB, s.pressureB));
+  }
+
+  /// Adds the marks on a cut face, at its depth.
+  void pattern(const FacePattern& face, float width) {
+    const glm::vec2 middle = 0.5f * m_view.size();
+    const std::size_t first = m_strokes.size();
+    for (const HatchStroke& s : face.marks->strokes) {
+      const float pixel = m_view.millimetresPerPixel(s.seedPosition);
+      const float near = pixel > 0.0f ? std::min(face.millimetresPerPixel / pixel, 1.0f) : 1.0f;
+      hatching(std::span(face.marks->points).subspan(s.first, s.count), near * width * face.width,
+               1.0f);
+    }
+    for (std::size_t i = first; i < m_strokes.size(); ++i) {
+      Stroke& stroke = m_strokes[i];
+      stroke.depthA = glm::dot(face.depthPlane, glm::vec3(stroke.a - middle, 1.0f));
+      stroke.depthB = glm::dot(face.depthPlane, glm::vec3(stroke.b - middle, 1.0f));
+    }
+  }
+
+  /// Adds a stroke of hatching as few capsules as its curve allows.
+  void hatching(std::span<const HatchPoint> points, float width, float opacity) {
+    const float unit = m_view.outputUnit();
+    for (std::size_t from = 0; from + 1 < points.size();) {
+      const std::size_t to = farthestChord(points, from);
+      Stroke stroke;
+      const HatchPoint& a = points[from];
+      const HatchPoint& b = points[to];
+      if (place(a.position, b.position, stroke)) {
+        stroke.tolerance = surfaceTolerance(a, b);
+        stroke.kind = StrokeKind::hatching;
+        stroke.softness = hatchEdge(unit);
+        finish(stroke, devicePen(2.0f * a.halfWidth * unit * width, opacity),
+               devicePen(2.0f * b.halfWidth * unit * width, opacity));
+      }
+      from = to;
+    }
+    if (points.size() == 1) {
+      Stroke dot;
+      const HatchPoint& at = points.front();
+      if (place(at.position, at.position, dot)) {
+        dot.tolerance = surfaceTolerance(at, at);
+        dot.kind = StrokeKind::hatching;
+        dot.softness = hatchEdge(unit);
+        const Pen pen = devicePen(2.0f * at.halfWidth * unit * width, opacity);
+        finish(dot, pen, pen);
+      }
+    }
+  }
+
+ private:
+  // Limits within which points of hatching become one capsule: in λ and in points.
+  static constexpr float chordError = 0.12f;
+  static constexpr std::size_t longestChord = 8;
+
+  float surfaceTolerance(const HatchPoint& a, const HatchPoint& b) const {
+    return 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
+           1.5f * m_view.millimetresPerPixel(a.position) *
+               std::max(slope(a.position, a.normal), slope(b.position, b.normal));
+  }
+
+  /// Returns the last point to which one capsule from `from` stays true to the stroke's course and
+  /// width.
+  std::size_t farthestChord(std::span<const HatchPoint> points, std::size_t from) const {
+    const float unit = m_view.outputUnit();
+    const glm::vec2 start = m_view.project(points[from].position).pixel / unit;
+    std::size_t to = from + 1;
+    for (std::size_t end = from + 2; end < points.size() && end - from <= longestChord; ++end) {
+      const glm::vec2 chord = m_view.project(points[end].position).pixel / unit - start;
+      const float length2 = std::max(glm::dot(chord, chord), 1e-12f);
+      for (std::size_t i = from + 1; i < end; ++i) {
+        const glm::vec2 d = m_view.project(points[i].position).pixel / unit - start;
+        const float t = std::clamp(glm::dot(d, chord) / length2, 0.0f, 1.0f);
+        const float width = glm::mix(points[from].halfWidth, points[end].halfWidth, t);
+        if (glm::length(d - t * chord) > chordError ||
+            std::abs(points[i].halfWidth - width) > chordError)
+          return to;
+      }
+      to = end;
+    }
+    return to;
+  }
+
+  bool place(const Segment& s, Stroke& stroke) const {
+    if (!place(s.a, s.b, stroke))
+      return false;
+    if (s.moveA != glm::vec3(0.0f))
+      stroke.moveA = m_view.project(s.a + s.moveA).pixel - stroke.a;
+    if (s.moveB != glm::vec3(0.0f))
+      stroke.moveB = m_view.project(s.b + s.moveB).pixel - stroke.b;
+    return true;
+  }
+
+  bool place(const glm::vec3& from, const glm::vec3& to, Stroke& stroke) const {
+    const PictureView::Point a = m_view.project(from);
+    const PictureView::Point b = m_view.project(to);
+    if (a.w <= 0.0f || b.w <= 0.0f || a.depth < 0.0f || b.depth < 0.0f)
+      return false;
+    stroke.a = a.pixel;
+    stroke.b = b.pixel;
+    stroke.depthA = a.depth;
+    stroke.depthB = b.depth;
+    return true;
+  }
+
+  /// Returns how much depth changes per unit across the picture where the surface is seen at that
+  /// angle.
+  float slope(const glm::vec3& p, const glm::vec3& normal) const {
+    const float nv = glm::dot(normal, directionTo(m_view.eye(), p));
+    const float tangent = std::sqrt(std::max(0.0f, 1.0f - nv * nv)) / std::max(nv, 1e-3f);
+    return std::min(tangent, 8.0f);
+  }
+
+  void finish(Stroke& stroke, const Pen& a, const Pen& b) {
+    stroke.halfWidthA = 0.5f * a.width;
+    stroke.halfWidthB = 0.5f * b.width;
+    stroke.opacityA = a.opacity;
+    stroke.opacityB = b.opacity;
+    if (std::max(a.opacity, b.opacity) > 0.004f &&
+        !intersection(strokeBounds(stroke), m_area).empty())
+      m_strokes.push_back(stroke);
+  }
+
+  const model::Surface& m_surface;
+  const PictureView& m_view;
+  PixelRect m_area;
+  std::vector<Stroke> m_strokes;
+};
+
+}  // namespace sline::render

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests drawing styles in the window: small pictures of the scene, and what a choice does.
+#include <QToolButton>
+#include <QtTest>
+
+#include "model/look/drawing_styles.h"
+#include "tests/gui/gamma_fixture.h"
+#include "tests/support/suite.h"
+#include "widgets/gamma/drawing_panel.h"
+
+using namespace sline;
+using namespace sline::test;
+
+namespace {
+
+struct DrawingFixture : GammaPanelFixture {
+  widgets::DrawingPanel& panel() { return *window.findChild<widgets::DrawingPanel*>(); }
+  QToolButton& button(const char* id) {
+    return control<QToolButton>(qPrintable(QStringLiteral("drawing ") + QLatin1String(id)));
+  }
+  void unfoldDrawings() {
+    click(control<QToolButton>("drawings"));
+    QCoreApplication::processEvents();
+  }
+  /// Chooses the style with the mouse; returns false where no step follows.
+  bool choose(const char* id) {
+    const int before = steps();
+    const int at = session.history().index();
+    click(button(id));
+    return QTest::qWaitFor([&] { return steps() != before || session.history().index() != at; },
+                           minute);
+  }
+};
+
+}  // namespace
+
+class DrawingStylesWindowTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void textsAreTheModels() {
+    const auto texts = widgets::drawingTexts();
+    QCOMPARE(texts.size(), model::drawingStyles().size());
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      QCOMPARE(texts[i].name.toStdString(), std::string(model::drawingStyles()[i].name));
+      QCOMPARE(texts[i].description.toStdString(),
+               std::string(model::drawingStyles()[i].description));
+    }
+  }
+  void picturesAppear() {
+    DrawingFixture f;
+    QVERIFY(!f.panel().hasPicture(0));
+    f.unfoldDrawings();
+    const auto all = [&] {
+      for (int i = 0; i < int(model::drawingStyles().size()); ++i)
+        if (!f.panel().hasPicture(i))
+          return false;
+      return true;
+    };
+    QVERIFY(QTest::qWaitFor(all, minute));
+    QVERIFY(f.button("lecture-hall").height() > 62);
+    const QImage dark = f.button("lecture-hall").icon().pixmap(76, 62).toImage();
+    const QImage paper = f.button("pencil").icon().pixmap(76, 62).toImage();
+    QVERIFY(dark.pixelColor(dark.width() / 2, 1).lightness() < 60);
+    QVERIFY(paper.pixelColor(paper.width() / 2, 1).lightness() > 200);
+  }
+  void aClickIsOneStep() {
+    DrawingFixture f;
+    f.unfoldDrawings();
+    const model::Scene before = f.session.scene();
+    const int steps = f.steps();
+    QVERIFY(f.choose("lecture-hall"));
+    QCOMPARE(f.steps(), steps + 1);
+    QCOMPARE(f.session.history().undoText(), QStringLiteral("Lecture Hall"));
+    QTRY_COMPARE(f.viewport().background(), render::Background::dark);
+    const model::Scene first = f.session.scene();
+    QVERIFY(!(first == before));
+    // The next style starts from what was there before this one: colours are what they were.
+    QVERIFY(f.choose("even-pen"));
+    QCOMPARE(f.steps(), steps + 2);
+    QTRY_COMPARE(f.viewport().background(), render::Background::white);
+    QCOMPARE(f.session.scene().resolve(f.named("bladder")).colour,
+             before.resolve(f.named("bladder")).colour);
+    QCOMPARE(f.session.scene().resolve(f.named("bladder")).lineVariation, 0.0f);
+    f.session.undo();
+    QVERIFY(f.session.scene() == first);
+    f.session.undo();
+    QVERIFY(f.session.scene() == before);
+  }
+  void byKeys() {
+    DrawingFixture f;
+    f.unfoldDrawings();
+    QToolButton& woodcut = f.button("woodcut");
+    QVERIFY(woodcut.focusPolicy() & Qt::TabFocus);
+    QVERIFY(!woodcut.toolTip().isEmpty());
+    const int steps = f.steps();
+    QTest::keyClick(&woodcut, Qt::Key_Space);
+    QVERIFY(QTest::qWaitFor([&] { return f.steps() == steps + 1; }, minute));
+    QCOMPARE(f.session.history().undoText(), QStringLiteral("Woodcut"));
+  }
+};
+
+SLINE_TEST_WITH_WIDGETS(DrawingStylesWindowTest)
+#include "drawing_styles_window_test.moc"
