@@ -6,20 +6,15 @@
 #include <map>
 #include <utility>
 
+#include "render/strokes/continuation.h"
 #include "render/strokes/line_curves.h"
 
 namespace sline::render {
 
 namespace {
 
-// Lengths in λ: a gap that a pen would not lift for; the way over which an end's direction is
-// taken; up to here two ends count as one place.
-constexpr float widestGap = 2.0f;
+// The way over which an end's direction is taken, λ.
 constexpr float directionReach = 4.0f;
-constexpr float samePlace = 0.5f;
-// An end continues another where they turn by less than 45°, over a gap by less than 60°.
-constexpr float goesOn = 0.7071f;
-constexpr float leadsOn = 0.5f;
 // Ends that lie together in the picture may be this many times as far apart in depth.
 constexpr float depthShare = 4.0f;
 // The fewest segments of a line whose ends may meet.
@@ -124,10 +119,8 @@ std::vector<Pair> pairsOf(const std::vector<LineEnd>& ends, const std::vector<Se
           const float distance = glm::length(way);
           const float apart = glm::distance(placeOf(segments, ends[k]), placeOf(segments, ends[i]));
           const float mm = view.millimetresPerPixel(placeOf(segments, ends[i]));
-          if (distance > reach || glm::dot(ends[i].direction, ends[k].direction) > -goesOn ||
+          if (!goesOnIn(ends[i].direction, ends[k].direction, way, unit) ||
               apart > depthShare * reach * mm)
-            continue;
-          if (distance > samePlace * unit && glm::dot(way, ends[i].direction) < leadsOn * distance)
             continue;
           pairs.push_back({distance, k, i});
         }

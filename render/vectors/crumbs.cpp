@@ -7,15 +7,12 @@
 #include <map>
 #include <utility>
 
+#include "render/strokes/continuation.h"
+
 namespace sline::render {
 
 namespace {
 
-constexpr float reach = 2.0f;  // λ
-// An end continues another where they turn by less than 45°, over a gap by less than 60°.
-constexpr float goesOn = 0.7071f;
-constexpr float leadsOn = 0.5f;
-constexpr float samePlace = 0.5f;  // λ
 // λ over which an end's direction is taken.
 constexpr float directionReach = 3.0f;
 // Strokes that are veiled this much alike are one.
@@ -53,26 +50,19 @@ struct Joint {
   std::size_t b;
 };
 
-/// Tells whether the line goes on from one end to the other.
-bool continues(const StrokeEnd& a, const StrokeEnd& b, float unit) {
-  const glm::vec2 way = b.at - a.at;
-  const float distance = glm::length(way);
-  return distance <= reach * unit && glm::dot(a.direction, b.direction) < -goesOn &&
-         (distance <= samePlace * unit || glm::dot(way, a.direction) > leadsOn * distance);
-}
-
 /// Returns the pairs of ends by which strokes continue each other, nearest first.
 std::vector<Joint> joints(const std::vector<StrokeEnd>& ends, float unit) {
   std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
   std::vector<Joint> found;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const int column = int(std::floor(ends[i].at.x / (reach * unit)));
-    const int row = int(std::floor(ends[i].at.y / (reach * unit)));
+    const int column = int(std::floor(ends[i].at.x / (widestGap * unit)));
+    const int row = int(std::floor(ends[i].at.y / (widestGap * unit)));
     for (int y = row - 1; y <= row + 1; ++y)
       for (int x = column - 1; x <= column + 1; ++x)
         if (const auto cell = cells.find({x, y}); cell != cells.end())
           for (const std::size_t k : cell->second)
-            if (ends[k].stroke != ends[i].stroke && continues(ends[k], ends[i], unit))
+            if (ends[k].stroke != ends[i].stroke &&
+                goesOnIn(ends[k].direction, ends[i].direction, ends[i].at - ends[k].at, unit))
               found.push_back({glm::distance(ends[k].at, ends[i].at), k, i});
     cells[{column, row}].push_back(i);
   }
