@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "model/base/parallel.h"
 #include "render/strokes/polyline_filter.h"
@@ -105,7 +106,8 @@ class CurveMaker {
         m_right(view.toPatient({1.0f, 0.0f, 0.0f})),
         m_up(view.toPatient({0.0f, 1.0f, 0.0f})) {}
 
-  void add(std::span<const Chains::Link> links, std::vector<Segment>& out) const {
+  void add(std::span<const Chains::Link> given, std::vector<Segment>& out) const {
+    const std::vector<Chains::Link> links = fromTop(given);
     SampledLine line;
     if (!sample(links, line)) {
       for (const Chains::Link& link : links)
@@ -159,6 +161,25 @@ class CurveMaker {
       std::swap(t.entryA, t.entryB);
     }
     return t;
+  }
+
+  const glm::vec3& startOf(const Chains::Link& link) const {
+    const Segment& s = m_segments[link.segment];
+    return link.reversed ? s.b : s.a;
+  }
+
+  /// Returns the links, those of a closed line from its highest point in the patient: its samples
+  /// then move with it while the scene turns, and lie alike in a mirrored body.
+  std::vector<Chains::Link> fromTop(std::span<const Chains::Link> given) const {
+    std::vector<Chains::Link> links(given.begin(), given.end());
+    const Segment& last = m_segments[links.back().segment];
+    if (links.size() < 3 || startOf(links.front()) != (links.back().reversed ? last.a : last.b))
+      return links;
+    const auto top = std::max_element(links.begin(), links.end(), [this](auto& a, auto& b) {
+      return std::pair(startOf(a).z, startOf(a).y) < std::pair(startOf(b).z, startOf(b).y);
+    });
+    std::rotate(links.begin(), top, links.end());
+    return links;
   }
 
   glm::vec2 outwardAt(const Sample& s) const {
