@@ -48,8 +48,6 @@ namespace {
 // Above 360 rows a pen is wider than a pixel, and its width can jump where its opacity does not.
 constexpr int rampHeight = 480;
 constexpr int steadyHeight = 480;
-// Strokes that change by this share of their ink, or less, from one picture to the next are steady.
-constexpr double steadyChange = 0.1;
 constexpr float aspect = 4.0f / 3.0f;
 constexpr int frames = 2;
 
@@ -152,9 +150,14 @@ void OrgansTest::rampIsSeamless() {
 const render::Steadiness* OrgansTest::steadinessOf(const QString& name) {
   if (const auto known = m_steadiness.find(name); known != m_steadiness.end())
     return &known->second;
-  const std::optional<render::Subject> subject = subjectOf(name, steadyHeight);
+  std::optional<render::Subject> subject = subjectOf(name, steadyHeight);
   if (!subject)
     return nullptr;
+  // The yardstick needs a surface as a scanner leaves it: without its steps hatching as printed
+  // hardly shows, and chance decides.
+  std::vector<model::Node> nodes = subject->scene.nodes();
+  nodes.front().provenance.sliceMm = 0.0f;
+  subject->scene.setNodes(std::move(nodes));
   const auto steadiness = render::measureSteadiness(
       m_picture->drawing(), *subject, {.gamma = Gamma::clamped(3.0f), .frames = frames});
   if (!steadiness.ok()) {
@@ -175,11 +178,7 @@ void OrgansTest::strokesStayOnTheSurface() {
     SLINE_ABSENT("there is no such anatomy here");
   const std::optional<double> ratio = steadiness->inkRatio();
   QVERIFY2(ratio, "it shows no hatching");
-  // On a surface without noise hatching as printed hardly changes, because it hardly shows: there
-  // strokes need not be steadier than they can be.
-  const double change = steadiness->strokes.overSurface / steadiness->strokes.ink;
-  QVERIFY2(*ratio <= render::flickerLimit || change <= steadyChange,
-           qPrintable(QString("%1 of that as printed, %2 of the ink").arg(*ratio).arg(change)));
+  QVERIFY2(*ratio <= render::flickerLimit, qPrintable(QString::number(*ratio)));
 }
 
 void OrgansTest::strokesHaveDefiniteEdges_data() {
