@@ -2773,6 +2773,10 @@
         <source>Bright colours on a dark ground, to be seen from the last row.</source>
         <translation>Leuchtende Farben auf dunklem Grund, bis in die letzte Reihe zu sehen.</translation>
     </message>
+    <message>
+        <source>What lies inside</source>
+        <translation>Was darin liegt</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -2773,6 +2773,10 @@
         <source>Bright colours on a dark ground, to be seen from the last row.</source>
         <translation>Klare farger på mørk bunn, synlige fra bakerste rad.</translation>
     </message>
+    <message>
+        <source>What lies inside</source>
+        <translation>Det som ligger inni</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

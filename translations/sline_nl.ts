@@ -2773,6 +2773,10 @@
         <source>Bright colours on a dark ground, to be seen from the last row.</source>
         <translation>Heldere kleuren op een donkere ondergrond, te zien vanaf de laatste rij.</translation>
     </message>
+    <message>
+        <source>What lies inside</source>
+        <translation>Wat erin ligt</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

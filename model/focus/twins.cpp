@@ -2,11 +2,13 @@
 #include "model/focus/twins.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "model/anatomy/name_words.h"
@@ -34,13 +36,27 @@ bool isNumber(const std::string& word) {
   return std::all_of(word.begin() + std::ptrdiff_t(from), word.end(), isDigit);
 }
 
-/// Returns the name without numbers: "liver", "liver 2" and "liver_v3" have the same.
+/// Tells whether a word is what programs call surfaces that nobody has named; "Segment 2" is no
+/// version of "Segment 1".
+bool saysNothing(const std::string& word) {
+  static constexpr std::array<std::string_view, 12> words{
+      "surface", "segment", "label", "mesh",   "model", "object",
+      "part",    "region",  "roi",   "volume", "shape", "structure"};
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Returns the name without numbers: "liver", "liver 2" and "liver_v3" have the same. Empty where
+/// nothing else says what it is.
 std::string withoutNumbers(const std::string& name) {
   std::string rest;
-  for (const std::string& word : wordsOf(name))
-    if (!isNumber(word) && word != "v")
-      rest += word + ' ';
-  return rest;
+  bool named = false;
+  for (const std::string& word : wordsOf(name)) {
+    if (isNumber(word) || word == "v")
+      continue;
+    named = named || !saysNothing(word);
+    rest += word + ' ';
+  }
+  return named ? rest : std::string();
 }
 
 double volume(const Box& box) {

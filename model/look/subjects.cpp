@@ -8,6 +8,7 @@
 #include "model/anatomy/body_systems.h"
 #include "model/anatomy/name_words.h"
 #include "model/focus/twins.h"
+#include "model/look/hulls.h"
 #include "model/scene/visible_structures.h"
 
 namespace sline::model {
@@ -19,7 +20,7 @@ struct Member {
   std::string name;
   Tissue tissue = Tissue::unknown;
   std::string system;  ///< the title of its system, or empty
-  Box box;
+  MeshPtr mesh;
   bool ligand = false;
 };
 
@@ -42,7 +43,7 @@ std::vector<Member> membersOf(const Scene& scene) {
                   .name = node.name,
                   .tissue = tissues.at(node.id.value),
                   .system = {},
-                  .box = node.mesh->bounds(),
+                  .mesh = node.mesh,
                   .ligand = false};
     std::vector<const Node*> above{&node};
     while (const Node* parent = scene.find(above.back()->parent))
@@ -92,6 +93,7 @@ class Finder {
     addLigands();
     add("lesions", [](const Member& m) { return m.tissue == Tissue::lesion; });
     addOrgans();
+    addWhatLiesInside();
     add("joints", [](const Member& m) { return m.tissue == Tissue::joint; });
     add("vessels and nerves", isVessel);
     add("bones", [](const Member& m) { return m.tissue == Tissue::bone; });
@@ -152,15 +154,15 @@ class Finder {
     Box organs;
     for (const Member& member : m_members)
       if (isOrgan(member))
-        organs.add(member.box);
+        organs.add(member.mesh->bounds());
     Box whole = organs;
     std::size_t others = 0;
     std::size_t inside = 0;
     for (const Member& member : m_members)
       if (!isOrgan(member)) {
-        whole.add(member.box);
+        whole.add(member.mesh->bounds());
         ++others;
-        inside += isInside(member.box, organs);
+        inside += isInside(member.mesh->bounds(), organs);
       }
     constexpr double most = 0.8;
     if (others > 0 && double(inside) > most * double(others) &&
@@ -172,6 +174,21 @@ class Finder {
         addEverything();
     }
     add("organs", isOrgan);
+  }
+
+  /// Where no name tells what a structure is, hulls are around what the scene is about.
+  void addWhatLiesInside() {
+    const auto isKnown = [](const Member& m) { return m.tissue != Tissue::unknown || m.ligand; };
+    if (std::any_of(m_members.begin(), m_members.end(), isKnown))
+      return;
+    std::vector<MeshPtr> meshes;
+    for (const Member& member : m_members)
+      meshes.push_back(member.mesh);
+    const std::vector<std::size_t> hulls = hullsAmong(meshes);
+    add("what lies inside", [&](const Member& m) {
+      return std::none_of(hulls.begin(), hulls.end(),
+                          [&](std::size_t hull) { return m_members[hull].id == m.id; });
+    });
   }
 
   void addSystems() {

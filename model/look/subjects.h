@@ -20,9 +20,10 @@ struct Subject {
 };
 
 /// Returns what the scene may be about, the likeliest first: ligands with what lines their pockets
-/// and lesions, organs, joints, vessels and nerves, bones, then each single system, at last
-/// everything. Hidden structures do not count, pockets aside, nor does what is there twice; each
-/// set of structures is returned once. Empty where nothing is visible.
+/// and lesions, organs, what lies inside hulls where no name tells anything, joints, vessels and
+/// nerves, bones, then each single system, at last everything. Hidden structures do not count,
+/// pockets aside, nor does what is there twice; each set of structures is returned once. Empty
+/// where nothing is visible.
 std::vector<Subject> subjectsOf(const Scene& scene);
 
 }  // namespace sline::model

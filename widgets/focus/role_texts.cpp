@@ -118,7 +118,7 @@ QString mannerText(const model::Relation& relation, bool drawn) {
 }
 
 QString subjectText(Session& session, const std::string& title) {
-  const std::array<std::pair<const char*, QString>, 8> known{
+  const std::array<std::pair<const char*, QString>, 9> known{
       {{"ligands", tr("Ligands")},
        {"lesions", tr("Lesions")},
        {"organs", tr("Organs")},
@@ -126,6 +126,7 @@ QString subjectText(Session& session, const std::string& title) {
        {"vessels and nerves", tr("Vessels and nerves")},
        {"bones", tr("Bones")},
        {"what lies in the organs", tr("What lies in the organs")},
+       {"what lies inside", tr("What lies inside")},
        {"everything", tr("Everything")}}};
   for (const auto& [english, text] : known)
     if (title == english)

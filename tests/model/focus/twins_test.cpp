@@ -39,6 +39,8 @@ class TwinsTest : public QObject {
                                       << "rib 9" << 6.0f << false;
     QTest::newRow("sides") << "left kidney"
                            << "right kidney" << 0.5f << false;
+    QTest::newRow("names that tell nothing") << "Segment_1"
+                                             << "Segment_2" << 0.5f << false;
     QTest::newRow("names that are numbers") << "1"
                                             << "2" << 0.5f << false;
   }

@@ -114,6 +114,29 @@ class OpeningLookTest : public QObject {
     const OpeningLook opened = look(scene);
     QVERIFY(styleOf(opened.scene, "liver").gamma.value() < 1.0f);
   }
+  /// Where names tell nothing, what lies inside another surface is what the picture is about.
+  void hullsOfNamelessSurfaces() {
+    Scene scene;
+    const NodeId skin = add(scene, "surface 1", 60.0f, {0, 0, 0});
+    const NodeId skull = add(scene, "surface 2", 50.0f, {0, 0, 0});
+    const Subject subject = subjectsOf(scene).front();
+    QCOMPARE(subject.title, std::string("what lies inside"));
+    QCOMPARE(subject.structures, std::vector{skull});
+    const OpeningLook opened = look(scene);
+    QVERIFY(opened.scene.resolve(skin).gamma.value() < 1.0f);
+    QVERIFY(opened.scene.resolve(skull).gamma.value() > 4.0f);
+    // A copy is no hull, and neither is a neighbour; a name that says something decides.
+    Scene copies;
+    add(copies, "surface 1", 60.0f, {0, 0, 0});
+    add(copies, "surface 2", 60.0f, {0, 0, 0});
+    QCOMPARE(firstTitle(copies), std::string("everything"));
+    Scene beside;
+    add(beside, "surface 1", 60.0f, {0, 0, 0});
+    add(beside, "surface 2", 20.0f, {90, 0, 0});
+    QCOMPARE(firstTitle(beside), std::string("everything"));
+    add(scene, "liver", 20.0f, {0, 0, 0});
+    QCOMPARE(firstTitle(scene), std::string("organs"));
+  }
   void subjectsAreNamedOnceEach() {
     const std::vector<Subject> all = subjectsOf(body());
     QVERIFY(all.back().everything && all.size() > 3);

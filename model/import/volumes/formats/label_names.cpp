@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "model/base/colour_text.h"
@@ -210,6 +211,30 @@ void addEntry(LabelNames& names, const Json& entry) {
   if (value && name && value->is_number_integer() && name->is_string())
     add(names, value->get<std::int64_t>(), name->get_ref<const std::string&>(), colourIn(entry));
 }
+
+/// Returns the name without the number at its end, or nothing where it has none.
+std::string_view withoutCode(std::string_view name) {
+  const std::size_t space = name.find_last_of(" \t");
+  if (space == std::string_view::npos || !whole(name.substr(space + 1)))
+    return {};
+  return unquoted(name.substr(0, space));
+}
+
+/// Takes a third column off the names, a code such as atlases of the brain have: "1 Precentral_L
+/// 2001". It is one where each name ends in a number and is told from the others without it; "rib
+/// 1" and "rib 2" keep theirs.
+void dropCodes(LabelNames& names) {
+  constexpr std::size_t fewest = 3;
+  std::set<std::string_view> told;
+  for (const auto& [value, label] : names)
+    if (const std::string_view plain = withoutCode(label.name);
+        label.colour || plain.empty() || !told.insert(plain).second)
+      return;
+  if (names.size() < fewest)
+    return;
+  for (auto& [value, label] : names)
+    label.name = std::string(withoutCode(label.name));
+}
 }  // namespace
 
 LabelNames labelsInTable(std::string_view text) {
@@ -234,6 +259,8 @@ LabelNames labelsInTable(std::string_view text) {
     else
       addLine(names, line, separator);
   }
+  if (!columns)
+    dropCodes(names);
   return names;
 }
 

@@ -18,6 +18,7 @@ class VolumeFilesTest : public QObject {
  private slots:
   void namesAndColours_data();
   void namesAndColours();
+  void codesBehindNames();
   void segmentsInLayers();
   void refusals_data();
   void refusals();
@@ -76,6 +77,24 @@ void VolumeFilesTest::namesAndColours() {
 }
 
 /// 3D Slicer's overlapping segments come in two layers, with a voxel in both.
+/// Atlases of the brain have a third column; numbers that tell names apart are not one.
+void VolumeFilesTest::codesBehindNames() {
+  QTemporaryDir folder;
+  const auto imported = [&](const char* table) {
+    writeText(folder.filePath("b.txt"), table);
+    return importBytes(folder, "b.nrrd", nrrdFile(smallBody(), "LPS"));
+  };
+  const auto coded = imported("1 strange_thing 2001\n2 liver 2002\n5 spleen 2101\n");
+  QVERIFY(coded.ok());
+  QVERIFY(named(coded->scene, "strange thing").mesh && named(coded->scene, "liver").mesh);
+  const auto numbered = imported("1 rib 1\n2 rib 2\n5 rib 3\n");
+  QVERIFY(numbered.ok());
+  QVERIFY(named(numbered->scene, "rib 1").mesh && named(numbered->scene, "rib 2").mesh);
+  const auto some = imported("1 strange_thing 2001\n2 liver 2002\n5 spleen\n");
+  QVERIFY(some.ok());
+  QVERIFY(named(some->scene, "strange thing 2001").mesh);
+}
+
 void VolumeFilesTest::segmentsInLayers() {
   QByteArray header =
       "NRRD0005\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\n"
