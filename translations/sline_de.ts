@@ -2777,6 +2777,18 @@
         <source>What lies inside</source>
         <translation>Was darin liegt</translation>
     </message>
+    <message>
+        <source>&amp;All Panels</source>
+        <translation>&amp;Alle Bedienfelder</translation>
+    </message>
+    <message>
+        <source>F12</source>
+        <translation>F12</translation>
+    </message>
+    <message>
+        <source>Hide all panels around the picture, or show them again</source>
+        <translation>Alle Bedienfelder um das Bild ausblenden oder wieder zeigen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -2777,6 +2777,18 @@
         <source>What lies inside</source>
         <translation>Det som ligger inni</translation>
     </message>
+    <message>
+        <source>&amp;All Panels</source>
+        <translation>&amp;Alle paneler</translation>
+    </message>
+    <message>
+        <source>F12</source>
+        <translation>F12</translation>
+    </message>
+    <message>
+        <source>Hide all panels around the picture, or show them again</source>
+        <translation>Skjul alle paneler rundt bildet, eller vis dem igjen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -2777,6 +2777,18 @@
         <source>What lies inside</source>
         <translation>Wat erin ligt</translation>
     </message>
+    <message>
+        <source>&amp;All Panels</source>
+        <translation>&amp;Alle panelen</translation>
+    </message>
+    <message>
+        <source>F12</source>
+        <translation>F12</translation>
+    </message>
+    <message>
+        <source>Hide all panels around the picture, or show them again</source>
+        <translation>Alle panelen rond het beeld verbergen, of weer tonen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

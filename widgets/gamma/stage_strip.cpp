@@ -60,7 +60,7 @@ void StageButton::paintEvent(QPaintEvent*) {
       palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
   const QRect words = rect().adjusted(m_size.width() + textGap, 0, 0, 0);
   painter.drawText(words, Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, text());
-  if (hasFocus() && !m_stage.pictured) {
+  if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
     painter.drawRoundedRect(QRectF(words).adjusted(-4.0, 2.0, -1.0, -2.0), round, round);
   }
@@ -78,7 +78,7 @@ void StageButton::paintPicture(QPainter& painter, const QRectF& box) const {
   QColor frame = palette().color(QPalette::WindowText);
   frame.setAlpha(underMouse() && isEnabled() ? 150 : 60);
   double width = 1.0;
-  if (isEnabled() && (m_current || hasFocus())) {
+  if (isEnabled() && m_current) {
     frame = palette().color(QPalette::Highlight);
     width = 2.0;
   }

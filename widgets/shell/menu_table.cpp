@@ -56,7 +56,7 @@ std::vector<MenuRow> menuRows() {
       row("backgroundMenu", tr("&Background"), {}),
       row("marksMenu", tr("&Over the Picture"),
           ids("showCube showScaleBar showNames showFrameTime")),
-      row("panelMenu", tr("Pa&nels"), {}),
+      row("panelMenu", tr("Pa&nels"), ids("panels |")),
       row("helpMenu", tr("&Help"), ids("help controls | about")),
   };
 }

@@ -176,6 +176,8 @@ std::vector<ActionRow> viewRows() {
       {QStringLiteral("addView"), tr("A&dd View"), key(tr("Ctrl+Shift+V")),
        tr("Save what you see as a view: camera, what is shown, Γ, colours and sections"),
        "view_add"},
+      {QStringLiteral("panels"), tr("&All Panels"), key(tr("F12")),
+       tr("Hide all panels around the picture, or show them again")},
       {QStringLiteral("present"), tr("Presen&t"), key(tr("Shift+F5")),
        tr("The saved views one after the other on the whole screen"), "present"},
       {QStringLiteral("sectionSagittal"), tr("&Sagittal"), key(tr("Ctrl+1")),

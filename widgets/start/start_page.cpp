@@ -121,6 +121,7 @@ QWidget* StartPage::makeHead() {
   QLabel* hint = text(tr("or drop files and folders into this window"), 1.0, QFont::Normal);
   hint->setForegroundRole(QPalette::PlaceholderText);
   layout->addWidget(hint, 1, 1, 1, 2, Qt::AlignRight);
+  setFocusProxy(files);
   connect(files, &QPushButton::clicked, this, &StartPage::filesWanted);
   connect(folder, &QPushButton::clicked, this, &StartPage::folderWanted);
   return head;

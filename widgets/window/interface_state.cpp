@@ -75,6 +75,9 @@ void InterfaceState::restore(QMainWindow& window) const {
       area->verticalScrollBar()->setValue(place.y());
     }
   auto* focus = m_focus.isEmpty() ? nullptr : window.findChild<QWidget*>(m_focus);
+  // Keys go nowhere without a widget that has the keyboard; one without a name is not found again.
+  if (!focus)
+    focus = window.findChild<QWidget*>(QStringLiteral("viewport"));
   if (focus)
     focus->setFocus();
   for (const Opened& opened : m_opened)

@@ -26,6 +26,8 @@
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/controls_dialog.h"
 #include "widgets/window/file_actions.h"
+#include "widgets/window/focus_ring.h"
+#include "widgets/window/screen_fit.h"
 
 namespace sline::widgets {
 
@@ -61,6 +63,8 @@ MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks);
   new HelpKey(this);
+  new ScreenFit(this);
+  new FocusRing(this);
   makeCentre();
   makeControls();
   restore();
@@ -75,7 +79,10 @@ void MainWindow::sizePanels() {
   const auto panel = [this](const char* name) {
     return findChild<QDockWidget*>(QLatin1String(name));
   };
-  resizeDocks({panel("structuresPanel"), panel("gammaPanel")}, {366, 304}, Qt::Horizontal);
+  // On a small screen the picture keeps two fifths of the window.
+  resizeDocks({panel("structuresPanel"), panel("gammaPanel")},
+              {std::min(366, 32 * width() / 100), std::min(304, 28 * width() / 100)},
+              Qt::Horizontal);
   // The Γ slider must be visible as a whole on small screens, too.
   resizeDocks({panel("gammaPanel"), panel("focusPanel")}, {3, 2}, Qt::Vertical);
 }
@@ -106,6 +113,8 @@ void MainWindow::showStart() {
   if (wanted == m_start->isVisibleTo(this))
     return;
   m_start->setVisible(wanted);
+  // Help and Tab begin with what is seen.
+  (wanted ? static_cast<QWidget*>(m_start) : m_viewport)->setFocus();
   placeMessage(wanted);
 }
 
@@ -173,6 +182,7 @@ void MainWindow::connectActions() {
   on("anotherSubject", [this] { chooseLook(m_focus->subject() + 1, false); });
   on("subjects", [this] { (new SubjectPopup(m_session, *m_focus, *m_viewport))->open(); });
   on("fit", [this] { m_viewport->fitAll(); });
+  on("panels", [this] { m_hiddenPanels.toggle(*this); });
   on("help", [this] { showHelp(); });
   on("controls",
      [this] { (new ControlsDialog(controlRows(m_viewport->mousePreset()), this))->open(); });

@@ -11,6 +11,7 @@
 #include "widgets/session/session.h"
 #include "widgets/shell/menu_table.h"
 #include "widgets/shell/window_actions.h"
+#include "widgets/window/panel_table.h"
 
 class QLabel;
 class QProgressBar;
@@ -94,6 +95,7 @@ class MainWindow : public QMainWindow {
   QSettings& m_settings;
   Preferences m_preferences;
   WindowActions m_actions;
+  HiddenPanels m_hiddenPanels;
   std::optional<WindowMenus> m_menus;
   bool m_sized = false;        ///< panels have been given their sizes
   QObject* m_parts = nullptr;  ///< owns what belongs to the controls, and is deleted with them

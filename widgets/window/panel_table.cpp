@@ -4,7 +4,11 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QScreen>
+#include <QScrollArea>
+#include <QStyle>
 #include <QUndoView>
+#include <algorithm>
 
 #include "widgets/annotations/annotations_panel.h"
 #include "widgets/annotations/in_picture/label_actions.h"
@@ -65,11 +69,38 @@ QWidget* makeLabels(const PanelContext& context) {
   return panel;
 }
 
+/// Holds a panel and scrolls where the screen is too small for it: however large letters are, a
+/// side of the window takes at most a third of the screen's width and a quarter of its height.
+class PanelArea : public QScrollArea {
+ public:
+  PanelArea(const QString& panel, QWidget* content) {
+    setObjectName(panel + QStringLiteral("Area"));
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus);
+    setWidget(content);
+  }
+  QSize sizeHint() const override { return widget()->sizeHint(); }
+  QSize minimumSizeHint() const override {
+    const QSize whole = screen()->availableGeometry().size();
+    return least().boundedTo(whole / 4);
+  }
+
+ private:
+  QSize least() const {
+    const QSize hint = widget()->minimumSizeHint();
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    return hint.expandedTo(widget()->minimumSize()) + QSize(hint.height() > height() ? bar : 0, 0);
+  }
+};
+
 QDockWidget* dockOf(const PanelRow& row, QWidget* content) {
   auto* dock = new QDockWidget(row.title);
   dock->setObjectName(QLatin1String(row.id));
   dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
-  dock->setWidget(content);
+  dock->setWidget(qobject_cast<QAbstractScrollArea*>(content)
+                      ? content
+                      : new PanelArea(dock->objectName(), content));
   if (row.area == Qt::BottomDockWidgetArea) {
     // Its title stands beside it, because the picture needs the height.
     dock->setFeatures(dock->features() | QDockWidget::DockWidgetVerticalTitleBar);
@@ -111,6 +142,23 @@ void addPanels(QMainWindow& window, const PanelContext& context) {
     }
     if (!row.shown)
       dock->hide();
+  }
+}
+
+void HiddenPanels::toggle(QMainWindow& window) {
+  const QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();
+  const bool any = std::any_of(docks.begin(), docks.end(),
+                               [](const QDockWidget* dock) { return !dock->isHidden(); });
+  if (any) {
+    m_shown = window.saveState();
+    for (QDockWidget* dock : docks)
+      dock->hide();
+  } else if (!m_shown.isEmpty()) {
+    window.restoreState(m_shown);
+  } else {
+    // They were hidden when the program was closed.
+    for (const PanelRow& row : panelRows())
+      window.findChild<QDockWidget*>(QLatin1String(row.id))->setVisible(row.shown);
   }
 }
 

@@ -3,6 +3,7 @@
 // help are made.
 #pragma once
 
+#include <QByteArray>
 #include <QString>
 #include <functional>
 #include <vector>
@@ -45,5 +46,14 @@ std::vector<PanelRow> panelRows();
 
 /// Gives the window a dock for each row.
 void addPanels(QMainWindow& window, const PanelContext& context);
+
+/// Hides all panels at once and brings those back that were there.
+class HiddenPanels {
+ public:
+  void toggle(QMainWindow& window);
+
+ private:
+  QByteArray m_shown;  ///< as QMainWindow::saveState has it
+};
 
 }  // namespace sline::widgets
