@@ -119,8 +119,8 @@ class LayerDrawing {
 
  private:
   std::array<glm::vec3, 3> corners(std::uint32_t triangle) const {
-    const auto positions = m_shown.mesh->positions();
-    const auto& [a, b, c] = m_shown.mesh->triangles()[triangle];
+    const auto positions = m_shown.surface().mesh->positions();
+    const auto& [a, b, c] = m_shown.surface().mesh->triangles()[triangle];
     return {positions[a], positions[b], positions[c]};
   }
 
