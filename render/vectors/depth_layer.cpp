@@ -222,6 +222,16 @@ glm::vec3 ScreenTriangle::inSpace(const glm::vec3& weights) const {
   return w / (w.x + w.y + w.z);
 }
 
+bool DepthLayer::variesInOpacity() const {
+  float low = 1.0f;
+  float high = 0.0f;
+  for (std::size_t k = 0; k < firstCapTone; ++k) {
+    low = std::min(low, colours[k].a);
+    high = std::max(high, colours[k].a);
+  }
+  return high - low > 0.02f;
+}
+
 DepthLayer depthLayer(const DrawnStructure& shown, const LayerInput& input, const PixelRect& area) {
   DepthLayer layer;
   layer.area = area;

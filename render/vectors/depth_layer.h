@@ -34,6 +34,8 @@ struct DepthLayer {
     return i < 0 ? 1.0f : depths[std::size_t(i)];
   }
   bool filled() const { return !tones.empty(); }
+  /// Tells whether some parts of the surface let more through than others.
+  bool variesInOpacity() const;
 };
 
 /// Holds everything that decides a layer's pixels.

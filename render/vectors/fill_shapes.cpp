@@ -32,72 +32,65 @@ class ShapeMaker {
 
   /// Adds everything that is seen with a tone, counted from 1, in the range.
   void add(std::size_t first, std::size_t last, const Colour& colour, float opacity) {
-    std::vector<std::uint8_t> inside(m_seen.tones.size());
-    for (std::size_t i = 0; i < inside.size(); ++i)
-      inside[i] = m_seen.tones[i] >= first && m_seen.tones[i] <= last;
-    VectorShape shape{.path = {}, .colour = colour, .opacity = opacity, .penWidth = 0.0f};
     const bool whole = m_shapes.empty();
-    for (Curve& curve : regionOutlines(inside, m_seen.area, whole ? smallestPart : smallestSpot,
-                                       whole ? partTolerance : spotTolerance))
-      shape.path.push_back(m_page.toPage(std::move(curve)));
+    VectorShape shape{.path = outline(first, last, whole ? smallestPart : smallestSpot,
+                                      whole ? partTolerance : spotTolerance),
+                      .colour = colour,
+                      .opacity = opacity,
+                      .penWidth = 0.0f};
     if (!shape.path.empty())
       m_shapes.push_back(std::move(shape));
+  }
+  /// Returns the image within the outline of everything that has a tone of the surface.
+  std::optional<VectorTones> tonesOf(const ToneImage& image) const {
+    Path edge = outline(1, m_seen.firstCapTone, smallestPart, partTolerance);
+    if (edge.empty())
+      return std::nullopt;
+    const PixelRect& area = image.area;
+    const float scale = m_page.mmPerPixel;
+    return VectorTones{.image = image.image,
+                       .at = m_page.toPage(glm::vec2(area.x, area.top())),
+                       .sizeMm = scale * glm::vec2(area.width, area.height),
+                       .edge = std::move(edge)};
   }
   std::vector<VectorShape> take() { return std::move(m_shapes); }
 
  private:
+  Path outline(std::size_t first, std::size_t last, float smallest, float tolerance) const {
+    std::vector<std::uint8_t> inside(m_seen.tones.size());
+    for (std::size_t i = 0; i < inside.size(); ++i)
+      inside[i] = m_seen.tones[i] >= first && m_seen.tones[i] <= last;
+    Path path;
+    for (Curve& curve : regionOutlines(inside, m_seen.area, smallest, tolerance))
+      path.push_back(m_page.toPage(std::move(curve)));
+    return path;
+  }
+
   const SeenTones& m_seen;
   PageMapping m_page;
   std::vector<VectorShape> m_shapes;
 };
 
-/// Finds the paint that makes each tone of the one below it: P_k = c·d + P_(k−1)·(1 − d).
-class TonePaint {
- public:
-  explicit TonePaint(const glm::vec3& paper) : m_paper(paper) {}
-
-  /// Returns colour and opacity of a layer of paint that results in that tone (premultiplied);
-  /// nothing where the tone is already there.
-  std::optional<glm::vec4> over(const glm::vec4& wanted) {
-    float opacity = 1.0f;
-    if (wanted.a < 0.99f && m_below.a < 1.0f)
-      opacity = 1.0f - (1.0f - wanted.a) / (1.0f - m_below.a);
-    // A tone may be denser and yet have less light, but no paint takes light away without covering.
-    // It then covers more than it should, and is right on the page's own paper.
-    for (int i = 0; i < 3; ++i)
-      opacity = std::max(opacity, 1.0f - wanted[i] / std::max(m_below[i], 1e-3f));
-    if (!(opacity > 0.002f))
-      return std::nullopt;
-    opacity = std::min(opacity, 1.0f);
-    const glm::vec4 left = m_below * (1.0f - opacity);
-    const float dense = left.a + opacity;
-    const glm::vec3 light = glm::vec3(wanted) + m_paper * (dense - wanted.a);
-    const glm::vec3 colour = glm::clamp((light - glm::vec3(left)) / opacity, 0.0f, 1.0f);
-    m_below = left + glm::vec4(colour, 1.0f) * opacity;
-    return glm::vec4(colour, opacity);
-  }
-
- private:
-  glm::vec3 m_paper;
-  glm::vec4 m_below{0.0f};
-};
-
 }  // namespace
 
-FillShapes fillShapes(const SeenTones& seen, const glm::vec3& paper, const PageMapping& page) {
+FillShapes fillShapes(const SeenTones& seen, const ToneImage& image, const PageMapping& page) {
   FillShapes result;
   float densest = 0.0f;
   for (const glm::vec4& colour : seen.colours)
     densest = std::max(densest, colour.a);
   if (seen.area.empty() || !(densest > 0.0f))
     return result;
+  const bool drawn = !image.area.empty();
+  if (drawn)
+    densest = 1.0f;
   result.opacity = densest;
   ShapeMaker maker(seen, page);
-  TonePaint paint(paper);
   const std::size_t tones = seen.firstCapTone;
-  for (std::size_t k = 0; k < tones; ++k)
-    if (const std::optional<glm::vec4> tone = paint.over(seen.colours[k] / densest))
-      maker.add(k + 1, tones, colourOf(glm::vec3(*tone)), tone->a);
+  if (drawn)
+    result.tones = maker.tonesOf(image);
+  for (std::size_t k = drawn ? tones : 0; k < tones; ++k)
+    if (const glm::vec4& tone = seen.colours[k]; tone.a > 0.0f)
+      maker.add(k + 1, tones, colourOf(glm::vec3(tone) / tone.a), 1.0f);
   for (std::size_t cap = tones; cap + 1 < seen.colours.size(); cap += 2) {
     const auto add = [&](std::size_t first, std::size_t last, const glm::vec4& colour) {
       if (colour.a > 0.0f)

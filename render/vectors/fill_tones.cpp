@@ -141,8 +141,10 @@ void fillTones(const DrawnStructure& shown, const LayerInput& input,
   };
   const auto area = std::count_if(triangles.begin(), triangles.end(),
                                   [](std::uint32_t triangle) { return triangle > 0; });
-  const int toneSteps = std::clamp(int(std::sqrt(double(area)) / input.pixelsPerTone),
-                                   fewestToneSteps, mostToneSteps);
+  // Tones that let something through become pixels, in which their number costs nothing.
+  const int toneSteps = byOpacity ? mostToneSteps
+                                  : std::clamp(int(std::sqrt(double(area)) / input.pixelsPerTone),
+                                               fewestToneSteps, mostToneSteps);
   std::array<Sum, mostToneSteps + 1> sums;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (triangles[i] == 0)

@@ -86,6 +86,12 @@ Colour behind(const Veil& veil, const Colour& ink) {
           channel(veil.colour.b, ink.blue)};
 }
 
+/// Returns what a veil leaves of the light, in steps below 1.
+float lightBehind(const Veil& veil) {
+  constexpr float steps = 16.0f;
+  return std::clamp(std::round(veil.transmittance * steps), 1.0f, steps - 1.0f) / steps;
+}
+
 /// Rounds colours of veiled lines to steps, so that they share paths.
 Colour stepped(const Colour& colour) {
   const auto channel = [](std::uint8_t value) {
@@ -136,13 +142,14 @@ Path& PenShapes::pathOf(const Key& key) {
 void PenShapes::add(const VisibleStroke& stroke, const Colour& ink) {
   const bool veiled = stroke.veil.transmittance < 0.98f;
   const Colour colour = veiled ? stepped(behind(stroke.veil, ink)) : ink;
+  const float light = veiled ? lightBehind(stroke.veil) : 1.0f;
   const std::span<const StrokePoint> points(stroke.points);
   if (points.size() == 1) {
-    pathOf({colour, 0}).push_back(m_page.toPage(disc(points.front())));
+    pathOf({light, colour, 0}).push_back(m_page.toPage(disc(points.front())));
     return;
   }
   if (!isEven(points)) {
-    pathOf({colour, 0}).push_back(m_page.toPage(strokeOutline(points, m_tolerance)));
+    pathOf({light, colour, 0}).push_back(m_page.toPage(strokeOutline(points, m_tolerance)));
     return;
   }
   const int pen = std::max(1, int(std::lround(meanWidth(points) / penStep)));
@@ -153,7 +160,7 @@ void PenShapes::add(const VisibleStroke& stroke, const Colour& ink) {
   const Curve curve = stroke.closed ? fittedLoop(middle, m_tolerance)
                                     : fittedCurve(middle, {.tolerance = m_tolerance});
   if (!curve.pieces.empty())
-    pathOf({colour, pen}).push_back(m_page.toPage(curve));
+    pathOf({light, colour, pen}).push_back(m_page.toPage(curve));
 }
 
 std::vector<VectorShape> PenShapes::take() {
@@ -162,7 +169,8 @@ std::vector<VectorShape> PenShapes::take() {
     shapes.push_back({.path = std::move(path),
                       .colour = key.colour,
                       .opacity = 1.0f,
-                      .penWidth = float(key.pen) * penStep * m_page.mmPerPixel});
+                      .penWidth = float(key.pen) * penStep * m_page.mmPerPixel,
+                      .light = key.light});
   m_paths.clear();
   return shapes;
 }

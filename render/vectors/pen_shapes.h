@@ -35,6 +35,7 @@ class PenShapes {
 
  private:
   struct Key {
+    float light = 1.0f;  ///< see VectorShape
     Colour colour;
     int pen = 0;  ///< width in steps; 0: an outline
     auto operator<=>(const Key&) const = default;

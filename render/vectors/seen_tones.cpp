@@ -16,8 +16,6 @@ constexpr int underlap = 2;
 constexpr int probeStep = 4;
 // A fill that is seen more faintly than this is treated as if it were seen this faintly.
 constexpr float faintest = 0.02f;
-// The opacity below which a tone counts as clear.
-constexpr float clearest = 0.05f;
 
 /// Returns 1 where the layer has a fill that is seen, and a little beyond.
 std::vector<std::uint8_t> seenFill(const FilledLayer& filled, const LayerStack& stack) {
@@ -48,40 +46,11 @@ std::vector<std::uint8_t> seenFill(const FilledLayer& filled, const LayerStack& 
   return seen;
 }
 
-/// Tells whether some parts of the fill let more through than others.
-bool variesInOpacity(const DepthLayer& layer) {
-  float low = 1.0f;
-  float high = 0.0f;
-  for (std::size_t k = 0; k < layer.firstCapTone; ++k) {
-    low = std::min(low, layer.colours[k].a);
-    high = std::max(high, layer.colours[k].a);
-  }
-  return high - low > 0.02f;
-}
-
-/// Extends tones beyond the structure's own edge, below its contour. The densest tone is a thin rim
-/// there, and where outlines cut off some of it, the lightest tone would show below.
-void widenRim(SeenTones& seen, const DepthLayer& layer, int rimGrowth) {
-  const std::size_t width = std::size_t(seen.area.width);
-  for (int round = 0; round < rimGrowth; ++round) {
-    const std::vector<std::uint8_t> before = seen.tones;
-    for (int y = 1; y + 1 < seen.area.height; ++y)
-      for (int x = 1; x + 1 < seen.area.width; ++x) {
-        const std::size_t i = std::size_t(y) * width + std::size_t(x);
-        const std::ptrdiff_t own = layer.index(seen.area.x + x, seen.area.y + y);
-        if (before[i] == 0 && layer.tones[std::size_t(own)] == 0)
-          seen.tones[i] = std::max(std::max(before[i - 1], before[i + 1]),
-                                   std::max(before[i - width], before[i + width]));
-      }
-  }
-}
-
 /// Returns the tones of what is seen in the smallest rectangle that holds them, within a page of
 /// that size.
 SeenTones cropped(const DepthLayer& layer, const std::vector<std::uint8_t>& seen,
                   const glm::ivec2& page) {
   constexpr int bleed = 2;  // pixels by which a fill continues beyond the page's edge
-  const int rimGrowth = variesInOpacity(layer) ? underlap : 0;
   glm::ivec2 low(layer.area.width, layer.area.height);
   glm::ivec2 high(0);
   const auto at = [&layer](int x, int y) {
@@ -101,14 +70,13 @@ SeenTones cropped(const DepthLayer& layer, const std::vector<std::uint8_t>& seen
       .area = {}, .tones = {}, .colours = layer.colours, .firstCapTone = layer.firstCapTone};
   if (low.x >= high.x)
     return found;
-  low = glm::max(low - rimGrowth - 1, glm::ivec2(0));
-  high = glm::min(high + rimGrowth + 1, glm::ivec2(layer.area.width, layer.area.height));
+  low = glm::max(low - 1, glm::ivec2(0));
+  high = glm::min(high + 1, glm::ivec2(layer.area.width, layer.area.height));
   found.area = {layer.area.x + low.x, layer.area.y + low.y, high.x - low.x, high.y - low.y};
   found.tones.reserve(std::size_t(found.area.width) * std::size_t(found.area.height));
   for (int y = low.y; y < high.y; ++y)
     for (int x = low.x; x < high.x; ++x)
       found.tones.push_back(seen[at(x, y)] != 0 ? layer.tones[at(x, y)] : std::uint8_t(0));
-  widenRim(found, layer, rimGrowth);
   return found;
 }
 
@@ -149,12 +117,6 @@ std::vector<double> outlineLengths(const SeenTones& seen) {
   return lengths;
 }
 
-/// Returns the number of tones that are almost clear and stay so: the widest tone of fills that
-/// fill only rims.
-std::size_t clearTones(const SeenTones& seen) {
-  return seen.firstCapTone > 0 && seen.colours.front().a < clearest ? 1 : 0;
-}
-
 /// Returns how many tones become one where those of a fill without any veil are `atFull`.
 std::size_t joined(const SeenTones& seen, double atFull) {
   const double count = atFull / double(std::max(seen.transmittance, faintest));
@@ -181,10 +143,8 @@ void joinTones(SeenTones& seen, std::size_t count) {
   std::vector<double> pixels(seen.colours.size() + 1, 0.0);
   for (const std::uint8_t tone : seen.tones)
     ++pixels[tone];
-  const std::size_t clear = clearTones(seen);
-  std::vector<glm::vec4> colours(seen.colours.begin(),
-                                 seen.colours.begin() + std::ptrdiff_t(clear));
-  for (std::size_t first = clear; first < tones; first += count) {
+  std::vector<glm::vec4> colours;
+  for (std::size_t first = 0; first < tones; first += count) {
     glm::dvec4 sum(0.0);
     double weight = 0.0;
     for (std::size_t k = first; k < std::min(first + count, tones); ++k) {
@@ -200,8 +160,8 @@ void joinTones(SeenTones& seen, std::size_t count) {
   for (std::uint8_t& tone : seen.tones)
     if (tone > tones)
       tone = std::uint8_t(tone - tones + left);
-    else if (tone > clear)
-      tone = std::uint8_t((tone - 1u - clear) / count + 1u + clear);
+    else if (tone > 0)
+      tone = std::uint8_t((tone - 1u) / count + 1u);
   seen.colours = std::move(colours);
   seen.firstCapTone = left;
 }
@@ -214,10 +174,9 @@ void joinTonesWithin(std::span<SeenTones> all, double mostOutline) {
   const auto lengthWith = [&](double atFull) {
     double sum = 0.0;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const std::size_t clear = clearTones(all[i]);
       const std::size_t count = joined(all[i], atFull);
       for (std::size_t tone = 0; tone < lengths[i].size(); ++tone)
-        if (tone < clear || tone >= all[i].firstCapTone || (tone - clear) % count == 0)
+        if (tone >= all[i].firstCapTone || tone % count == 0)
           sum += lengths[i][tone];
     }
     return sum;

@@ -19,6 +19,7 @@
 #include "render/vectors/fill_shapes.h"
 #include "render/vectors/paint_order.h"
 #include "render/vectors/pen_shapes.h"
+#include "render/vectors/tone_images.h"
 #include "render/vectors/visible_strokes.h"
 
 namespace sline::render {
@@ -99,14 +100,9 @@ class Drawing {
     std::vector<VectorStructure> structures(m_work.size());
     parallelFor(m_work.size(), 1,
                 [&](std::size_t i) { structures[i] = drawnLines(m_work[i], layers, i, stack); });
-    joinTonesWithin(m_tones, fillOutline(structures));
-    parallelFor(m_work.size(), 1, [&](std::size_t i) {
-      FillShapes fills = fillShapes(m_tones[i], paper(), m_page);
-      structures[i].fills = std::move(fills.shapes);
-      structures[i].fillOpacity = fills.opacity;
-    });
+    addFills(layers, stack, structures);
     std::erase_if(structures,
-                  [](const VectorStructure& s) { return s.fills.empty() && s.lines.empty(); });
+                  [](const VectorStructure& s) { return !s.filled() && s.lines.empty(); });
     std::stable_sort(structures.begin(), structures.end(),
                      [](const VectorStructure& a, const VectorStructure& b) {
                        return a.paintRank < b.paintRank;
@@ -119,13 +115,6 @@ class Drawing {
   void tell(double share, std::string_view what) const {
     if (m_progress)
       m_progress(share, what);
-  }
-
-  /// Returns the page's colour; a page without background is meant for white paper.
-  glm::vec3 paper() const {
-    return m_settings.environment.background == Background::transparent
-               ? glm::vec3(1.0f)
-               : glm::vec3(backgroundColour(m_settings.environment.background));
   }
 
   Colour backgroundAsColour() const {
@@ -209,6 +198,21 @@ class Drawing {
     std::sort(hatched.begin(), hatched.end());
     hatched.erase(std::unique(hatched.begin(), hatched.end()), hatched.end());
     parallelFor(hatched.size(), 1, [&](std::size_t i) { hatched[i]->needStrokes(); });
+  }
+
+  void addFills(std::span<const DepthLayer> layers, const LayerStack& stack,
+                std::span<VectorStructure> structures) {
+    const std::vector<ToneImage> images = toneImages(stack, layers, m_tones, m_ranks);
+    for (std::size_t i = 0; i < images.size(); ++i)
+      if (!images[i].area.empty())
+        joinTones(m_tones[i], m_tones[i].firstCapTone);
+    joinTonesWithin(m_tones, fillOutline(structures));
+    parallelFor(m_work.size(), 1, [&](std::size_t i) {
+      FillShapes fills = fillShapes(m_tones[i], images[i], m_page);
+      structures[i].tones = std::move(fills.tones);
+      structures[i].fills = std::move(fills.shapes);
+      structures[i].fillOpacity = fills.opacity;
+    });
   }
 
   void findLines(Work& work) const {

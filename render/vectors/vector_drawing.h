@@ -7,11 +7,13 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "model/base/result.h"
 #include "model/scene/scene.h"
+#include "render/raster/image.h"
 #include "render/strokes/picture_settings.h"
 #include "render/vectors/path.h"
 
@@ -23,6 +25,9 @@ struct VectorShape {
   Colour colour;
   float opacity = 1.0f;   ///< 0 … 1
   float penWidth = 0.0f;  ///< mm; 0: filled
+  /// What fills in front of a line leave of its light, in steps: below 1 the line is painted before
+  /// all that more is left of.
+  float light = 1.0f;
 };
 
 /// One kind of line that a pen draws of a structure.
@@ -30,15 +35,26 @@ struct VectorLines {
   const char* kind = "";            ///< "Hatching", or a technique's layer
   float opacity = 1.0f;             ///< of all the lines together
   bool hidden = false;              ///< by other structures
-  std::vector<VectorShape> shapes;  ///< of one colour, except where they are veiled
+  std::vector<VectorShape> shapes;  ///< of one colour, except where they are veiled; by light
+};
+
+/// Smooth tones of a fill that lets something through, as pixels behind an edge.
+struct VectorTones {
+  Image image;
+  glm::vec2 at{0.0f};      ///< the image's upper left corner
+  glm::vec2 sizeMm{0.0f};  ///< of the whole image
+  Path edge;               ///< nothing is drawn outside it; even-odd
 };
 
 struct VectorStructure {
   model::NodeId id;
-  float depth = 0.0f;              ///< mean depth, 0 … 1: the farthest structure has the largest
-  std::size_t paintRank = 0;       ///< of its fills among those of other structures
-  std::vector<VectorShape> fills;  ///< painted one over the other
-  float fillOpacity = 1.0f;        ///< of all the fills together
+  float depth = 0.0f;         ///< mean depth, 0 … 1: the farthest structure has the largest
+  std::size_t paintRank = 0;  ///< of its fills among those of other structures
+  std::optional<VectorTones> tones;  ///< painted first
+  std::vector<VectorShape> fills;    ///< painted one over the other
+  float fillOpacity = 1.0f;          ///< of all the fills together
+
+  bool filled() const { return tones || !fills.empty(); }
   std::vector<VectorLines> lines;  ///< in drawing order
 };
 
@@ -48,6 +64,22 @@ struct VectorDrawing {
   std::optional<Colour> background;
   std::vector<VectorStructure> structures;  ///< those that show anything, in order of their fills
 };
+
+/// Lines of one kind that lie behind fills and are left the same light.
+struct VeiledLines {
+  const VectorStructure* structure = nullptr;
+  const VectorLines* lines = nullptr;
+  std::span<const VectorShape> shapes;  ///< never empty
+
+  float light() const { return shapes.front().light; }
+};
+
+/// Returns the veiled lines of a drawing in the order in which they are painted, before all other
+/// lines. Wherever two lines cross, the nearer one has the more light, as whatever lies before it
+/// lies before the other, too: so each covers what it covers in the picture.
+std::vector<VeiledLines> veiledLines(const VectorDrawing& drawing);
+/// Returns the other shapes of the lines.
+std::span<const VectorShape> plainShapes(const VectorLines& lines);
 
 struct VectorSettings {
   glm::vec2 sizeMm{160.0f, 90.0f};

@@ -127,6 +127,15 @@ std::vector<Sample> samples(const InkChain& chain, const StrokeSampler& sampler)
   return found;
 }
 
+Veil meanVeil(std::span<const Sample> run) {
+  Veil sum{.colour = glm::vec3(0.0f), .transmittance = 0.0f};
+  for (const Sample& sample : run) {
+    sum.colour += sample.veil.colour;
+    sum.transmittance += sample.veil.transmittance;
+  }
+  return {sum.colour / float(run.size()), sum.transmittance / float(run.size())};
+}
+
 /// Gives runs of one grade that are too short for a pen the grade of the run before them.
 void closeGaps(std::vector<Sample>& all) {
   for (std::size_t from = 0; from < all.size();) {
@@ -201,7 +210,7 @@ std::vector<VisibleStroke> visibleStrokes(const InkChain& chain, const StrokeSce
     if (all[from].grade > 0 && (whole || to - from >= shortestMark)) {
       VisibleStroke& stroke = strokes.emplace_back();
       stroke.closed = whole && chain.size() > 2 && chain.front().a == chain.back().b;
-      stroke.veil = all[(from + to) / 2].veil;
+      stroke.veil = meanVeil(std::span(all).subspan(from, to - from));
       // Neighbours of another grade meet without a gap.
       if (from > 0 && all[from - 1].grade > 0)
         stroke.points.push_back(all[from - 1].point);

@@ -6,6 +6,7 @@
 #include <exception>
 #include <memory>
 #include <qpdf/Buffer.hh>
+#include <qpdf/Pl_Buffer.hh>
 #include <qpdf/Pl_Flate.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
@@ -105,6 +106,47 @@ Object formObject(QPDF& file, const PdfForm& form) {
   return stream;
 }
 
+/// Returns the named channels of the image, `count` from the first, deflated as PNG does: each byte
+/// less its neighbour to the left (ISO 32000-1, 7.4.4.4).
+Object channels(QPDF& file, const Image& image, std::size_t first, std::size_t count) {
+  std::string rows;
+  for (std::size_t y = 0; y < std::size_t(image.height); ++y) {
+    rows += '\1';
+    for (std::size_t x = 0; x < std::size_t(image.width); ++x)
+      for (std::size_t channel = first; channel < first + count; ++channel) {
+        const std::size_t at = 4 * (y * std::size_t(image.width) + x) + channel;
+        rows += char(std::uint8_t(image.rgba[at] - (x > 0 ? image.rgba[at - 4] : 0)));
+      }
+  }
+  Pl_Buffer packed("rows");
+  Pl_Flate deflate("deflate", &packed, Pl_Flate::a_deflate);
+  deflate.write(reinterpret_cast<unsigned char*>(rows.data()), rows.size());
+  deflate.finish();
+  const std::shared_ptr<Buffer> bytes = packed.getBufferSharedPointer();
+  Object stream = file.newStream();
+  Object how = Object::newDictionary();
+  how.replaceKey("/Predictor", Object::newInteger(15));
+  how.replaceKey("/Colors", Object::newInteger(std::int64_t(count)));
+  how.replaceKey("/Columns", Object::newInteger(image.width));
+  stream.replaceStreamData(bytes, Object::newName("/FlateDecode"), how);
+  Object entries = stream.getDict();
+  entries.replaceKey("/Type", Object::newName("/XObject"));
+  entries.replaceKey("/Subtype", Object::newName("/Image"));
+  entries.replaceKey("/Width", Object::newInteger(image.width));
+  entries.replaceKey("/Height", Object::newInteger(image.height));
+  entries.replaceKey("/BitsPerComponent", Object::newInteger(8));
+  entries.replaceKey("/ColorSpace", Object::newName(count == 1 ? "/DeviceGray" : "/DeviceRGB"));
+  entries.replaceKey("/Interpolate", Object::newBool(true));
+  return stream;
+}
+
+/// Returns an image whose alpha is its soft mask (ISO 32000-1, 11.6.5.3).
+Object imageObject(QPDF& file, const Image& image) {
+  Object colours = channels(file, image, 0, 3);
+  colours.getDict().replaceKey("/SMask", channels(file, image, 3, 1));
+  return colours;
+}
+
 void putBelow(QPDF& file, QPDFPageObjectHelper& page, const PdfContent& content,
               const glm::dvec2& size) {
   Object object = page.getObjectHandle();
@@ -122,11 +164,13 @@ void putBelow(QPDF& file, QPDFPageObjectHelper& page, const PdfContent& content,
                     Object::newArray({real(0.0), real(0.0), real(size.x), real(size.y)}));
   Object resources = ownDictionary(object, "/Resources");
   addStates(resources, content.opacities);
-  if (content.forms.empty())
+  if (content.forms.empty() && content.images.empty())
     return;
-  Object forms = ownDictionary(resources, "/XObject");
+  Object objects = ownDictionary(resources, "/XObject");
   for (std::size_t i = 0; i < content.forms.size(); ++i)
-    forms.replaceKey(pdfFormName(i), formObject(file, content.forms[i]));
+    objects.replaceKey(pdfFormName(i), formObject(file, content.forms[i]));
+  for (std::size_t i = 0; i < content.images.size(); ++i)
+    objects.replaceKey(pdfImageName(i), imageObject(file, content.images[i]));
 }
 
 /// Writes the credit to the document's information, where all programs look, and as XMP.

@@ -115,8 +115,9 @@ class DrawingContent {
     out.point(place.at);
     out.word("cm 1 J 1 j");
     for (const VectorStructure& structure : m_drawing.structures)
-      if (!structure.fills.empty())
-        group(out, structure.fills, structure.fillOpacity, true);
+      fills(out, structure);
+    for (const VeiledLines& veiled : veiledLines(m_drawing))
+      group(out, veiled.shapes, veiled.lines->opacity, false);
     // The farthest first, as in other vector files.
     std::vector<const VectorStructure*> lined;
     for (const VectorStructure& structure : m_drawing.structures)
@@ -125,12 +126,31 @@ class DrawingContent {
                      [](const auto* a, const auto* b) { return a->depth > b->depth; });
     for (const VectorStructure* structure : lined)
       for (const VectorLines& lines : structure->lines)
-        group(out, lines.shapes, lines.opacity, false);
+        group(out, plainShapes(lines), lines.opacity, false);
     out.word("Q");
     m_content.operators += out.take();
   }
 
  private:
+  void fills(Operators& out, const VectorStructure& structure) {
+    if (structure.tones) {
+      const VectorTones& tones = *structure.tones;
+      out.word("q");
+      out.path(tones.edge);
+      out.word("W* n");
+      // An image fills the unit square, its first row above.
+      for (const float value : {tones.sizeMm.x, 0.0f, 0.0f, -tones.sizeMm.y})
+        out.number(double(value));
+      out.point({tones.at.x, tones.at.y + tones.sizeMm.y});
+      out.word("cm");
+      out.text(pdfImageName(m_content.images.size()) + " Do\n");
+      out.word("Q");
+      m_content.images.push_back(tones.image);
+    }
+    if (!structure.fills.empty())
+      group(out, structure.fills, structure.fillOpacity, true);
+  }
+
   static bool opaque(float opacity) { return opacity >= 0.999f; }
 
   /// Returns the name of the state in which everything has that opacity, and records it in
@@ -141,7 +161,7 @@ class DrawingContent {
     return pdfStateName(percent);
   }
 
-  static void shapes(Operators& out, const std::vector<VectorShape>& shapes, bool regions,
+  static void shapes(Operators& out, std::span<const VectorShape> shapes, bool regions,
                      std::set<int>& opacities) {
     for (const VectorShape& shape : shapes) {
       const bool stroke = shape.penWidth > 0.0f;
@@ -161,7 +181,7 @@ class DrawingContent {
     }
   }
 
-  void group(Operators& out, const std::vector<VectorShape>& all, float opacity, bool regions) {
+  void group(Operators& out, std::span<const VectorShape> all, float opacity, bool regions) {
     if (opaque(opacity) || all.empty()) {
       shapes(out, all, regions, m_content.opacities);
       return;
@@ -193,6 +213,10 @@ std::string pdfStateName(int percent) {
 
 std::string pdfFormName(std::size_t index) {
   return "/SlG" + std::to_string(index);
+}
+
+std::string pdfImageName(std::size_t index) {
+  return "/SlI" + std::to_string(index);
 }
 
 void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlacement& place,

@@ -30,10 +30,12 @@ struct PdfContent {
   std::string operators;
   std::set<int> opacities;     ///< percent; each has a state, named by `pdfStateName`
   std::vector<PdfForm> forms;  ///< named by `pdfFormName`
+  std::vector<Image> images;   ///< with alpha; named by `pdfImageName`
 };
 
 std::string pdfStateName(int percent);
 std::string pdfFormName(std::size_t index);
+std::string pdfImageName(std::size_t index);
 
 /// Appends the drawing; names of structures are not written. The page's height is in points.
 void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlacement& place,

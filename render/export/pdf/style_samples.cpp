@@ -86,6 +86,10 @@ Result<std::vector<VectorDrawing>> styleSamples(const ExportOrder& order,
       return drawing.error();
     drawing->sizeMm = sampleMm;
     for (VectorStructure& structure : drawing->structures) {
+      if (structure.tones) {
+        structure.tones->at -= corner;
+        structure.tones->edge = moved(std::move(structure.tones->edge), -corner);
+      }
       for (VectorShape& shape : structure.fills)
         shape.path = moved(std::move(shape.path), -corner);
       for (VectorLines& lines : structure.lines)

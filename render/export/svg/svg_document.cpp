@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/svg/svg_document.h"
 
+#include <QByteArray>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
 #include "model/base/colour_text.h"
+#include "render/export/encoding/png_image.h"
 #include "render/export/encoding/xml_text.h"
 #include "render/export/svg/svg_lettering.h"
 #include "render/export/svg/svg_path.h"
@@ -45,14 +47,15 @@ class Document {
     m_text =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+        "xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"" +
         width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
     addCredit();
     if (m_drawing.background)
       m_text += "<rect id=\"background\" width=\"" + width + "\" height=\"" + height +
                 "\" fill=\"" + colourText(*m_drawing.background) + "\"/>\n";
-    const auto hasFills = [](const VectorStructure& s) { return !s.fills.empty(); };
-    if (std::any_of(m_drawing.structures.begin(), m_drawing.structures.end(), hasFills))
+    if (std::any_of(m_drawing.structures.begin(), m_drawing.structures.end(),
+                    [](const VectorStructure& s) { return s.filled(); }))
       addFills();
     addLines();
     for (const SvgWriting& writing : m_writings)
@@ -114,10 +117,12 @@ class Document {
   void addFills() {
     open("fills", "Fills", " inkscape:groupmode=\"layer\"");
     for (const VectorStructure& structure : m_drawing.structures) {
-      if (structure.fills.empty())
+      if (!structure.filled())
         continue;
       openNamed("fill-" + std::to_string(structure.id.value), structure.id,
                 opacityAttribute(structure.fillOpacity));
+      if (structure.tones)
+        addTones(*structure.tones, "edge-" + std::to_string(structure.id.value));
       for (const VectorShape& shape : structure.fills)
         addPath(shape, true);
       close();
@@ -125,9 +130,27 @@ class Document {
     close();
   }
 
+  /// Adds tones as an image behind its edge. The older name of its link is the one that all
+  /// programs know.
+  void addTones(const VectorTones& tones, const std::string& edge) {
+    const Result<std::string> png = pngOf(tones.image);
+    if (!png.ok())
+      return;  // nothing but the sink can fail, and that is memory
+    const QByteArray bytes = QByteArray::fromStdString(*png).toBase64();
+    m_text += "<clipPath id=\"" + edge + "\"><path clip-rule=\"evenodd\" d=\"" +
+              svgPath(tones.edge, m_decimals - 1) + "\"/></clipPath>\n";
+    m_text += "<g clip-path=\"url(#" + edge + ")\"><image x=\"" + number(double(tones.at.x), 4) +
+              "\" y=\"" + number(double(tones.at.y), 4) + "\" width=\"" +
+              number(double(tones.sizeMm.x), 4) + "\" height=\"" +
+              number(double(tones.sizeMm.y), 4) +
+              "\" preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64," +
+              bytes.toStdString() + "\"/></g>\n";
+  }
+
   void addLines() {
     for (const VectorStructure& structure : m_drawing.structures) {
-      if (structure.lines.empty())
+      if (std::all_of(structure.lines.begin(), structure.lines.end(),
+                      [](const VectorLines& lines) { return plainShapes(lines).empty(); }))
         continue;
       const model::Node* node = m_scene.find(structure.id);
       m_branches[structure.id].structures.push_back(&structure);
@@ -138,7 +161,38 @@ class Document {
     }
     open("lines", "Lines",
          " inkscape:groupmode=\"layer\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
+    addVeiledLines();
     addBelow(model::rootId);
+    close();
+  }
+
+  /// Adds what is seen through fills, as no structure's lines lie wholly before another's.
+  void addVeiledLines() {
+    const std::vector<VeiledLines> veiled = veiledLines(m_drawing);
+    if (veiled.empty())
+      return;
+    open("veiled", "Behind fills");
+    for (std::size_t i = 0; i < veiled.size(); ++i) {
+      const VeiledLines& part = veiled[i];
+      const auto goesOn = [&part](const VeiledLines& other) {
+        return other.structure == part.structure && other.light() == part.light();
+      };
+      if (i == 0 || !goesOn(veiled[i - 1]))
+        openNamed("veiled-" + std::to_string(int(std::lround(100.0f * part.light()))) + "-" +
+                      std::to_string(part.structure->id.value),
+                  part.structure->id);
+      addShapes(*part.lines, part.shapes);
+      if (i + 1 == veiled.size() || !goesOn(veiled[i + 1]))
+        close();
+    }
+    close();
+  }
+
+  void addShapes(const VectorLines& lines, std::span<const VectorShape> shapes) {
+    m_text += "<g inkscape:label=\"" + std::string(lines.kind) + "\"" +
+              (lines.hidden ? " class=\"hidden\"" : "") + opacityAttribute(lines.opacity) + ">\n";
+    for (const VectorShape& shape : shapes)
+      addPath(shape, false);
     close();
   }
 
@@ -162,13 +216,9 @@ class Document {
   }
 
   void addStructure(const VectorStructure& structure) {
-    for (const VectorLines& lines : structure.lines) {
-      m_text += "<g inkscape:label=\"" + std::string(lines.kind) + "\"" +
-                (lines.hidden ? " class=\"hidden\"" : "") + opacityAttribute(lines.opacity) + ">\n";
-      for (const VectorShape& shape : lines.shapes)
-        addPath(shape, false);
-      close();
-    }
+    for (const VectorLines& lines : structure.lines)
+      if (const auto shapes = plainShapes(lines); !shapes.empty())
+        addShapes(lines, shapes);
   }
 
   const VectorDrawing& m_drawing;
