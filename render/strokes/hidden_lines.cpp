@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
 
 #include "render/lines/chains.h"
 #include "render/lines/line_technique.h"
@@ -15,6 +18,12 @@ namespace {
 
 constexpr float dashLength = 6.0f;  // λ
 constexpr float dashGap = 4.0f;     // λ
+// Dashes are anchored where a line crosses heights about this far apart, λ, and agree over about
+// this way.
+constexpr float voteSpacing = 40.0f;
+constexpr float voteReach = 20.0f;
+// How much a line's highest point counts: little, as another point may become the highest at once.
+constexpr float topWeight = 0.02f;
 // Thinner hidden outlines could hardly be seen at half strength.
 constexpr float leastHidden = 1.3f;  // λ
 
@@ -31,35 +40,103 @@ const std::vector<Segment>& outlinesOf(const StructureLines& drawn) {
   return drawn.lines[LineKind::contour];
 }
 
+/// One line that is to be dashed; lengths are along its curve in the picture, px.
+struct DashedLine {
+  std::vector<float> ends{0.0f};  ///< of the segments, from the line's beginning
+  std::vector<float> heights;     ///< along the picture's vertical at the same points, mm
+  bool closed = false;
+
+  float length() const { return ends.back(); }
+  /// Returns the signed way from one place to another, on a ring the shorter one.
+  float way(float from, float to) const {
+    const float d = to - from;
+    return closed ? d - length() * std::round(d / length()) : d;
+  }
+};
+
+/// A place where the middle of a dash should lie.
+struct DashVote {
+  float at;  ///< px along the line
+  float weight;
+};
+
+/// Returns where the line crosses heights that stay while the scene turns, and its highest point.
+/// A line that only touches such a height begins to cross it without any weight, so that no vote
+/// comes or goes at once.
+std::vector<DashVote> votesOf(const DashedLine& line, float spacing, float mmPerPixel) {
+  const std::size_t top = std::size_t(std::max_element(line.heights.begin(), line.heights.end()) -
+                                      line.heights.begin());
+  std::vector<DashVote> votes{{line.ends[top], topWeight}};
+  for (std::size_t i = 0; i + 1 < line.heights.size(); ++i) {
+    const float a = line.heights[i] / spacing;
+    const float b = line.heights[i + 1] / spacing;
+    const float length = (line.ends[i + 1] - line.ends[i]) * mmPerPixel;
+    if (a == b || !(length > 0.0f))
+      continue;
+    const float steep = std::min((b - a) * spacing / length, 1.0f);
+    for (float k = std::ceil(std::min(a, b)); k < std::max(a, b); k += 1.0f)
+      votes.push_back({glm::mix(line.ends[i], line.ends[i + 1], (k - a) / (b - a)), steep * steep});
+  }
+  return votes;
+}
+
+/// Tells whether a place of the line is drawn, as the votes around it agree: e^(iΦ), Φ the phase
+/// of the dashes, is the mean of what each says, by a Gaussian's weights. Where neighbours do not
+/// agree on a whole number of dashes between them, these become a little longer or shorter.
+bool inDash(const DashedLine& line, const std::vector<DashVote>& votes, float at, float unit) {
+  const float period = (dashLength + dashGap) * unit;
+  float nearest = std::numeric_limits<float>::infinity();
+  for (const DashVote& vote : votes)
+    nearest = std::min(nearest, std::abs(line.way(vote.at, at)));
+  const float deviation = voteReach * unit;
+  float cosine = 0.0f;
+  float sine = 0.0f;
+  for (const DashVote& vote : votes) {
+    const float way = line.way(vote.at, at);
+    const float share = 0.5f * (way * way - nearest * nearest) / (deviation * deviation);
+    if (share > 16.0f)
+      continue;
+    const float weight = vote.weight * std::exp(-share);
+    const float angle = 6.2831853f * way / period;
+    cosine += weight * std::cos(angle);
+    sine += weight * std::sin(angle);
+  }
+  return std::abs(std::atan2(sine, cosine)) <= 3.1415927f * dashLength / (dashLength + dashGap);
+}
+
 }  // namespace
 
 std::vector<Segment> dashed(const std::vector<Segment>& segments, const PictureView& view) {
   const Chains chains = connectedChains(segments);
-  const float period = (dashLength + dashGap) * view.outputUnit();
+  const float unit = view.outputUnit();
+  const float mmPerPixel = view.millimetresPerPixel(view.bounds().centre());
+  const glm::vec3 up = view.toPatient({0.0f, 1.0f, 0.0f});
+  // Powers of two, so that they stay where they are while one comes a little nearer.
+  const float spacing =
+      std::exp2(std::round(std::log2(std::max(voteSpacing * unit * mmPerPixel, 1e-6f))));
   std::vector<Segment> dashes;
   for (std::size_t chain = 0; chain < chains.count(); ++chain) {
     const std::uint32_t first = chains.first[chain];
     const std::uint32_t last = chains.first[chain + 1];
-    std::vector<float> way{0.0f};
-    float highest = -std::numeric_limits<float>::infinity();
-    float anchor = 0.0f;
+    DashedLine line;
+    const auto place = [&](std::uint32_t i, bool atEnd) -> const glm::vec3& {
+      const Segment& s = segments[chains.links[i].segment];
+      return atEnd != chains.links[i].reversed ? s.b : s.a;
+    };
+    line.heights.push_back(glm::dot(place(first, false), up));
     for (std::uint32_t i = first; i < last; ++i) {
       const Segment& s = segments[chains.links[i].segment];
-      const float length =
-          glm::distance(view.project(s.a + s.moveA).pixel, view.project(s.b + s.moveB).pixel);
-      if (const float z = std::max(s.a.z, s.b.z); z > highest) {
-        highest = z;
-        anchor = way.back();
-      }
-      way.push_back(way.back() + length);
+      line.ends.push_back(line.length() + glm::distance(view.project(s.a + s.moveA).pixel,
+                                                        view.project(s.b + s.moveB).pixel));
+      line.heights.push_back(glm::dot(place(i, true), up));
     }
-    // The middle of a dash lies at the anchor.
-    for (std::uint32_t i = first; i < last; ++i) {
-      const float at = 0.5f * (way[i - first] + way[i - first + 1]) - anchor;
-      const float phase = at / period - std::floor(at / period + 0.5f);
-      if (std::abs(phase) <= 0.5f * dashLength / (dashLength + dashGap))
+    line.closed = last - first > 2 && place(first, false) == place(last - 1, true);
+    if (!(line.length() > 0.0f))
+      continue;
+    const std::vector<DashVote> votes = votesOf(line, spacing, mmPerPixel);
+    for (std::uint32_t i = first; i < last; ++i)
+      if (inDash(line, votes, 0.5f * (line.ends[i - first] + line.ends[i - first + 1]), unit))
         dashes.push_back(segments[chains.links[i].segment]);
-    }
   }
   return dashes;
 }

@@ -13,9 +13,11 @@ namespace sline::render {
 inline constexpr float hiddenWidth = 0.6f;
 inline constexpr float hiddenStrength = 0.5f;
 
-/// Returns the dashes of the lines, which must be curved (line_curves.h): 6 λ drawn, 4 λ not, by
-/// the length of the curve in the picture. They are counted from the point of each line that lies
-/// highest in the patient, so that they do not crawl while the scene turns.
+/// Returns the dashes of the lines, which must be curved (line_curves.h): about 6 λ drawn, 4 λ not,
+/// by the length of the curve in the picture. They are counted from where a line crosses heights
+/// along the picture's vertical: these points stay while the scene turns about it, whichever lines
+/// join or part, so that dashes do not crawl. Between two of them dashes are up to a fifth longer
+/// or shorter.
 std::vector<Segment> dashed(const std::vector<Segment>& segments, const PictureView& view);
 
 /// Returns strokes for all outlines that the structure's own surface does not hide, as thin as

@@ -42,6 +42,7 @@ class StrokeSampler {
     Sample sample;
     const glm::vec2 move = glm::mix(s.moveA, s.moveB, t);
     sample.point.at = on + move;
+    sample.point.depth = depth;
     float seenAt = depth;
     if (s.kind == StrokeKind::contour) {
       const glm::vec2 outward = outwardAt(s, t);
@@ -153,7 +154,8 @@ void closeGaps(std::vector<Sample>& all) {
         if (all[i].grade == 0) {
           const float t = float(i - from + 1) / float(to - from + 1);
           all[i].point = {glm::mix(before.point.at, after.point.at, t),
-                          glm::mix(before.point.halfWidth, after.point.halfWidth, t)};
+                          glm::mix(before.point.halfWidth, after.point.halfWidth, t),
+                          glm::mix(before.point.depth, after.point.depth, t)};
         }
         all[i].grade = before.grade;
         all[i].veil = before.veil;

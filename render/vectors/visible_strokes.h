@@ -14,6 +14,7 @@ namespace sline::render {
 struct StrokePoint {
   glm::vec2 at{0.0f};  ///< pixels of the picture, the stroke's middle
   float halfWidth = 0.0f;
+  float depth = 1.0f;  ///< window depth of the line itself
 };
 
 /// A visible piece of a line has a point for each pixel along its way.

@@ -12,7 +12,9 @@
 #include <map>
 
 #include "model/edit/look.h"
+#include "model/focus/form.h"
 #include "model/import/plan/import.h"
+#include "model/look/opening_look.h"
 #include "render/gpu/headless/context.h"
 #include "render/picture/picture.h"
 #include "render/vectors/vector_drawing.h"
@@ -22,6 +24,7 @@
 #include "tests/bench/meshing.h"
 #include "tests/bench/plain_phong.h"
 #include "tests/bench/report.h"
+#include "tests/bench/turning.h"
 #include "tests/bench/vtk_phong.h"
 #include "tests/support/process_memory.h"
 
@@ -36,6 +39,8 @@ struct Options {
   int drags = 0;
   float meshingMm = 0.0f;
   int structures = 0;
+  int turning = 0;
+  bool curves = false;
   bool json = false;
 };
 
@@ -233,6 +238,42 @@ Status runMeshing(const Options& options) {
   return Unit{};
 }
 
+/// Prints how steady lines are while the camera turns, or how true curves are: of the look that a
+/// scene opens with, or with one Γ for all and paper as their fill. Outlines are dashed where they
+/// are hidden.
+Status runLines(const Options& options, const glm::ivec2& size) {
+  bench::Report report;
+  auto stage = importStage(options, size, report);
+  if (!stage)
+    return stage.error();
+  const float aspect = float(size.x) / float(size.y);
+  std::vector<model::NodeId> ids = stage->scene.structuresBelow(model::rootId);
+  if (options.gamma) {
+    const model::Style paper{.fill = model::Fill::paper};
+    stage->scene = model::withLook(stage->scene, ids, paper).scene;
+  } else {
+    model::FormIndex forms;
+    const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
+    const auto imported = model::importInputs(inputs, {});
+    if (auto look = model::openingLook(imported->scene, forms, {.aspect = aspect})) {
+      stage->scene = look->scene;
+      stage->camera = model::framedCamera(*look, aspect);
+    }
+  }
+  const model::Style dashes{.hiddenLines = model::HiddenLines::dashed};
+  stage->scene = model::withLook(stage->scene, ids, dashes).scene;
+  const bench::TurningRun run{.scene = stage->scene,
+                              .camera = stage->camera,
+                              .width = size.x,
+                              .height = size.y,
+                              .steps = options.turning};
+  if (options.turning > 0)
+    std::cout << bench::measureTurning(run);
+  if (options.curves)
+    std::cout << bench::measureCurves(run);
+  return Unit{};
+}
+
 Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   bench::Report report;
   auto context = render::gpu::HeadlessContext::create();
@@ -262,11 +303,8 @@ Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
     return vtk.error();
   return report;
 }
-}  // namespace
 
-int main(int argc, char** argv) {
-  Options options;
-  CLI::App app{"Turns the camera around a scene and reports time and memory"};
+void addOptions(CLI::App& app, Options& options) {
   app.add_option("INPUT", options.inputs, "Meshes, folders, 3D Slicer scenes");
   app.add_option("--frames", options.frames, "Pictures of one full turn")
       ->check(CLI::Range(1, 10000));
@@ -283,7 +321,19 @@ int main(int argc, char** argv) {
   app.add_option("--structures", options.structures,
                  "Without INPUT: ask a tree of so many structures for their styles and bounds")
       ->check(CLI::Range(1, 1'000'000));
+  app.add_option("--steady-lines", options.turning,
+                 "Instead: turn by so many steps of half a degree and say what lines pop")
+      ->check(CLI::Range(1, 720));
+  app.add_flag("--true-curves", options.curves,
+               "Instead: say how far curves lie from the lines that they stand for");
   app.add_flag("--json", options.json, "Print JSON");
+}
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Turns the camera around a scene and reports time and memory"};
+  addOptions(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -306,6 +356,10 @@ int main(int argc, char** argv) {
   if (options.drags > 0) {
     const Status dragged = runDrags(options, *size);
     return dragged ? 0 : fail(dragged.error());
+  }
+  if (options.turning > 0 || options.curves) {
+    const Status measured = runLines(options, *size);
+    return measured ? 0 : fail(measured.error());
   }
   if (options.meshingMm > 0.0f) {
     const Status measured = runMeshing(options);
