@@ -22,6 +22,7 @@
 #include "tests/bench/large_tree.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/meshing.h"
+#include "tests/bench/opening.h"
 #include "tests/bench/plain_phong.h"
 #include "tests/bench/report.h"
 #include "tests/bench/turning.h"
@@ -41,6 +42,7 @@ struct Options {
   int structures = 0;
   int turning = 0;
   bool curves = false;
+  bool opening = false;
   bool json = false;
 };
 
@@ -274,6 +276,19 @@ Status runLines(const Options& options, const glm::ivec2& size) {
   return Unit{};
 }
 
+/// Prints how long the import takes and the look that the scene opens with.
+Status runOpening(const Options& options) {
+  const bench::Stopwatch watch;
+  const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
+  const auto imported = model::importInputs(inputs, {});
+  if (!imported)
+    return imported.error();
+  std::cout << imported->scene.structuresBelow(model::rootId).size() << " structures, import "
+            << watch.milliseconds() << " ms\n"
+            << bench::measureOpening(imported->scene);
+  return Unit{};
+}
+
 Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   bench::Report report;
   auto context = render::gpu::HeadlessContext::create();
@@ -326,6 +341,8 @@ void addOptions(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 720));
   app.add_flag("--true-curves", options.curves,
                "Instead: say how far curves lie from the lines that they stand for");
+  app.add_flag("--opening", options.opening,
+               "Instead of turning: choose the look that the scene opens with");
   app.add_flag("--json", options.json, "Print JSON");
 }
 }  // namespace
@@ -364,6 +381,10 @@ int main(int argc, char** argv) {
   if (options.meshingMm > 0.0f) {
     const Status measured = runMeshing(options);
     return measured ? 0 : fail(measured.error());
+  }
+  if (options.opening) {
+    const Status opened = runOpening(options);
+    return opened ? 0 : fail(opened.error());
   }
   const auto report = run(options, *size);
   if (!report)
