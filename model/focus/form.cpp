@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "model/geometry/bounding_sphere.h"
 
@@ -34,6 +35,14 @@ struct Widths {
   float most = 0.0f;
 };
 
+bool ofTube(const Widths& w) {
+  return w.least <= flattest * w.in && w.most > roundest * std::max(w.in, w.least);
+}
+
+bool ofSheet(const Widths& w) {
+  return w.least > flattest * w.in;
+}
+
 /// Returns two directions across the normal; for the mirrored normal they are mirrored except for
 /// their signs.
 std::array<glm::vec3, 2> across(const glm::vec3& n) {
@@ -45,14 +54,39 @@ std::array<glm::vec3, 2> across(const glm::vec3& n) {
   return {first, glm::cross(n, first)};
 }
 
+/// Returns directions evenly around the normal, half of all: their opposites are the others.
+std::array<glm::vec3, linesAround> around(const glm::vec3& normal) {
+  static const auto turns = [] {
+    std::array<glm::vec2, linesAround> some;
+    for (int i = 0; i < linesAround; ++i) {
+      const float angle = float(M_PI) * float(i) / float(linesAround);
+      some[std::size_t(i)] = {std::cos(angle), std::sin(angle)};
+    }
+    return some;
+  }();
+  const auto [u, v] = across(normal);
+  std::array<glm::vec3, linesAround> directions;
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    directions[i] = turns[i].x * u + turns[i].y * v;
+  return directions;
+}
+
+/// Returns how far it is from an inner point to the surface, at most `endless`.
+float way(const Bvh& tree, const glm::vec3& inside, const glm::vec3& direction, float endless) {
+  const std::optional<Hit> hit = tree.nearest({inside, direction, 0.0f, endless});
+  return hit ? hit->t : endless;
+}
+
 /// Returns the length of the line through an inner point from surface to surface; a side without a
 /// surface counts as `endless`.
 float chord(const Bvh& tree, const glm::vec3& inside, const glm::vec3& direction, float endless) {
-  const auto way = [&](const glm::vec3& d) {
-    const std::optional<Hit> hit = tree.nearest({inside, d, 0.0f, endless});
-    return hit ? hit->t : endless;
-  };
-  return way(direction) + way(-direction);
+  return way(tree, inside, direction, endless) + way(tree, inside, -direction, endless);
+}
+
+/// Tells whether that line is shorter than `length`.
+bool isShort(const Bvh& tree, const glm::vec3& inside, const glm::vec3& direction, float length) {
+  const float one = way(tree, inside, direction, length);
+  return one < length && one + way(tree, inside, -direction, length) < length;
 }
 
 /// Returns how far it is to the surface in a direction, beyond `from`.
@@ -67,12 +101,13 @@ std::optional<float> wayTo(const Form& form, const SurfaceSample& sample, float 
 bool isInLumen(const Form& form, const glm::vec3& middle, const glm::vec3& normal, float width) {
   constexpr float farthest = 3.0f;  // in widths
   constexpr int fewest = 3;         // of `linesAround`; others look along the lumen or out of it
-  const auto [u, v] = across(normal);
   int bounded = 0;
-  for (int i = 0; i < linesAround; ++i) {
-    const float angle = float(M_PI) * float(i) / float(linesAround);
-    bounded += chord(*form.tree, middle, std::cos(angle) * u + std::sin(angle) * v,
-                     farthest * width) < farthest * width;
+  int left = linesAround;
+  for (const glm::vec3& direction : around(normal)) {
+    bounded += isShort(*form.tree, middle, direction, farthest * width);
+    --left;
+    if (bounded >= fewest || bounded + left < fewest)
+      break;
   }
   return bounded >= fewest;
 }
@@ -108,23 +143,15 @@ std::optional<Widths> widthsAt(const Form& form, const SurfaceSample& sample,
   const float endless = std::min(2.0f * form.radius, 1.1f * roundest * flattest * in);
   Widths widths{.in = in, .least = 2.0f * endless};
   const glm::vec3 middle = sample.place - 0.5f * in * sample.normal;
-  const auto [u, v] = across(sample.normal);
-  for (int i = 0; i < linesAround; ++i) {
-    const float angle = float(M_PI) * float(i) / float(linesAround);
-    const float width =
-        chord(*form.tree, middle, std::cos(angle) * u + std::sin(angle) * v, endless);
+  for (const glm::vec3& direction : around(sample.normal)) {
+    const float width = chord(*form.tree, middle, direction, endless);
     widths.least = std::min(widths.least, width);
     widths.most = std::max(widths.most, width);
+    // What is a tube remains one, whatever its other widths.
+    if (ofTube(widths))
+      break;
   }
   return widths;
-}
-
-bool ofTube(const Widths& w) {
-  return w.least <= flattest * w.in && w.most > roundest * std::max(w.in, w.least);
-}
-
-bool ofSheet(const Widths& w) {
-  return w.least > flattest * w.in;
 }
 
 }  // namespace

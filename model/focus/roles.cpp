@@ -58,8 +58,8 @@ float comingToTargets(const Surroundings& surroundings, const Party& party, cons
   if (share < 0.5f)
     return share;
   const float near = cutWidth(form, facts.gap);
-  const Cut cut = cutNear(*party.mesh, near, [&](const glm::vec3& place, float farthest) {
-    return surroundings.distanceTo(place, farthest);
+  const Cut cut = cutNear(*party.mesh, near, [&](const glm::vec3& place, float distance) {
+    return surroundings.isWithin(place, distance);
   });
   // A vessel that passes by serves the targets less.
   return cut.ends ? share : 0.4f * share;
@@ -78,8 +78,8 @@ float comingFrom(const Surroundings& surroundings, float likely, const Party& st
   if (share < 0.5f)
     return share;
   const float near = cutWidth(*branch.form, gap);
-  const Cut cut = cutNear(*branch.mesh, near, [&](const glm::vec3& place, float farthest) {
-    return stem.form->tree->closest(place, 0.0f, farthest).distance;
+  const Cut cut = cutNear(*branch.mesh, near, [&](const glm::vec3& place, float distance) {
+    return stem.form->tree->isWithin(place, distance);
   });
   // A vessel that lies along another does not spring from it.
   constexpr double most = 0.6;

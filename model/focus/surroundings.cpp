@@ -163,6 +163,13 @@ float Surroundings::distanceTo(const glm::vec3& place, float farthest) const {
   return nearest;
 }
 
+bool Surroundings::isWithin(const glm::vec3& place, float distance) const {
+  return std::any_of(m_targets.begin(), m_targets.end(), [&](const Party* target) {
+    return boxDistance(target->mesh->bounds(), place) < distance &&
+           target->form->tree->isWithin(place, distance);
+  });
+}
+
 float Surroundings::hiding(const Party& party) const {
   std::vector<double> hidden(m_shown.size(), 0.0);
   for (const Sight& sight : m_sights)
@@ -194,7 +201,7 @@ float Surroundings::outsideness(const Party& party) const {
 float Surroundings::roomBeyond(const Party& party, float within) const {
   std::vector<float> rooms;
   for (const SurfaceSample& sample : party.form->samples)
-    if (keptByAll(party.planes, sample.place) && std::isfinite(distanceTo(sample.place, within))) {
+    if (keptByAll(party.planes, sample.place) && isWithin(sample.place, within)) {
       const glm::vec3 away = sample.place - m_centre;
       rooms.push_back((m_extents[sectorOf(away)].scene - glm::length(away)) / m_radius);
     }
@@ -223,12 +230,10 @@ Facts Surroundings::factsOf(const Party& party) const {
   const float against = againstShare * m_radius;
   std::size_t touched = 0;
   for (const SurfaceSample& sample : m_samples) {
-    const float within = std::max(facts.gap, against);
-    if (boxDistance(party.mesh->bounds(), sample.place) >= within)
-      continue;
-    const float distance = party.form->tree->closest(sample.place, 0.0f, within).distance;
-    facts.gap = std::min(facts.gap, distance);
-    touched += distance < against;
+    touched += party.form->tree->isWithin(sample.place, against);
+    if (boxDistance(party.mesh->bounds(), sample.place) < facts.gap)
+      facts.gap =
+          std::min(facts.gap, party.form->tree->closest(sample.place, 0.0f, facts.gap).distance);
   }
   facts.contact = float(touched) / float(m_samples.size());
   facts.hides = hiding(party);

@@ -44,10 +44,8 @@ class Surroundings {
   /// Returns the median width through the targets, mm.
   float thickness() const { return m_thickness; }
   Facts factsOf(const Party& party) const;
-  /// Returns the distance from the place to the nearest target, mm; infinite where that is farther
-  /// than `farthest`.
-  float distanceTo(const glm::vec3& place,
-                   float farthest = std::numeric_limits<float>::infinity()) const;
+  /// Tells whether the place is nearer to a target than that many mm.
+  bool isWithin(const glm::vec3& place, float distance) const;
   /// Returns how far the scene continues beyond the structure, in units of the targets' radius: the
   /// median over those of its places that are no farther than `within` from the targets.
   float roomBeyond(const Party& party, float within) const;
@@ -59,6 +57,9 @@ class Surroundings {
     float weight = 0.0f;  ///< how large the surface there appears from that side
     std::size_t side = 0;
   };
+  /// Returns the distance from the place to the nearest target, mm; infinite where that is farther
+  /// than `farthest`.
+  float distanceTo(const glm::vec3& place, float farthest) const;
   void castFromAllSides();
   void castFromCamera(const Camera& camera);
   void castSight(std::size_t side, const SurfaceSample& sample, const glm::vec3& direction,

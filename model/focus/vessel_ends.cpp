@@ -49,8 +49,8 @@ double areaOf(const Mesh& mesh, const Triangle& t) {
 /// then each half is asked about.
 class Nearness {
  public:
-  Nearness(std::span<const glm::vec3> places, float width, const DistanceTo& distanceTo)
-      : m_places(places), m_width(width), m_distanceTo(distanceTo), m_near(places.size(), 0) {
+  Nearness(std::span<const glm::vec3> places, float width, const IsNearer& isNearer)
+      : m_places(places), m_width(width), m_isNearer(isNearer), m_near(places.size(), 0) {
     m_order.resize(places.size());
     std::iota(m_order.begin(), m_order.end(), 0u);
     ask(m_order);
@@ -62,7 +62,7 @@ class Nearness {
     constexpr std::size_t few = 3;
     if (some.size() <= few) {
       for (const std::uint32_t i : some)
-        m_near[i] = m_distanceTo(m_places[i], m_width) < m_width ? 1 : 0;
+        m_near[i] = m_isNearer(m_places[i], m_width) ? 1 : 0;
       return;
     }
     Box box;
@@ -70,10 +70,9 @@ class Nearness {
       box.add(m_places[i]);
     const glm::vec3 middle = 0.5f * (box.low + box.high);
     const float radius = 1.001f * glm::distance(middle, box.high);
-    const float distance = m_distanceTo(middle, m_width + radius);
-    if (distance >= m_width + radius)
+    if (!m_isNearer(middle, m_width + radius))
       return;
-    if (distance < m_width - radius) {
+    if (m_width > radius && m_isNearer(middle, m_width - radius)) {
       for (const std::uint32_t i : some)
         m_near[i] = 1;
       return;
@@ -90,15 +89,15 @@ class Nearness {
 
   std::span<const glm::vec3> m_places;
   float m_width;
-  const DistanceTo& m_distanceTo;
+  const IsNearer& m_isNearer;
   std::vector<char> m_near;
   std::vector<std::uint32_t> m_order;
 };
 
 }  // namespace
 
-Cut cutNear(const Mesh& mesh, float width, const DistanceTo& distanceTo) {
-  const Nearness nearness(mesh.positions(), width, distanceTo);
+Cut cutNear(const Mesh& mesh, float width, const IsNearer& isNearer) {
+  const Nearness nearness(mesh.positions(), width, isNearer);
   const std::vector<char>& gone = nearness.answers();
   Unions rest(mesh.vertexCount());
   for (const Triangle& t : mesh.triangles())

@@ -14,12 +14,11 @@ struct Cut {
   double share = 0.0;  ///< share of the surface that was taken away
 };
 
-/// Returns the distance of a place to the other structure in mm, or infinity where that is more
-/// than `farthest`.
-using DistanceTo = std::function<float(const glm::vec3& place, float farthest)>;
+/// Tells whether a place is nearer to the other structure than that many mm.
+using IsNearer = std::function<bool(const glm::vec3& place, float distance)>;
 
 /// Takes away what is nearer than `width`. A vessel that ends at the structure leaves one piece,
 /// one that passes by leaves two. Pieces of less than a tenth of their part do not count.
-Cut cutNear(const Mesh& mesh, float width, const DistanceTo& distanceTo);
+Cut cutNear(const Mesh& mesh, float width, const IsNearer& isNearer);
 
 }  // namespace sline::model

@@ -69,14 +69,24 @@ float squaredToTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
       {squaredToSegment(a, b - a), squaredToSegment(b, c - b), squaredToSegment(c, a - c)});
 }
 
-// As fmin and fmax these return the other number where one is not a number; those are calls into a
-// library, which took a tenth of a ray's time.
-float smaller(float a, float b) {
-  return a < b || b != b ? a : b;
-}
-float larger(float a, float b) {
-  return a > b || b != b ? a : b;
-}
+/// Chooses among numbers that are all numbers.
+struct Numbers {
+  static float smaller(float a, float b) { return a < b ? a : b; }
+  static float larger(float a, float b) { return a > b ? a : b; }
+};
+
+/// As fmin and fmax these return the other number where one is not a number; those are calls into a
+/// library, which took a tenth of a ray's time.
+struct PerhapsNoNumbers {
+  static float smaller(float a, float b) { return a < b || b != b ? a : b; }
+  static float larger(float a, float b) { return a > b || b != b ? a : b; }
+};
+
+/// A node still to be visited, and where the ray enters it.
+struct Pending {
+  std::uint32_t node = 0;
+  float entry = 0.0f;
+};
 
 std::size_t leafStart(std::size_t leaf, std::size_t leaves, std::size_t triangles) {
   return leaf * triangles / leaves;
@@ -109,26 +119,38 @@ template <class Visit>
 void Bvh::traverse(const Ray& ray, const Visit& visit) const {
   if (m_nodes.empty() || ray.direction == noDirection)
     return;
+  // Only 0·∞, on a slab's own plane, is not a number.
+  const glm::vec3 inverse = 1.0f / ray.direction;
+  if (std::isfinite(inverse.x) && std::isfinite(inverse.y) && std::isfinite(inverse.z))
+    traverseBy<Numbers>(ray, visit);
+  else
+    traverseBy<PerhapsNoNumbers>(ray, visit);
+}
+
+template <class Choice, class Visit>
+void Bvh::traverseBy(const Ray& ray, const Visit& visit) const {
   Ray r = ray;
   const glm::vec3 inverse = 1.0f / r.direction;
   const auto entry = [&](std::size_t node) {
     const glm::vec3 t0 = (m_nodes[node].low - r.origin) * inverse;
     const glm::vec3 t1 = (m_nodes[node].high - r.origin) * inverse;
-    // The NaN of 0·∞ on a slab's own plane is dropped.
+    // What is not a number is dropped.
     float near = r.nearest;
     float far = r.farthest;
     for (glm::length_t k = 0; k < 3; ++k) {
-      near = larger(near, smaller(t0[k], t1[k]));
-      far = smaller(far, larger(t0[k], t1[k]) * 1.0000004f);
+      near = Choice::larger(near, Choice::smaller(t0[k], t1[k]));
+      far = Choice::smaller(far, Choice::larger(t0[k], t1[k]) * 1.0000004f);
     }
     return near <= far ? near : std::numeric_limits<float>::infinity();
   };
-  std::array<std::uint32_t, 64> stack{};
+  std::array<Pending, 64> stack{};
   std::size_t depth = 0;
-  if (std::isfinite(entry(0)))
-    stack[depth++] = 0;
+  if (const float at = entry(0); std::isfinite(at))
+    stack[depth++] = {0, at};
   while (depth > 0) {
-    const std::size_t node = stack[--depth];
+    const auto [node, at] = stack[--depth];
+    if (at > r.farthest)
+      continue;
     if (node >= m_leafCount - 1) {
       const std::size_t leaf = node - (m_leafCount - 1);
       const std::size_t end = leafStart(leaf + 1, m_leafCount, m_order.size());
@@ -137,18 +159,14 @@ void Bvh::traverse(const Ray& ray, const Visit& visit) const {
           return;
       continue;
     }
-    std::size_t nearer = 2 * node + 1;
-    std::size_t farther = 2 * node + 2;
-    float nearEntry = entry(nearer);
-    float farEntry = entry(farther);
-    if (farEntry < nearEntry) {
+    Pending nearer{2 * node + 1, entry(2 * std::size_t(node) + 1)};
+    Pending farther{2 * node + 2, entry(2 * std::size_t(node) + 2)};
+    if (farther.entry < nearer.entry)
       std::swap(nearer, farther);
-      std::swap(nearEntry, farEntry);
-    }
-    if (std::isfinite(farEntry))
-      stack[depth++] = std::uint32_t(farther);
-    if (std::isfinite(nearEntry))
-      stack[depth++] = std::uint32_t(nearer);
+    if (std::isfinite(farther.entry))
+      stack[depth++] = farther;
+    if (std::isfinite(nearer.entry))
+      stack[depth++] = nearer;
   }
 }
 
@@ -202,6 +220,48 @@ Closest Bvh::closest(const glm::vec3& point, float enough, float farthest) const
     }
   }
   return best;
+}
+
+bool Bvh::isWithin(const glm::vec3& point, float distance) const {
+  const float most = distance * distance;
+  const auto gap = [&](std::size_t node) {
+    return squared(glm::max(glm::max(m_nodes[node].low - point, point - m_nodes[node].high), 0.0f));
+  };
+  if (m_nodes.empty() || !(gap(0) < most))
+    return false;
+  // A box of which even the farthest corner is near has something near in it. The margin is for
+  // rounding.
+  const auto isNearAsAWhole = [&](std::size_t node) {
+    return squared(glm::max(point - m_nodes[node].low, m_nodes[node].high - point)) < 0.999f * most;
+  };
+  std::array<std::uint32_t, 64> stack{};
+  std::size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const std::uint32_t node = stack[--depth];
+    if (isNearAsAWhole(node))
+      return true;
+    if (node < m_leafCount - 1) {
+      const std::uint32_t left = 2 * node + 1;
+      const std::array gaps{gap(left), gap(left + 1)};
+      const std::uint32_t nearer = gaps[0] <= gaps[1] ? 0 : 1;
+      for (const std::uint32_t child : {1 - nearer, nearer})
+        if (gaps[child] < most)
+          stack[depth++] = left + child;
+      continue;
+    }
+    const std::size_t leaf = node - (m_leafCount - 1);
+    const std::size_t end = leafStart(leaf + 1, m_leafCount, m_order.size());
+    for (std::size_t i = leafStart(leaf, m_leafCount, m_order.size()); i < end; ++i) {
+      const auto& [a, b, c] = m_mesh->triangles()[m_order[i]];
+      const auto positions = m_mesh->positions();
+      const float apart =
+          squaredToTriangle(positions[a] - point, positions[b] - point, positions[c] - point);
+      if (apart < most && std::sqrt(apart) < distance)
+        return true;
+    }
+  }
+  return false;
 }
 
 bool Bvh::blocked(const Ray& ray) const {

@@ -46,6 +46,9 @@ class Bvh {
   /// Any triangle no farther than `enough` may be returned as the closest.
   Closest closest(const glm::vec3& point, float enough = 0.0f,
                   float farthest = std::numeric_limits<float>::infinity()) const;
+  /// Tells whether the surface is nearer to the point than that, which is sooner known than how
+  /// near.
+  bool isWithin(const glm::vec3& point, float distance) const;
 
  private:
   struct Bounds {
@@ -54,6 +57,8 @@ class Bvh {
   };
   template <class Visit>
   void traverse(const Ray& ray, const Visit& visit) const;
+  template <class Choice, class Visit>
+  void traverseBy(const Ray& ray, const Visit& visit) const;
 
   MeshPtr m_mesh;
   std::vector<std::uint32_t> m_order;

@@ -19,22 +19,18 @@ namespace sline::model {
 
 namespace {
 
-/// Says from where a parallel view looks, by unit vectors that are perpendicular to each other.
-struct Direction {
-  glm::vec3 right;
-  glm::vec3 up;
-  glm::vec3 towardsEye;
+/// Says along which axis two opposite parallel views look, and which axes are across.
+struct Axes {
+  glm::length_t across;
+  glm::length_t upwards;
+  glm::length_t along;
+  AnatomicalView fromHigh;  ///< seen from where the coordinate along is high
+  AnatomicalView fromLow;
 };
-constexpr glm::vec3 xAxis{1.0f, 0.0f, 0.0f};
-constexpr glm::vec3 yAxis{0.0f, 1.0f, 0.0f};
-constexpr glm::vec3 zAxis{0.0f, 0.0f, 1.0f};
-const std::array<Direction, 6> anatomicalDirections{
-    {{zAxis, xAxis, -yAxis},  // anterior: −y is the front
-     {zAxis, xAxis, yAxis},
-     {yAxis, zAxis, xAxis},  // left: +x
-     {yAxis, zAxis, -xAxis},
-     {xAxis, yAxis, zAxis},  // superior: +z
-     {xAxis, yAxis, -zAxis}}};
+constexpr std::array<Axes, 3> allAxes{
+    {{2, 0, 1, AnatomicalView::posterior, AnatomicalView::anterior},
+     {1, 2, 0, AnatomicalView::left, AnatomicalView::right},
+     {0, 1, 2, AnatomicalView::superior, AnatomicalView::inferior}}};
 
 /// Returns the directions to the points of a lattice on a cube's surface, 98 of them.
 std::vector<glm::vec3> directionsAllRound() {
@@ -59,21 +55,32 @@ bool staysFilled(Tissue tissue) {
 
 constexpr int side = 160;  ///< cells along the longer side of the scene's box
 
-/// The nearest surface in each cell of a parallel view, and which of some kinds it is of.
+int roundedDown(float x) {
+  const int whole = int(x);
+  return float(whole) > x ? whole - 1 : whole;
+}
+
+int roundedUp(float x) {
+  const int whole = int(x);
+  return float(whole) < x ? whole + 1 : whole;
+}
+
+/// Returns the nearest whole number to one that is not negative.
+int rounded(float x) {
+  const int whole = int(x);
+  return x - float(whole) >= 0.5f ? whole + 1 : whole;
+}
+
+/// The nearest surface in each cell of two opposite parallel views, and of which kind it is.
 class DepthMap {
  public:
-  DepthMap(const Direction& direction, const Box& box) : m_direction(direction) {
-    Box seen;
-    for (const glm::vec3& corner : box.corners())
-      seen.add(turned(corner));
+  DepthMap(const Axes& axes, const Box& box) : m_axes(axes) {
     const glm::vec3 size = box.high - box.low;
-    m_low = seen.low;
+    m_low = box.low;
     m_cell = std::max({size.x, size.y, size.z, 1e-6f}) / float(side);
-    m_columns = int((seen.high.x - seen.low.x) / m_cell) + 1;
-    m_rows = int((seen.high.y - seen.low.y) / m_cell) + 1;
-    m_depth.assign(std::size_t(m_columns) * std::size_t(m_rows),
-                   -std::numeric_limits<float>::infinity());
-    m_kind.assign(m_depth.size(), Kind::other);
+    m_columns = int(size[axes.across] / m_cell) + 1;
+    m_rows = int(size[axes.upwards] / m_cell) + 1;
+    m_cells.resize(std::size_t(m_columns) * std::size_t(m_rows));
   }
 
   void add(const Mesh& mesh, Kind kind) {
@@ -86,22 +93,33 @@ class DepthMap {
   }
 
   /// Returns the area of the structures of that kind that is seen, mm².
-  double seen(Kind kind) const {
-    const auto cells = std::count(m_kind.begin(), m_kind.end(), kind);
+  double seenFromHigh(Kind kind) const { return areaWhere(&Cell::kindFromHigh, kind); }
+  double seenFromLow(Kind kind) const { return areaWhere(&Cell::kindFromLow, kind); }
+
+ private:
+  struct Cell {
+    float highest = -std::numeric_limits<float>::infinity();
+    float lowest = std::numeric_limits<float>::infinity();
+    Kind kindFromHigh = Kind::other;
+    Kind kindFromLow = Kind::other;
+  };
+
+  double areaWhere(Kind Cell::*which, Kind kind) const {
+    const auto cells = std::count_if(m_cells.begin(), m_cells.end(),
+                                     [&](const Cell& cell) { return cell.*which == kind; });
     return double(cells) * double(m_cell) * double(m_cell);
   }
 
- private:
   void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, Kind kind) {
     const glm::vec3 low = glm::min(glm::min(a, b), c);
     const glm::vec3 high = glm::max(glm::max(a, b), c);
-    const int left = int(std::ceil(low.x));
-    const int right = int(std::floor(high.x));
-    const int top = int(std::ceil(low.y));
-    const int bottom = int(std::floor(high.y));
+    const int left = roundedUp(low.x);
+    const int right = roundedDown(high.x);
+    const int top = roundedUp(low.y);
+    const int bottom = roundedDown(high.y);
     const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (left > right || top > bottom || area == 0.0f)
-      return put(int(std::lround(a.x)), int(std::lround(a.y)), a.z, kind);
+      return put(rounded(a.x), rounded(a.y), a.z, kind);
     for (int y = top; y <= bottom; ++y)
       for (int x = left; x <= right; ++x) {
         const float px = float(x) - a.x;
@@ -113,34 +131,32 @@ class DepthMap {
       }
   }
 
-  glm::vec3 turned(const glm::vec3& p) const {
-    return {glm::dot(p, m_direction.right), glm::dot(p, m_direction.up),
-            glm::dot(p, m_direction.towardsEye)};
-  }
-
-  /// Returns the cell as x and y and how near to the eye the point is as z.
+  /// Returns the cell as x and y and the coordinate along the line of sight as z.
   glm::vec3 placed(const glm::vec3& p) const {
-    const glm::vec3 seen = turned(p);
-    return {(seen.x - m_low.x) / m_cell, (seen.y - m_low.y) / m_cell, seen.z};
+    return {(p[m_axes.across] - m_low[m_axes.across]) / m_cell,
+            (p[m_axes.upwards] - m_low[m_axes.upwards]) / m_cell, p[m_axes.along]};
   }
 
-  void put(int x, int y, float depth, Kind kind) {
+  void put(int x, int y, float along, Kind kind) {
     if (x < 0 || y < 0 || x >= m_columns || y >= m_rows)
       return;
-    const std::size_t cell = std::size_t(y) * std::size_t(m_columns) + std::size_t(x);
-    if (!(depth > m_depth[cell]))
-      return;
-    m_depth[cell] = depth;
-    m_kind[cell] = kind;
+    Cell& cell = m_cells[std::size_t(y) * std::size_t(m_columns) + std::size_t(x)];
+    if (along > cell.highest) {
+      cell.highest = along;
+      cell.kindFromHigh = kind;
+    }
+    if (along < cell.lowest) {
+      cell.lowest = along;
+      cell.kindFromLow = kind;
+    }
   }
 
-  Direction m_direction;
+  Axes m_axes;
   glm::vec3 m_low{0.0f};
   float m_cell = 1.0f;
   int m_columns = 0;
   int m_rows = 0;
-  std::vector<float> m_depth;
-  std::vector<Kind> m_kind;
+  std::vector<Cell> m_cells;
 };
 
 using IdValues = std::unordered_set<std::uint64_t>;
@@ -168,16 +184,18 @@ AnatomicalView bestViewOf(const Scene& scene, std::span<const NodeId> structures
   if (box.empty())
     return AnatomicalView::anterior;
   const Tissues tissues = tissuesOf(scene);
-  std::array<double, anatomicalDirections.size()> seen{};
-  parallelFor(seen.size(), 1, [&](std::size_t i) {
-    DepthMap map(anatomicalDirections[i], box);
+  std::array<double, 2 * allAxes.size()> seen{};
+  parallelFor(allAxes.size(), 1, [&](std::size_t i) {
+    const Axes& axes = allAxes[i];
+    DepthMap map(axes, box);
     for (const bool others : {false, true}) {
       for (const VisibleStructure& each : visible) {
         const bool asked = wanted.contains(each.node->id.value);
         if (asked != others && (asked || staysFilled(tissues.at(each.node->id.value))))
           map.add(*each.node->mesh, asked ? Kind::wanted : Kind::other);
       }
-      seen[i] += map.seen(Kind::wanted);
+      seen[std::size_t(axes.fromHigh)] += map.seenFromHigh(Kind::wanted);
+      seen[std::size_t(axes.fromLow)] += map.seenFromLow(Kind::wanted);
     }
   });
   const auto best = std::max_element(seen.begin(), seen.end());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moves cameras so that points fill their picture.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -51,6 +53,67 @@ struct Support {
   double nearestEye() const { return (above + below) / (slopes.low + slopes.high); }
 };
 
+/// Holds the points whose slope from an eye may be the least or the greatest. As an eye moves
+/// sideways each slope changes evenly, so a point that is behind another at both ends of the eye's
+/// range is behind it throughout.
+class Outermost {
+ public:
+  Outermost(std::span<const glm::dvec2> lateralAndDepth, double eyeDepth) {
+    m_points.reserve(lateralAndDepth.size());
+    for (const glm::dvec2& p : lateralAndDepth)
+      m_points.push_back({p.x, eyeDepth - p.y});
+  }
+
+  /// Returns the least and the greatest slope.
+  CameraInterval slopesFrom(double eye) {
+    CameraInterval slopes;
+    for (const Point& p : m_points) {
+      const double slope = p.slopeFrom(eye);
+      if (slope < slopes.low)
+        m_least = p;
+      if (slope > slopes.high)
+        m_greatest = p;
+      slopes.add(slope);
+    }
+    return slopes;
+  }
+
+  /// Drops the points that are not outermost from any eye between `low` and `high`, as far as those
+  /// that were last can tell.
+  void narrow(double low, double high) {
+    constexpr std::size_t few = 64;
+    if (m_points.size() <= few)
+      return;
+    constexpr double rounding = 1e-9;
+    const std::array eyes{low, high};
+    std::array<double, 2> least{};
+    std::array<double, 2> greatest{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      least[i] = m_least.slopeFrom(eyes[i]);
+      greatest[i] = m_greatest.slopeFrom(eyes[i]);
+      const double room = rounding * (1.0 + std::abs(least[i]) + std::abs(greatest[i]));
+      least[i] += room;
+      greatest[i] -= room;
+    }
+    std::erase_if(m_points, [&](const Point& p) {
+      const double first = p.slopeFrom(low);
+      const double second = p.slopeFrom(high);
+      return (first > least[0] && second > least[1]) &&
+             (first < greatest[0] && second < greatest[1]);
+    });
+  }
+
+ private:
+  struct Point {
+    double lateral = 0.0;
+    double away = 1.0;  ///< from the eye, along the line of sight
+    double slopeFrom(double eye) const { return (lateral - eye) / away; }
+  };
+  std::vector<Point> m_points;
+  Point m_least;
+  Point m_greatest;
+};
+
 /// Returns the lateral eye position from which the outermost points on both sides lie equally far
 /// from their ends of the picture; found by bisection, since the difference of the two falls
 /// monotonically.
@@ -62,12 +125,12 @@ double centredEye(std::span<const glm::dvec2> lateralAndDepth, const CameraInter
     farthest = std::max(farthest, eyeDepth - p.y);
   double low = range.low - std::max(aside, 0.0) * farthest;
   double high = range.high + std::max(-aside, 0.0) * farthest;
+  Outermost outermost(lateralAndDepth, eyeDepth);
   for (int step = 0; step < 40 && low < high; ++step) {
     const double eye = 0.5 * (low + high);
-    CameraInterval slopes;
-    for (const glm::dvec2& p : lateralAndDepth)
-      slopes.add((p.x - eye) / (eyeDepth - p.y));
+    const CameraInterval slopes = outermost.slopesFrom(eye);
     (slopes.low + slopes.high > aside ? low : high) = eye;
+    outermost.narrow(low, high);
   }
   return 0.5 * (low + high);
 }

@@ -84,6 +84,28 @@ class BvhTest : public QObject {
     QVERIFY(!bvh.nearest({}).has_value());
     QVERIFY(!bvh.blocked({.direction = glm::vec3(0.0f)}));
     QVERIFY(std::isinf(bvh.closest({1, 2, 3}).distance));
+    QVERIFY(!bvh.isWithin({1, 2, 3}, 1e9f));
+  }
+
+  // Also where whole boxes are near, and from right on the surface.
+  void withinIsNearerThan() {
+    const auto mesh = test::torus(10, 3, 60, 30);
+    const model::Bvh bvh(mesh, model::spatialOrder(*mesh));
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> at(-20.0f, 20.0f);
+    int near = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const glm::vec3 point(at(random), at(random), 0.5f * at(random));
+      const float distance = bvh.closest(point).distance;
+      QVERIFY(!bvh.isWithin(point, distance));
+      QVERIFY(bvh.isWithin(point, 1.001f * distance));
+      const float some = std::abs(at(random));
+      QCOMPARE(bvh.isWithin(point, some), distance < some);
+      near += distance < some;
+    }
+    QVERIFY(near > 200 && near < 900);
+    QVERIFY(bvh.isWithin(mesh->positions()[7], 1e-6f));
+    QVERIFY(!bvh.isWithin(mesh->positions()[7], 0.0f));
   }
 
   void closestOnSphere() {
