@@ -61,6 +61,10 @@ struct Layer {
   }
 };
 
+/// Returns what the resolve pass must know of those layers that show in the region.
+std::vector<ListedLayer> listedLayers(std::span<const Layer> layers, const PixelRect& region,
+                                      Background background);
+
 /// Finds which parts of the surface show within `region`, except for single triangles.
 Coverage coverage(const PreparedStructure& shown, const PictureView& view, const PixelRect& region);
 

@@ -35,37 +35,44 @@ void LayerPainter::clear(gpu::Device& device, std::span<const Layer> layers,
       clearBoth(layers[i].slot);
 }
 
+void LayerPainter::drawMember(gpu::Device& device, const MemberDraw& member,
+                              const passes::SurfaceView& view, DrawQueue& queue) const {
+  const PreparedStructure& shown = member.layer.members[member.index];
+  const Coverage& coverage = member.layer.coverage[member.index];
+  const std::vector<glm::vec4> sections =
+      shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
+  passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
+                           .ranges = coverage.ranges,
+                           .visible = coverage.visible,
+                           .layer = member.layer.area,
+                           .slot = member.slot,
+                           .fill = member.fill,
+                           .sections = sections};
+  if (draw.visible.empty()) {
+    m_surfacePass->draw(device, member.target, view, draw);
+    for (const gpu::DrawRange& range : draw.ranges)
+      queue.addTriangles(device, range.count);
+    return;
+  }
+  std::span<const std::uint32_t> left = draw.visible;
+  while (!left.empty()) {
+    draw.visible = left.first(std::min(left.size(), DrawQueue::mostIndices));
+    m_surfacePass->draw(device, member.target, view, draw);
+    queue.addTriangles(device, draw.visible.size());
+    left = left.subspan(draw.visible.size());
+  }
+}
+
 void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,
                                DrawQueue& queue) const {
   const passes::SurfaceView view{.viewProjection = input.view.viewProjection(),
                                  .eye = input.view.eyeVector(),
                                  .pictureSize = input.view.size(),
                                  .key = input.view.toPatient(keyLight(input))};
-  for (std::size_t i = 0; i < layer.members.size(); ++i) {
-    const PreparedStructure& shown = layer.members[i];
-    const std::vector<glm::vec4> sections =
-        shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
-    passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
-                             .ranges = layer.coverage[i].ranges,
-                             .visible = layer.coverage[i].visible,
-                             .layer = layer.area,
-                             .slot = layer.slot,
-                             .fill = shownFill(input, shown),
-                             .sections = sections};
-    if (draw.visible.empty()) {
-      m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
-      for (const gpu::DrawRange& range : draw.ranges)
-        queue.addTriangles(device, range.count);
-      continue;
-    }
-    std::span<const std::uint32_t> left = draw.visible;
-    while (!left.empty()) {
-      draw.visible = left.first(std::min(left.size(), DrawQueue::mostIndices));
-      m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
-      queue.addTriangles(device, draw.visible.size());
-      left = left.subspan(draw.visible.size());
-    }
-  }
+  for (std::size_t i = 0; i < layer.members.size(); ++i)
+    drawMember(device,
+               {m_atlas.surfaceTarget(), layer, i, layer.slot, shownFill(input, layer.members[i])},
+               view, queue);
 }
 
 void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input,

@@ -121,9 +121,8 @@ LayerPainter::Canvas LayerPainter::canvas(const gpu::Target& target, const Pixel
   return {target, region, std::move(wanted), keeps};
 }
 
-void LayerPainter::resolve(gpu::Device& device, Background background, const Canvas& canvas,
-                           std::span<const Layer> layers) {
-  const PixelRect& region = canvas.region;
+std::vector<ListedLayer> listedLayers(std::span<const Layer> layers, const PixelRect& region,
+                                      Background background) {
   std::vector<ListedLayer> listed;
   for (const Layer& layer : layers) {
     const PixelRect seen = intersection(layer.area, region);
@@ -140,6 +139,12 @@ void LayerPainter::resolve(gpu::Device& device, Background background, const Can
                    .hiddenInk = layer.hiddenInk,
                    .haloed = layer.haloed}});
   }
+  return listed;
+}
+
+void LayerPainter::resolve(gpu::Device& device, Background background, const Canvas& canvas,
+                           std::span<const Layer> layers) {
+  const std::vector<ListedLayer> listed = listedLayers(layers, canvas.region, background);
   const TileLists lists = tileLists(listed, canvas.wanted);
   m_resolvePass->upload(lists.tiles, lists.entries);
   m_resolvePass->draw(device, canvas.target,

@@ -13,6 +13,7 @@
 #include "render/picture/atlas.h"
 #include "render/picture/draw_queue.h"
 #include "render/picture/layer.h"
+#include "render/picture/picture_canvas.h"
 #include "render/picture/printed_hatching.h"
 #include "render/picture/stopwatch.h"
 
@@ -51,6 +52,10 @@ class LayerPainter {
   /// then undefined.
   Result<Outcome> paint(gpu::Device& device, const PictureInput& input, const PixelRect& region,
                         const gpu::Target& target, Stopwatch& stopwatch);
+  /// Draws lines around structures, seen or not, over the region's place in the target of the whole
+  /// picture. The region is the one of the last `paint`, whose layers hide what lies behind them.
+  Status outline(gpu::Device& device, const PictureInput& input, const PixelRect& region,
+                 const gpu::Target& target, const Outline& outline);
   /// Returns how many layers the last `paint` drew anew.
   int layersDrawn() const { return m_layersDrawn; }
   void forget() { m_kept.clear(); }
@@ -76,6 +81,16 @@ class LayerPainter {
   void letGo(gpu::Device& device);
   void clear(gpu::Device& device, std::span<const Layer> layers,
              std::span<const std::size_t> changed) const;
+  /// Says where and how the surface of a layer's member is drawn.
+  struct MemberDraw {
+    const gpu::Target& target;
+    const Layer& layer;
+    std::size_t index = 0;  ///< in the layer's members
+    PixelRect slot;         ///< the layer's place in the target
+    SurfaceFill fill;
+  };
+  void drawMember(gpu::Device& device, const MemberDraw& member, const passes::SurfaceView& view,
+                  DrawQueue& queue) const;
   void drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,
                    DrawQueue& queue) const;
   void drawCaps(gpu::Device& device, const PictureInput& input, const Layer& layer) const;
@@ -96,6 +111,8 @@ class LayerPainter {
                 std::span<const std::size_t> changed);
   void resolve(gpu::Device& device, Background background, const Canvas& canvas,
                std::span<const Layer> layers);
+  void drawNumbers(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
+                   const PixelRect& region) const;
 
   Atlas m_atlas;
   std::shared_ptr<passes::SurfacePass> m_surfacePass;
@@ -105,7 +122,8 @@ class LayerPainter {
   PrintedHatching m_printedHatching;
   Key m_key;
   std::vector<Layer> m_kept;
-  TileMask m_left;  ///< squares touched by layers that have since changed or gone
+  TileMask m_left;          ///< squares touched by layers that have since changed or gone
+  PictureCanvas m_numbers;  ///< which marked structure is where, as deep as it is
   const gpu::Target* m_target = nullptr;  ///< that of the last `paint`
   bool m_freshAtlas = true;
   int m_layersDrawn = 0;

@@ -26,6 +26,7 @@ struct Output {
   const gpu::Target* target = nullptr;
   const PicturePieces* pieces = nullptr;
   const std::atomic<bool>* unwanted = nullptr;
+  std::span<const Outline> outlines = {};
   bool aside = false;  ///< it is not one of those that are drawn again and again
 };
 
@@ -144,6 +145,9 @@ Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
   layersDrawn += used.painter->layersDrawn();
   if (output.target)
     device->copyColour(*canvas.target, {0, 0, region.width, region.height}, *output.target, region);
+  for (const Outline& outline : output.outlines)
+    if (Status s = used.painter->outline(*device, input, region, *output.target, outline); !s)
+      return s;
   if (output.image) {
     std::vector<std::byte> pixels(std::size_t(region.width) * region.height * 4);
     device->read(*canvas.target, {0, 0, region.width, region.height}, pixels);
@@ -268,7 +272,7 @@ Status Picture::draw(const model::Scene& scene, const model::Camera& camera,
 Result<bool> Picture::drawInto(const TargetJob& job, const model::Scene& scene,
                                const model::Camera& camera, const PictureSettings& settings) {
   assert(job.target.size() == (gpu::TextureSize{settings.width, settings.height}));
-  const Output output{.target = &job.target, .unwanted = job.unwanted};
+  const Output output{.target = &job.target, .unwanted = job.unwanted, .outlines = job.outlines};
   if (Status s = m_data->picture(scene, camera, settings, output); !s)
     return s.error();
   m_data->device->finish();

@@ -9,10 +9,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "model/base/result.h"
+#include "model/base/units.h"
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
 #include "render/raster/image.h"
@@ -43,6 +45,18 @@ struct PictureOptions {
   std::size_t atlasPixels = 20'000'000;  ///< of all layers together, 13 bytes each
   /// Intermediate colours have 16 bits per channel (17 bytes then); needs OpenGL, ES is not enough.
   bool deep = false;
+};
+
+/// A line around structures of a picture in a window, such as those that are selected. It is no
+/// part of the picture: nothing that is exported has one.
+struct Outline {
+  std::vector<model::NodeId> structures;  ///< sorted
+  Colour ink;
+  Colour casing{255, 255, 255};  ///< narrow lines beside the ink, to set it off
+  float width = 2.0f;            ///< pixels, of the ink
+  float casingWidth = 1.0f;      ///< pixels at each side
+  float strength = 1.0f;         ///< 0 … 1
+  bool operator==(const Outline&) const = default;
 };
 
 /// A part of a picture as it was drawn; lengths are in pixels, from the picture's upper left
@@ -100,6 +114,7 @@ class Picture {
     const gpu::Target& target;
     /// Set from another thread when the picture is no longer wanted; may be null.
     const std::atomic<bool>* unwanted = nullptr;
+    std::span<const Outline> outlines = {};  ///< drawn over the picture, the last on top
   };
   Result<bool> drawInto(const TargetJob& job, const model::Scene& scene,
                         const model::Camera& camera, const PictureSettings& settings);

@@ -13,6 +13,21 @@ constexpr float tintStrength = 0.2f;
 // Two fifths of what lies behind one veil show, a sixth behind two: near and far stay apart.
 constexpr float veilStrength = 0.6f;
 
+/// Returns how much a wash of that kind hides, apart from the style's opacity.
+float washStrength(model::Fill fill) {
+  switch (fill) {
+    case model::Fill::paper:
+      return 1.0f;
+    case model::Fill::tint:
+      return tintStrength;
+    case model::Fill::veil:
+      return veilStrength;
+    case model::Fill::none:
+      break;
+  }
+  return 0.0f;
+}
+
 }  // namespace
 
 glm::vec4 backgroundColour(Background background) {
@@ -48,6 +63,11 @@ bool hasFill(const model::ResolvedStyle& style) {
          (style.fill != model::Fill::none || transitions(style.gamma).shading > 0.0f);
 }
 
+float fillCover(const model::ResolvedStyle& style) {
+  const float shading = transitions(style.gamma).shading;
+  return style.opacity.value() * (1.0f - (1.0f - washStrength(style.fill)) * (1.0f - shading));
+}
+
 SurfaceFill surfaceFill(const DrawnStructure& shown, const PictureView& view,
                         Background background) {
   using Kind = SurfaceFill::Kind;
@@ -68,11 +88,10 @@ SurfaceFill surfaceFill(const DrawnStructure& shown, const PictureView& view,
     // A picture without background is meant for white paper.
     const bool transparent = background == Background::transparent;
     fill.wash = transparent ? glm::vec4(1.0f) : backgroundColour(background);
-    if (style.fill == model::Fill::veil)
-      fill.wash *= veilStrength;
   } else if (style.fill == model::Fill::tint) {
-    fill.wash = tintStrength * glm::vec4(fill.colour, 1.0f);
+    fill.wash = glm::vec4(fill.colour, 1.0f);
   }
+  fill.wash *= washStrength(style.fill);
   fill.wash *= fill.opacity;
   return fill;
 }

@@ -40,6 +40,8 @@ Colour inkColour(const model::ResolvedStyle& style, Background background);
 /// Returns whether a structure hides what is behind and has no lines.
 bool isOpaque(const model::ResolvedStyle& style);
 bool hasFill(const model::ResolvedStyle& style);
+/// Returns how much of what lies behind the fill hides where it is complete, 0 … 1.
+float fillCover(const model::ResolvedStyle& style);
 SurfaceFill surfaceFill(const DrawnStructure& shown, const PictureView& view,
                         Background background);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "render/passes/shader_files.h"
 
@@ -38,6 +39,33 @@ gpu::ProgramRecipe resolveRecipe() {
                        {"background", UniformType::vec4}}};
 }
 
+gpu::ProgramRecipe outlineRecipe() {
+  using gpu::UniformType;
+  return {.name = "outline",
+          .vertexFile = "resolve.vert.glsl",
+          .fragmentFile = "outline.frag.glsl",
+          .uniforms = {{"targetSize", UniformType::vec2},
+                       {"tileSide", UniformType::real},
+                       {"numbers", UniformType::texture},
+                       {"numberDepths", UniformType::texture},
+                       {"colours", UniformType::texture},
+                       {"depths", UniformType::texture},
+                       {"entries", UniformType::intTexture},
+                       {"rowBits", UniformType::integer},
+                       {"corner", UniformType::ivec2},
+                       {"ink", UniformType::vec3},
+                       {"casing", UniformType::vec3},
+                       {"pen", UniformType::vec4},
+                       {"scale", UniformType::real},
+                       {"reach", UniformType::integer}}};
+}
+
+/// Returns the standard deviation, in pixels, that tells distances up to the casing's rim: the
+/// share of like pixels is of no use beyond 1.25 of it.
+float outlineScale(float casingHalfWidth) {
+  return std::max(1.0f, (casingHalfWidth + 0.5f) / 1.2f);
+}
+
 }  // namespace
 
 ResolveEntry resolveEntry(const ResolveLayer& layer) {
@@ -63,6 +91,10 @@ Result<std::unique_ptr<ResolvePass>> ResolvePass::create(gpu::Dialect dialect) {
     return program.error();
   std::unique_ptr<ResolvePass> pass(new ResolvePass);
   pass->m_program = std::move(*program);
+  auto outline = gpu::Program::create(shaderFiles(), dialect, outlineRecipe());
+  if (!outline)
+    return outline.error();
+  pass->m_outline = std::move(*outline);
   return pass;
 }
 
@@ -107,15 +139,47 @@ void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
   m_program->set("rowBits", rowBits);
   m_program->set("hiddenLines", m_hiddenLines ? 1 : 0);
   m_program->set("background", inputs.background);
-  const gpu::DrawState state{.viewport = {0, 0, size.width, size.height}};
+  drawTiles(device, target, *m_program, {.viewport = {0, 0, size.width, size.height}});
+}
+
+void ResolvePass::drawTiles(gpu::Device& device, const gpu::Target& target,
+                            const gpu::Program& program, const gpu::DrawState& state) {
   std::size_t first = 0;
   for (const std::size_t end : m_batches) {
     if (first > 0)
       device.finish();
     m_geometry.startInstancesAt(first);
-    device.quads({target, *m_program, m_geometry, state}, end - first);
+    device.quads({target, program, m_geometry, state}, end - first);
     first = end;
   }
+}
+
+int ResolvePass::outlineReach(float casingHalfWidth) {
+  return std::min(12, int(std::ceil(2.0f * outlineScale(casingHalfWidth))));
+}
+
+void ResolvePass::drawOutlines(gpu::Device& device, const gpu::Target& target,
+                               const OutlineInputs& inputs) {
+  if (m_batches.empty())
+    return;
+  const PixelRect& region = inputs.region;
+  m_outline->set("targetSize", glm::vec2(float(region.width), float(region.height)));
+  m_outline->set("tileSide", float(tileSide));
+  m_outline->set("numbers", inputs.numbers);
+  m_outline->set("numberDepths", inputs.numberDepths);
+  m_outline->set("colours", inputs.colours);
+  m_outline->set("depths", inputs.depths);
+  m_outline->set("entries", *m_entries);
+  m_outline->set("rowBits", rowBits);
+  m_outline->set("corner", glm::ivec2(region.x, region.y));
+  m_outline->set("ink", inputs.ink);
+  m_outline->set("casing", inputs.casing);
+  m_outline->set("pen", glm::vec4(inputs.halfWidth, inputs.casingHalfWidth, inputs.strength,
+                                  inputs.hiddenStrength));
+  m_outline->set("scale", outlineScale(inputs.casingHalfWidth));
+  m_outline->set("reach", outlineReach(inputs.casingHalfWidth));
+  drawTiles(device, target, *m_outline,
+            {.viewport = region, .scissor = region, .blend = gpu::Blend::over});
 }
 
 }  // namespace sline::render::passes

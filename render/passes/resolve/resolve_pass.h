@@ -46,6 +46,21 @@ struct ResolveInputs {
   bool keepOthers = false;     ///< pixels outside all tiles stay as they are
 };
 
+/// Describes a line around marked structures; lengths in pixels.
+struct OutlineInputs {
+  const gpu::Texture& numbers;  ///< of the region; red: which marked structure, 0 for none
+  const gpu::Texture& numberDepths;
+  const gpu::Texture& colours;  ///< as in ResolveInputs
+  const gpu::Texture& depths;
+  PixelRect region;  ///< its place in the target
+  glm::vec3 ink{0.0f};
+  glm::vec3 casing{1.0f};  ///< beside the ink
+  float halfWidth = 1.0f;
+  float casingHalfWidth = 2.0f;
+  float strength = 1.0f;  ///< 0 … 1
+  float hiddenStrength = 0.3f;
+};
+
 class ResolvePass {
  public:
   static constexpr int tileSide = 32;
@@ -55,12 +70,20 @@ class ResolvePass {
   /// Draws the layers. Pixels outside all tiles become background, unless they are to stay. It
   /// waits for the GPU between batches of tiles, so that another context's drawing gets its turn.
   void draw(gpu::Device& device, const gpu::Target& target, const ResolveInputs& inputs);
+  /// Draws the line over what the target has, in the tiles that were uploaded; their layers hide
+  /// it.
+  void drawOutlines(gpu::Device& device, const gpu::Target& target, const OutlineInputs& inputs);
+  /// Returns how many pixels beside a structure its line can touch.
+  static int outlineReach(float casingHalfWidth);
 
  private:
   ResolvePass();
   static constexpr int rowBits = 10;
   static constexpr int entriesPerRow = 1 << rowBits;
+  void drawTiles(gpu::Device& device, const gpu::Target& target, const gpu::Program& program,
+                 const gpu::DrawState& state);
   std::unique_ptr<gpu::Program> m_program;
+  std::unique_ptr<gpu::Program> m_outline;
   gpu::Buffer m_tiles;
   gpu::Geometry m_geometry;
   std::unique_ptr<gpu::Texture> m_entries;
