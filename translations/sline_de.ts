@@ -1553,10 +1553,6 @@
         <translation>Rechtsklick</translation>
     </message>
     <message>
-        <source>What can be done with the structure there</source>
-        <translation>Was sich mit der Struktur dort tun lässt</translation>
-    </message>
-    <message>
         <source>Drag the arrow of a section</source>
         <translation>Den Pfeil eines Schnitts ziehen</translation>
     </message>
@@ -2788,6 +2784,86 @@
     <message>
         <source>Hide all panels around the picture, or show them again</source>
         <translation>Alle Bedienfelder um das Bild ausblenden oder wieder zeigen</translation>
+    </message>
+    <message>
+        <source>S&amp;elect</source>
+        <translation>Auswä&amp;hlen</translation>
+    </message>
+    <message>
+        <source>&amp;All</source>
+        <translation>&amp;Alle</translation>
+    </message>
+    <message>
+        <source>Select all structures that are shown and not locked</source>
+        <translation>Alle Strukturen wählen, die gezeigt werden und nicht gesperrt sind</translation>
+    </message>
+    <message>
+        <source>&amp;Inverse</source>
+        <translation>&amp;Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>Select what is shown and not selected, in place of what is</source>
+        <translation>Wählen, was gezeigt wird und nicht gewählt ist, statt dessen, was es ist</translation>
+    </message>
+    <message>
+        <source>Same &amp;Kind</source>
+        <translation>&amp;Gleiche Art</translation>
+    </message>
+    <message>
+        <source>Shift+G</source>
+        <translation>Shift+G</translation>
+    </message>
+    <message>
+        <source>Select what differs from the selected by side or number alone, such as all ribs; again: all of their system</source>
+        <translation>Wählen, was sich vom Gewählten nur durch Seite oder Nummer unterscheidet, etwa alle Rippen; noch einmal: alles in ihrem System</translation>
+    </message>
+    <message>
+        <source>&amp;Other Side</source>
+        <translation>An&amp;dere Seite</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>Select what the selected structures are paired with on the other side of the body</source>
+        <translation>Die Gegenstücke der gewählten Strukturen auf der anderen Körperseite wählen</translation>
+    </message>
+    <message>
+        <source>By a &amp;Box</source>
+        <translation>Mit einem &amp;Rahmen</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Drag a box in the picture: to the right what lies within, to the left what it touches</source>
+        <translation>Einen Rahmen im Bild ziehen: nach rechts, was darin liegt, nach links, was er berührt</translation>
+    </message>
+    <message>
+        <source>Middle click, Page Down, %1</source>
+        <translation>Klick mit der Mitteltaste, Bild ab, %1</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>Select the next structure before it</source>
+        <translation>Die nächste Struktur davor wählen</translation>
+    </message>
+    <message>
+        <source>Select by a box: to the right what lies within, to the left what it touches; with Ctrl in addition</source>
+        <translation>Mit einem Rahmen wählen: nach rechts, was darin liegt, nach links, was er berührt; mit Strg zusätzlich</translation>
+    </message>
+    <message>
+        <source>What can be done with the structure there, and all that lies there from front to back</source>
+        <translation>Was mit der Struktur dort getan werden kann, und alles, was dort liegt, von vorn nach hinten</translation>
     </message>
 </context>
 <context>
@@ -4209,6 +4285,10 @@ OpenGL: %3</translation>
     <message>
         <source>Turn &amp;Around This Place</source>
         <translation>&amp;Um diese Stelle drehen</translation>
+    </message>
+    <message>
+        <source>Select Here</source>
+        <translation>Hier auswählen</translation>
     </message>
 </context>
 <context>

@@ -1553,10 +1553,6 @@
         <translation>Høyreklikk</translation>
     </message>
     <message>
-        <source>What can be done with the structure there</source>
-        <translation>Hva som kan gjøres med strukturen der</translation>
-    </message>
-    <message>
         <source>Drag the arrow of a section</source>
         <translation>Dra pilen til et snitt</translation>
     </message>
@@ -2788,6 +2784,86 @@
     <message>
         <source>Hide all panels around the picture, or show them again</source>
         <translation>Skjul alle paneler rundt bildet, eller vis dem igjen</translation>
+    </message>
+    <message>
+        <source>S&amp;elect</source>
+        <translation>&amp;Marker</translation>
+    </message>
+    <message>
+        <source>&amp;All</source>
+        <translation>&amp;Alle</translation>
+    </message>
+    <message>
+        <source>Select all structures that are shown and not locked</source>
+        <translation>Velg alle strukturer som vises og ikke er låst</translation>
+    </message>
+    <message>
+        <source>&amp;Inverse</source>
+        <translation>&amp;Omvendt</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>Select what is shown and not selected, in place of what is</source>
+        <translation>Velg det som vises og ikke er valgt, i stedet for det som er det</translation>
+    </message>
+    <message>
+        <source>Same &amp;Kind</source>
+        <translation>Samme &amp;slag</translation>
+    </message>
+    <message>
+        <source>Shift+G</source>
+        <translation>Shift+G</translation>
+    </message>
+    <message>
+        <source>Select what differs from the selected by side or number alone, such as all ribs; again: all of their system</source>
+        <translation>Velg det som bare skiller seg fra det valgte ved side eller nummer, som alle ribbein; en gang til: alt i systemet deres</translation>
+    </message>
+    <message>
+        <source>&amp;Other Side</source>
+        <translation>Andre si&amp;de</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>Select what the selected structures are paired with on the other side of the body</source>
+        <translation>Velg motstykkene til de valgte strukturene på den andre siden av kroppen</translation>
+    </message>
+    <message>
+        <source>By a &amp;Box</source>
+        <translation>Med en &amp;ramme</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Drag a box in the picture: to the right what lies within, to the left what it touches</source>
+        <translation>Dra en ramme i bildet: mot høyre det som ligger i den, mot venstre det den berører</translation>
+    </message>
+    <message>
+        <source>Middle click, Page Down, %1</source>
+        <translation>Klikk med midtknappen, Page Down, %1</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>Select the next structure before it</source>
+        <translation>Velg den neste strukturen foran</translation>
+    </message>
+    <message>
+        <source>Select by a box: to the right what lies within, to the left what it touches; with Ctrl in addition</source>
+        <translation>Velg med en ramme: mot høyre det som ligger i den, mot venstre det den berører; med Ctrl i tillegg</translation>
+    </message>
+    <message>
+        <source>What can be done with the structure there, and all that lies there from front to back</source>
+        <translation>Hva som kan gjøres med strukturen der, og alt som ligger der fra forrest til bakerst</translation>
     </message>
 </context>
 <context>
@@ -4209,6 +4285,10 @@ OpenGL: %3</translation>
     <message>
         <source>Turn &amp;Around This Place</source>
         <translation>D&amp;rei rundt dette stedet</translation>
+    </message>
+    <message>
+        <source>Select Here</source>
+        <translation>Velg her</translation>
     </message>
 </context>
 <context>

@@ -1553,10 +1553,6 @@
         <translation>Rechtsklik</translation>
     </message>
     <message>
-        <source>What can be done with the structure there</source>
-        <translation>Wat met de structuur daar gedaan kan worden</translation>
-    </message>
-    <message>
         <source>Drag the arrow of a section</source>
         <translation>De pijl van een doorsnede slepen</translation>
     </message>
@@ -2788,6 +2784,86 @@
     <message>
         <source>Hide all panels around the picture, or show them again</source>
         <translation>Alle panelen rond het beeld verbergen, of weer tonen</translation>
+    </message>
+    <message>
+        <source>S&amp;elect</source>
+        <translation>Selec&amp;teren</translation>
+    </message>
+    <message>
+        <source>&amp;All</source>
+        <translation>&amp;Alles</translation>
+    </message>
+    <message>
+        <source>Select all structures that are shown and not locked</source>
+        <translation>Alle structuren kiezen die getoond worden en niet vergrendeld zijn</translation>
+    </message>
+    <message>
+        <source>&amp;Inverse</source>
+        <translation>&amp;Omgekeerd</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>Select what is shown and not selected, in place of what is</source>
+        <translation>Kiezen wat getoond wordt en niet gekozen is, in plaats van wat dat wel is</translation>
+    </message>
+    <message>
+        <source>Same &amp;Kind</source>
+        <translation>Zelfde &amp;soort</translation>
+    </message>
+    <message>
+        <source>Shift+G</source>
+        <translation>Shift+G</translation>
+    </message>
+    <message>
+        <source>Select what differs from the selected by side or number alone, such as all ribs; again: all of their system</source>
+        <translation>Kiezen wat alleen door kant of nummer van het gekozene verschilt, zoals alle ribben; nog eens: alles in hun stelsel</translation>
+    </message>
+    <message>
+        <source>&amp;Other Side</source>
+        <translation>Andere &amp;kant</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>Select what the selected structures are paired with on the other side of the body</source>
+        <translation>De tegenhangers van de gekozen structuren aan de andere kant van het lichaam kiezen</translation>
+    </message>
+    <message>
+        <source>By a &amp;Box</source>
+        <translation>Met een ka&amp;der</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Drag a box in the picture: to the right what lies within, to the left what it touches</source>
+        <translation>Een kader in de afbeelding trekken: naar rechts wat erin ligt, naar links wat het raakt</translation>
+    </message>
+    <message>
+        <source>Middle click, Page Down, %1</source>
+        <translation>Klik met de middelste knop, Page Down, %1</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>Select the next structure before it</source>
+        <translation>De volgende structuur ervoor kiezen</translation>
+    </message>
+    <message>
+        <source>Select by a box: to the right what lies within, to the left what it touches; with Ctrl in addition</source>
+        <translation>Met een kader kiezen: naar rechts wat erin ligt, naar links wat het raakt; met Ctrl erbij</translation>
+    </message>
+    <message>
+        <source>What can be done with the structure there, and all that lies there from front to back</source>
+        <translation>Wat met de structuur daar gedaan kan worden, en alles wat daar ligt van voor naar achter</translation>
     </message>
 </context>
 <context>
@@ -4209,6 +4285,10 @@ OpenGL: %3</translation>
     <message>
         <source>Turn &amp;Around This Place</source>
         <translation>&amp;Om deze plek draaien</translation>
+    </message>
+    <message>
+        <source>Select Here</source>
+        <translation>Hier kiezen</translation>
     </message>
 </context>
 <context>

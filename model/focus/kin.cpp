@@ -5,44 +5,11 @@
 #include <array>
 #include <map>
 
-#include "model/anatomy/laterality_words.h"
-#include "model/base/letters.h"
+#include "model/anatomy/kin_names.h"
 
 namespace sline::model {
 
 namespace {
-
-using Words = std::vector<std::string>;
-
-/// Tells whether the word counts rather than names: "12", "viii", "third", "t12", "a".
-bool counts(const std::string& word) {
-  static constexpr std::array<std::string_view, 12> ordinals{
-      "first",   "second", "third", "fourth", "fifth",    "sixth",
-      "seventh", "eighth", "ninth", "tenth",  "eleventh", "twelfth"};
-  return word.size() <= 1 || std::any_of(word.begin(), word.end(), isDigit) ||
-         word.find_first_not_of("ivx") == std::string::npos ||
-         std::find(ordinals.begin(), ordinals.end(), word) != ordinals.end();
-}
-
-struct Kin {
-  Side side = Side::none;
-  std::string pair;    ///< the name without its side
-  std::string family;  ///< and without its numbers
-};
-
-Kin kinOf(const std::string& name) {
-  Kin kin;
-  for (const std::string& word : nameWords(name)) {
-    if (const Side side = sideOfWord(word); side != Side::none) {
-      kin.side = side;
-      continue;
-    }
-    kin.pair += word + ' ';
-    if (!counts(word))
-      kin.family += word + ' ';
-  }
-  return kin;
-}
 
 /// Returns the larger of two roles in the order in which they decide how kin is drawn: kin of which
 /// one member hides the targets is a shell.
@@ -103,11 +70,11 @@ bool onTheMiddle(const Scene& scene, std::span<const Relation> relations,
 }  // namespace
 
 void treatKinAlike(const Scene& scene, std::span<Relation> relations) {
-  std::vector<Kin> names;
+  std::vector<KinName> names;
   std::map<std::string, std::array<const Node*, 2>> pairs;
   for (const Relation& relation : relations) {
     const Node* node = scene.find(relation.structure);
-    names.push_back(kinOf(node->name));
+    names.push_back(kinName(node->name));
     if (names.back().side != Side::none)
       pairs[names.back().pair][names.back().side == Side::left ? 0 : 1] = node;
   }

@@ -36,9 +36,11 @@ std::vector<MenuRow> menuRows() {
               "recover | close quit")),
       row("recentMenu", tr("Open &Recent"), {}),
       row("demoMenu", tr("&Demo"), {}),
-      row("editMenu", tr("&Edit"), ids("undo redo | copyPicture | find | preferences")),
+      row("editMenu", tr("&Edit"), ids("undo redo | >selectMenu find | copyPicture | preferences")),
+      row("selectMenu", tr("S&elect"),
+          ids("selectAll selectInverse selectSameKind selectOtherSide | selectBox")),
       row("structureMenu", tr("&Structure"),
-          ids("focus context ghost colour >inheritMenu | toggle isolate hideOthers "
+          ids("focus context ghost colour >inheritMenu | >selectMenu | toggle isolate hideOthers "
               "showAll zoomTo | rename newGroup group ungroup lock properties | remove")),
       row("inheritMenu", tr("&Inherit"), ids("inherit inheritColour inheritOpacity | inheritAll")),
       row("labelMenu", tr("&Labels"),

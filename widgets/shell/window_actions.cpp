@@ -117,6 +117,21 @@ std::vector<ActionRow> lookRows() {
        "show_all"}};
 }
 
+std::vector<ActionRow> selectionRows() {
+  return {{QStringLiteral("selectAll"), tr("&All"), key(QKeySequence::SelectAll),
+           tr("Select all structures that are shown and not locked")},
+          {QStringLiteral("selectInverse"), tr("&Inverse"), key(tr("Ctrl+Shift+A")),
+           tr("Select what is shown and not selected, in place of what is")},
+          {QStringLiteral("selectSameKind"), tr("Same &Kind"), key(tr("Shift+G")),
+           tr("Select what differs from the selected by side or number alone, such as all ribs; "
+              "again: all of their system")},
+          {QStringLiteral("selectOtherSide"), tr("&Other Side"), key(tr("Shift+M")),
+           tr("Select what the selected structures are paired with on the other side of the body")},
+          {QStringLiteral("selectBox"), tr("By a &Box"), key(tr("B")),
+           tr("Drag a box in the picture: to the right what lies within, to the left what it "
+              "touches")}};
+}
+
 std::vector<ActionRow> structureRows() {
   return {
       {QStringLiteral("zoomTo"),
@@ -218,7 +233,8 @@ std::vector<ActionRow> viewRows() {
 
 std::vector<ActionRow> actionRows() {
   std::vector<ActionRow> rows = fileRows();
-  for (const std::vector<ActionRow>& more : {lookRows(), structureRows(), labelRows(), viewRows()})
+  for (const std::vector<ActionRow>& more :
+       {lookRows(), selectionRows(), structureRows(), labelRows(), viewRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

@@ -34,6 +34,7 @@ StructureActions::StructureActions(Session& session, StructureTree& tree, Viewpo
                                    const WindowActions& actions, QObject* parent)
     : QObject(parent), m_session(session), m_tree(tree), m_viewport(viewport), m_actions(actions) {
   connectLooks();
+  connectSelection();
   connectTree();
   connect(&m_session, &Session::documentChanged, this, &StructureActions::showState);
   connect(&m_session, &Session::selectionChanged, this, &StructureActions::showState);
@@ -62,6 +63,17 @@ void StructureActions::connectLooks() {
   on("showAll", [this] { showAll(m_session); });
   on("zoomTo", [this] { m_viewport.fitTo(m_session.selection()); });
   on("colour", [this] { m_tree.chooseColour(m_session.selection()); });
+}
+
+void StructureActions::connectSelection() {
+  const auto on = [this](const char* id, auto function) {
+    connect(&m_actions[QLatin1String(id)], &QAction::triggered, this, function);
+  };
+  on("selectAll", [this] { selectAll(m_session); });
+  on("selectInverse", [this] { selectInverse(m_session); });
+  on("selectSameKind", [this] { selectSameKind(m_session); });
+  on("selectOtherSide", [this] { selectOtherSide(m_session); });
+  on("selectBox", [this] { m_viewport.drawBox(); });
 }
 
 void StructureActions::connectTree() {
@@ -93,8 +105,8 @@ void StructureActions::showState() {
     return scene.find(id) != nullptr;
   });
   const bool free = any && !model::editable(scene, ids).empty();
-  for (const char* id :
-       {"toggle", "isolate", "hideOthers", "zoomTo", "lock", "properties", "focus"})
+  for (const char* id : {"toggle", "isolate", "hideOthers", "zoomTo", "lock", "properties", "focus",
+                         "selectSameKind", "selectOtherSide"})
     m_actions[QLatin1String(id)].setEnabled(any);
   for (const char* id : {"context", "ghost", "colour", "rename", "group", "remove"})
     m_actions[QLatin1String(id)].setEnabled(free);
@@ -103,7 +115,8 @@ void StructureActions::showState() {
   m_actions[QStringLiteral("ungroup")].setEnabled(
       free && std::any_of(ids.begin(), ids.end(),
                           [&](model::NodeId id) { return scene.find(id)->isGroup(); }));
-  m_actions[QStringLiteral("newGroup")].setEnabled(!scene.nodes().empty());
+  for (const char* id : {"newGroup", "selectAll", "selectInverse", "selectBox"})
+    m_actions[QLatin1String(id)].setEnabled(!scene.nodes().empty());
   m_actions[QStringLiteral("lock")].setChecked(
       any && std::all_of(ids.begin(), ids.end(),
                          [&](model::NodeId id) { return scene.find(id)->locked; }));

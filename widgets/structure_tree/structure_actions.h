@@ -22,6 +22,7 @@ class StructureActions : public QObject {
  private:
   using Edit = model::Edited (*)(const model::Scene&, std::span<const model::NodeId>);
   void connectLooks();
+  void connectSelection();
   void connectTree();
   void editSelection(const QString& name, Edit made);
   /// Opens the name editor for a group that was just made.

@@ -7,6 +7,7 @@
 #include "model/edit/locks.h"
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
+#include "model/focus/selection.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -115,6 +116,23 @@ void removeNodes(Session& session, const NodeIds& ids) {
 
 void moveNodes(Session& session, const NodeIds& ids, model::NodeId group, model::NodeId before) {
   session.apply(tr("Move"), model::moved(session.scene(), ids, group, before));
+}
+
+void selectAll(Session& session) {
+  session.select(model::selectable(session.scene()));
+}
+
+void selectInverse(Session& session) {
+  session.select(model::withoutSelected(session.scene(), session.selection()));
+}
+
+void selectSameKind(Session& session) {
+  session.select(model::ofSameKind(session.scene(), session.selection()));
+}
+
+void selectOtherSide(Session& session) {
+  if (NodeIds others = model::onOtherSide(session.scene(), session.selection()); !others.empty())
+    session.select(std::move(others));
 }
 
 }  // namespace sline::widgets

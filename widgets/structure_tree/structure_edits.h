@@ -32,4 +32,13 @@ void ungroupNodes(Session& session, const NodeIds& ids);
 void removeNodes(Session& session, const NodeIds& ids);
 void moveNodes(Session& session, const NodeIds& ids, model::NodeId group, model::NodeId before);
 
+/// Selects all structures that can be clicked: they are shown and not locked.
+void selectAll(Session& session);
+/// Selects those of them that are not selected.
+void selectInverse(Session& session);
+/// Selects those of the selected ones' kinds, or where all of these are selected of their systems.
+void selectSameKind(Session& session);
+/// Selects the selected ones' partners on the other side of the body, if there are any.
+void selectOtherSide(Session& session);
+
 }  // namespace sline::widgets

@@ -130,8 +130,8 @@ Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& r
   if (!target)
     return target.error();
   try {
-    const Result<bool> painted =
-        painter.paint(request, {.target = **target, .unwanted = &m_unwanted});
+    const Result<bool> painted = painter.paint(
+        request, {.target = **target, .unwanted = &m_unwanted, .outlines = request.outlines});
     if (!painted || !*painted)
       return painted;
   } catch (const std::exception& failure) {

@@ -34,6 +34,7 @@ struct PictureRequest {
   bool moving = false;  ///< camera or section are moving; else they rest, and their picture is
                         ///< abandoned when they move on
   LabelWish labels;
+  std::vector<render::Outline> outlines;  ///< over the picture, around what is selected or meant
 };
 
 /// The kinds of small pictures by their purpose; the first kind is drawn first.

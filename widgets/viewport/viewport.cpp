@@ -31,7 +31,10 @@ QSurfaceFormat pictureFormat() {
 }  // namespace
 
 Viewport::Viewport(Session& session, QWidget* parent)
-    : QOpenGLWidget(parent), m_session(session), m_cameraTool(*this) {
+    : QOpenGLWidget(parent),
+      m_session(session),
+      m_cameraTool(*this),
+      m_boxTool(*this, m_cameraTool, [this](const BoxTool::Box& box) { select(box); }) {
   setObjectName(QStringLiteral("viewport"));
   setAccessibleName(tr("Picture"));
   setFormat(pictureFormat());
@@ -56,6 +59,7 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(m_labels, &PictureLabels::wishChanged, this, [this] { refresh(); });
   connect(m_labels, &PictureLabels::makingChanged, this, &Viewport::showCursor);
   connect(&session, &Session::documentChanged, this, &Viewport::documentChange);
+  connect(&session, &Session::selectionChanged, this, [this] { refresh(); });
   connect(&m_marks->cube(), &CubeMark::viewRequested, this, &Viewport::viewFrom);
   connect(&m_marks->cube(), &CubeMark::turned, this, &Viewport::turnByCube);
   connect(&m_marks->cube(), &CubeMark::turnEnded, this, [this](bool kept) {
@@ -181,8 +185,10 @@ std::vector<Tool*> Viewport::tools() {
   std::vector<Tool*> all;
   for (const std::unique_ptr<Tool>& tool : m_added)
     all.push_back(tool.get());
-  if (!m_instead)
+  if (!m_instead) {
     all.push_back(&m_labels->tool());
+    all.push_back(&m_boxTool);
+  }
   all.push_back(&m_cameraTool);
   return all;
 }

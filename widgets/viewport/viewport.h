@@ -15,8 +15,9 @@
 #include "widgets/session/session.h"
 #include "widgets/viewport/motion_quality.h"
 #include "widgets/viewport/picture_marks.h"
+#include "widgets/viewport/picture_outlines.h"
 #include "widgets/viewport/render_thread.h"
-#include "widgets/viewport/tools/camera_tool.h"
+#include "widgets/viewport/tools/box_tool.h"
 #include "widgets/viewport/tools/picker.h"
 
 class QNativeGestureEvent;
@@ -82,6 +83,11 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void setHeadroom(int pixels);
   void setNamesWanted(bool wanted);
   PictureLabels& labels() { return *m_labels; }
+  /// Makes the next drag of the left button select by a box.
+  void drawBox();
+  /// Draws a strong line around the structure until told otherwise, as a menu does that tells of
+  /// it.
+  void light(std::optional<model::NodeId> id);
 
   /// Returns true where the picture on screen is of the document and the camera as they are, in
   /// full size.
@@ -103,9 +109,9 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void pictureShown();
   /// Tells that the camera turns around this point of a structure from now on.
   void pivotChosen(const QString& structure);
-  /// Asks for a menu of what can be done with the structure there, or with the picture where there
-  /// is none.
-  void menuWanted(const QPoint& onScreen, const std::optional<sline::widgets::Pick>& pick);
+  /// Asks for a menu of what can be done with the structure that is seen there, or with the picture
+  /// where there is none.
+  void menuWanted(const QPoint& onScreen, const sline::widgets::Picks& picks);
   void previewed(sline::widgets::PreviewsOf asker, int id, const QImage& image);
   void failed(const sline::Error& error);
 
@@ -126,7 +132,7 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  enum class ClickFor { selection, addition, deeper, pivot, menu };
+  enum class ClickFor { selection, addition, deeper, nearer, pivot, menu };
   void openGraphics();
   void closeGraphics();
   void rebuildGraphics();
@@ -146,6 +152,9 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void click(const QPointF& at, ClickFor purpose);
   void clicked(const Picks& picks, const QPoint& at, ClickFor purpose);
   Picker::Question question(const QPointF& at) const;
+  void select(const BoxTool::Box& box);
+  void point(std::optional<model::NodeId> id);
+  std::vector<render::Outline> outlines() const;
   void zoomAt(const QPointF& at, float factor);
   bool nativeGesture(const QNativeGestureEvent& event);
   void cancelDrag();
@@ -153,6 +162,7 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void showCursor();
   void wantName();
   void forgetName();
+  void hideName();
   void turnByCube(const glm::vec2& way);
   void placeMarks();
   /// Returns the tools that get mouse events, in this order.
@@ -182,6 +192,8 @@ class Viewport : public QOpenGLWidget, public ViewControl {
 
   std::vector<std::unique_ptr<Tool>> m_added;
   CameraTool m_cameraTool;
+  BoxTool m_boxTool;
+  PictureOutlines m_outlines;
   Tool* m_held = nullptr;             ///< has the mouse
   std::optional<Pointer> m_heldBack;  ///< the newest move that it has not been told of
   QElapsedTimer m_lastHeard;

@@ -120,8 +120,18 @@ void Viewport::refresh(model::Scene scene) {
                                       .environment = environment()},
                          .scale = m_askedScale,
                          .moving = m_moving,
-                         .labels = m_labels->wish(m_moving)};
+                         .labels = m_labels->wish(m_moving),
+                         .outlines = outlines()};
   m_thread->ask(std::move(request));
+}
+
+std::vector<render::Outline> Viewport::outlines() const {
+  if (m_instead)
+    return {};
+  return m_outlines.around(m_session.scene(), m_session.selection(),
+                           {.accent = palette().color(QPalette::Active, QPalette::Highlight),
+                            .background = m_background,
+                            .pixels = m_askedScale * float(devicePixelRatioF())});
 }
 
 void Viewport::askPreviews(PreviewRequest request) {

@@ -72,7 +72,8 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
   m_mouse = event->position();
   if (m_button == Qt::NoButton) {
-    forgetName();
+    // The line around a structure stays until another one is found, or it would flicker.
+    hideName();
     m_nameRest.start();
     showTools();
     m_labels->hover(m_mouse);
@@ -101,6 +102,8 @@ void Viewport::showCursor() {
       shape = tool->cursor(mouse);
   if (!shape)
     shape = m_labels->cursor();
+  if (!shape)
+    shape = m_boxTool.cursor(mouse);
   setCursor(shape.value_or(Qt::ArrowCursor));
 }
 
@@ -130,6 +133,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   const Qt::KeyboardModifiers keys = event->modifiers();
   if (event->button() == Qt::RightButton)
     click(event->position(), ClickFor::menu);
+  else if (event->button() == Qt::MiddleButton)
+    click(event->position(), ClickFor::deeper);
   else if (event->button() == Qt::LeftButton)
     click(event->position(), keys.testFlag(Qt::AltModifier)       ? ClickFor::deeper
                              : keys.testFlag(Qt::ControlModifier) ? ClickFor::addition
@@ -201,12 +206,17 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     m_dragged = true;  // the release is no click
   } else if (event->key() == Qt::Key_Escape && m_marks->cube().cancel()) {
     return;
+  } else if (event->key() == Qt::Key_Escape && m_boxTool.armed()) {
+    m_boxTool.cancel();
+    showCursor();
   } else if (m_labels->press(*event)) {
     return;
   } else if (arrow != glm::vec2(0.0f)) {
     stopFlight();
     move(control ? panned(m_camera, m_pivot, keyPixels * arrow, size2().y)
                  : orbited(m_camera, m_pivot, keyDegrees * arrow.x, keyDegrees * arrow.y));
+  } else if ((event->key() == Qt::Key_PageDown || event->key() == Qt::Key_PageUp) && underMouse()) {
+    click(m_mouse, event->key() == Qt::Key_PageDown ? ClickFor::deeper : ClickFor::nearer);
   } else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) {
     zoomAt(QRectF(rect()).center(), perNotch);
   } else if (event->key() == Qt::Key_Minus) {
@@ -219,7 +229,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 void Viewport::contextMenuEvent(QContextMenuEvent* event) {
   // With the mouse the release opens the menu, because a press may begin a drag.
   if (event->reason() == QContextMenuEvent::Keyboard)
-    emit menuWanted(mapToGlobal(rect().center()), std::nullopt);
+    emit menuWanted(mapToGlobal(rect().center()), {});
   event->accept();
 }
 
@@ -239,13 +249,16 @@ void Viewport::click(const QPointF& at, ClickFor purpose) {
 }
 
 void Viewport::clicked(const Picks& picks, const QPoint& at, ClickFor purpose) {
-  const std::optional<Pick> pick =
-      purpose == ClickFor::deeper ? nextDeeper(picks.all, m_session.selection()) : picks.seen;
+  std::optional<Pick> pick = picks.seen;
+  if (purpose == ClickFor::deeper)
+    pick = nextDeeper(picks.all, m_session.selection());
+  else if (purpose == ClickFor::nearer)
+    pick = nextDeeper({picks.all.rbegin(), picks.all.rend()}, m_session.selection());
   const model::Node* node = pick ? m_session.scene().find(pick->id) : nullptr;
   if (m_instead && purpose != ClickFor::pivot)
     return;
   if (purpose == ClickFor::menu) {
-    emit menuWanted(mapToGlobal(at), node ? pick : std::nullopt);
+    emit menuWanted(mapToGlobal(at), picks);
     return;
   }
   if (purpose == ClickFor::pivot) {
@@ -274,20 +287,57 @@ void Viewport::setNamesWanted(bool wanted) {
   forgetName();
 }
 
+void Viewport::drawBox() {
+  m_labels->make(std::nullopt);
+  m_boxTool.arm(true);
+  showCursor();
+}
+
+void Viewport::select(const BoxTool::Box& box) {
+  showCursor();
+  const QRectF area(box.area);
+  const PickIndex::Box asked{.camera = m_camera,
+                             .size = size2(),
+                             .low = vec(area.topLeft()),
+                             .high = vec(area.bottomRight()),
+                             .touching = box.touching};
+  m_picker.askBox(m_session.scene(), asked, [this, adding = box.adding](const NodeIds& found) {
+    NodeIds ids = adding ? m_session.selection() : NodeIds();
+    ids.insert(ids.end(), found.begin(), found.end());
+    m_session.select(std::move(ids));
+  });
+}
+
+void Viewport::light(std::optional<model::NodeId> id) {
+  if (m_outlines.light(id))
+    refresh();
+}
+
+void Viewport::point(std::optional<model::NodeId> id) {
+  if (m_outlines.point(id))
+    refresh();
+}
+
 void Viewport::wantName() {
   if (!m_namesWanted || m_button != Qt::NoButton || m_moving || !underMouse())
     return;
   m_picker.askLatest(question(m_mouse), [this](const Picks& picks) {
     const model::Node* node = picks.seen ? m_session.scene().find(picks.seen->id) : nullptr;
+    point(node ? std::optional(node->id) : std::nullopt);
     if (node)
       m_marks->showName(m_session.names().shown(node->name), m_mouse.toPoint());
   });
 }
 
-void Viewport::forgetName() {
+void Viewport::hideName() {
   m_nameRest.stop();
   m_picker.forget();
   m_marks->hideName();
+}
+
+void Viewport::forgetName() {
+  hideName();
+  point(std::nullopt);
 }
 
 void Viewport::leaveEvent(QEvent* event) {

@@ -17,6 +17,13 @@ QString plain(QString name) {
   return name.replace(QLatin1Char('&'), QLatin1String("&&"));
 }
 
+QIcon swatch(const Colour& colour) {
+  constexpr int side = 32;  // pixels, enough for screens of twice the usual resolution
+  QPixmap pixels(side, side);
+  pixels.fill(QColor(colour.red, colour.green, colour.blue));
+  return QIcon(pixels);
+}
+
 }  // namespace
 
 PictureMenu::PictureMenu(Session& session, Viewport& viewport, SectionActions& sections,
@@ -51,7 +58,24 @@ void PictureMenu::addStructure(QMenu& menu, const std::optional<Pick>& pick) {
                  [this, place = pick->position] { m_viewport.setPivot(place); });
 }
 
-void PictureMenu::popUp(const QPoint& onScreen, const std::optional<Pick>& pick) {
+void PictureMenu::addDepths(QMenu& menu, const std::vector<Pick>& all) {
+  QMenu* here = menu.addMenu(tr("Select Here"));
+  here->setObjectName(QStringLiteral("selectHere"));
+  for (const Pick& pick : all) {
+    const model::Node* node = m_session.scene().find(pick.id);
+    if (!node)
+      continue;
+    QAction* entry = here->addAction(swatch(m_session.scene().resolve(pick.id).colour),
+                                     plain(m_session.names().shown(node->name)), this,
+                                     [this, id = pick.id] { m_session.select({id}); });
+    connect(entry, &QAction::hovered, this, [this, id = pick.id] { m_viewport.light(id); });
+  }
+  connect(here, &QMenu::aboutToHide, this, [this] { m_viewport.light(std::nullopt); });
+}
+
+void PictureMenu::popUp(const QPoint& onScreen, const Picks& picks) {
+  const std::optional<Pick> pick =
+      picks.seen && m_session.scene().find(picks.seen->id) ? picks.seen : std::nullopt;
   const NodeIds& selected = m_session.selection();
   if (pick && std::find(selected.begin(), selected.end(), pick->id) == selected.end())
     m_session.select({pick->id});
@@ -62,6 +86,10 @@ void PictureMenu::popUp(const QPoint& onScreen, const std::optional<Pick>& pick)
     addStructure(*menu, pick);
   else
     menu->addActions(m_menus[QStringLiteral("viewMenu")].actions());
+  if (!picks.all.empty()) {
+    menu->addSeparator();
+    addDepths(*menu, picks.all);
+  }
   menu->popup(onScreen);
 }
 

@@ -17,7 +17,8 @@ class SectionActions;
 class Viewport;
 
 /// Opens the menu of a right click in the picture: the tree's menu for the structure there, and
-/// sections through the place; where there is no structure, what can be done with the picture.
+/// sections through the place, and what lies behind; where there is no structure, what can be done
+/// with the picture.
 class PictureMenu : public QObject {
   Q_OBJECT
  public:
@@ -25,7 +26,10 @@ class PictureMenu : public QObject {
               const WindowMenus& menus, QObject* parent);
 
  private:
-  void popUp(const QPoint& onScreen, const std::optional<Pick>& pick);
+  void popUp(const QPoint& onScreen, const Picks& picks);
+  /// Adds all that is there from front to back, to choose from; each shows in the picture while the
+  /// mouse is on its entry.
+  void addDepths(QMenu& menu, const std::vector<Pick>& all);
   void addStructure(QMenu& menu, const std::optional<Pick>& pick);
 
   Session& m_session;

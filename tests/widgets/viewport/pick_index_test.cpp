@@ -117,6 +117,11 @@ class PickIndexTest : public QObject {
     QTest::newRow("on a veil's line") << edge << 1.0f << veil << 1.0f << false << 0;
     QTest::newRow("paper hides") << within << 1.0f << paper << 1.0f << false << 0;
     QTest::newRow("thin") << within << 5.0f << paper << 0.2f << false << 1;
+    const int tint = int(model::Fill::tint);
+    QTest::newRow("through a wash") << within << 1.0f << tint << 1.0f << false << 1;
+    QTest::newRow("told under a veil") << within << 2.0f << veil << 1.0f << false << 0;
+    QTest::newRow("35 % hide enough") << within << 5.0f << paper << 0.36f << false << 0;
+    QTest::newRow("34 % do not") << within << 5.0f << paper << 0.34f << false << 1;
     QTest::newRow("not there") << edge << 5.0f << paper << 0.0f << false << 1;
     QTest::newRow("beside both") << QPointF(70, 0) << 2.0f << none << 1.0f << false << -1;
   }
@@ -148,6 +153,82 @@ class PickIndexTest : public QObject {
     QCOMPARE(pick.has_value(), picked >= 0);
     if (pick)
       QVERIFY(pick->id == ids[std::size_t(picked)]);
+  }
+
+  /// Lines let through what shines between them, as a thin veil under them does.
+  void bodiesWinOverLinesBefore_data() {
+    QTest::addColumn<int>("fill");
+    QTest::addColumn<float>("opacity");
+    QTest::addColumn<bool>("through");
+    QTest::newRow("lines") << int(model::Fill::none) << 1.0f << true;
+    QTest::newRow("over a wash") << int(model::Fill::tint) << 1.0f << true;
+    QTest::newRow("over a thin veil") << int(model::Fill::veil) << 0.5f << true;
+    QTest::newRow("over a veil") << int(model::Fill::veil) << 1.0f << false;
+    QTest::newRow("over paper") << int(model::Fill::paper) << 1.0f << false;
+  }
+  void bodiesWinOverLinesBefore() {
+    QFETCH(int, fill);
+    QFETCH(float, opacity);
+    QFETCH(bool, through);
+    model::Scene scene;
+    model::Style front{.gamma = Gamma::clamped(2.5f), .opacity = Opacity::clamped(opacity)};
+    front.fill = model::Fill(fill);
+    const model::NodeId before =
+        scene.append({.name = "muscle", .style = front, .mesh = test::sphere(60.0f, 4)});
+    const model::NodeId behind =
+        scene.append({.name = "organ",
+                      .style = {.gamma = Gamma::clamped(5.0f)},
+                      .mesh = test::moved(*test::sphere(30.0f, 4), 1.0f, {0.0f, 200.0f, 0.0f})});
+    PickIndex index;
+    const model::Ray ray{.origin = {1.0f, -500.0f, 2.0f}, .direction = {0.0f, 1.0f, 0.0f}};
+    const std::optional<Pick> pick = index.pick(scene, {&ray, 1}).seen;
+    QVERIFY(pick && pick->id == (through ? behind : before));
+  }
+
+  /// A box holds what lies wholly within and touches what has a part in it; what a body hides
+  /// counts for neither, and what only lines hide for both.
+  void boxes_data() {
+    QTest::addColumn<QRectF>("box");  // from the picture's middle, mm
+    QTest::addColumn<bool>("touching");
+    QTest::addColumn<float>("gamma");  // of the one in front
+    QTest::addColumn<QString>("found");
+    const QRectF all(-70, -70, 140, 140);
+    const QRectF corner(-45, -45, 30, 30);
+    QTest::newRow("all, a body in front") << all << false << 5.0f << "f";
+    QTest::newRow("all, lines in front") << all << false << 1.0f << "fb";
+    QTest::newRow("nothing is within") << corner << false << 1.0f << "";
+    QTest::newRow("a body is touched") << corner << true << 5.0f << "f";
+    QTest::newRow("only the small one is within")
+        << QRectF(-35, -35, 70, 70) << false << 1.0f << "b";
+    QTest::newRow("both are touched") << QRectF(-5, -5, 10, 10) << true << 1.0f << "fb";
+    QTest::newRow("beside both") << QRectF(65, 65, 9, 9) << true << 5.0f << "";
+  }
+  void boxes() {
+    QFETCH(QRectF, box);
+    QFETCH(bool, touching);
+    QFETCH(float, gamma);
+    QFETCH(QString, found);
+    model::Scene scene;
+    const model::NodeId front = scene.append({.name = "front",
+                                              .style = {.gamma = Gamma::clamped(gamma)},
+                                              .mesh = test::sphere(60.0f, 4)});
+    const model::NodeId back =
+        scene.append({.name = "back",
+                      .style = {.gamma = Gamma::clamped(5.0f)},
+                      .mesh = test::moved(*test::sphere(30.0f, 4), 1.0f, {0.0f, 200.0f, 0.0f})});
+    model::Camera camera;
+    camera.projection = model::Projection::orthographic;
+    camera.heightMm = 200.0f;
+    const glm::vec2 middle(100.0f, 100.0f);
+    const PickIndex::Box asked{.camera = camera,
+                               .size = {200.0f, 200.0f},
+                               .low = middle + glm::vec2(float(box.left()), float(box.top())),
+                               .high = middle + glm::vec2(float(box.right()), float(box.bottom())),
+                               .touching = touching};
+    QString got;
+    for (const model::NodeId id : PickIndex().inBox(scene, asked))
+      got += id == front ? QLatin1Char('f') : id == back ? QLatin1Char('b') : QLatin1Char('?');
+    QCOMPARE(got, found);
   }
 
   /// A fold of the surface is drawn as a line, too: the near side of a ring before its far side.

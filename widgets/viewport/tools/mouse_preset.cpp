@@ -71,6 +71,18 @@ QString meaningOf(Kind kind) {
   }
 }
 
+/// Returns the drags that the camera leaves to the selection by a box.
+QString boxText(MousePreset preset) {
+  QStringList hands;
+  for (const Qt::KeyboardModifiers keys :
+       {Qt::KeyboardModifiers(), Qt::KeyboardModifiers(Qt::CTRL)})
+    if (!dragOf(preset, Qt::LeftButton, keys))
+      hands << handText({Qt::LeftButton, keys, Kind::orbit});
+  const QString first = QKeySequence(Qt::Key_B).toString(QKeySequence::NativeText) +
+                        QStringLiteral(", ") + buttonText(Qt::LeftButton);
+  return (hands << first).join(QStringLiteral("; "));
+}
+
 /// Returns one row for all drags that do the same.
 ControlRow dragRow(MousePreset preset, Kind kind) {
   QStringList hands;
@@ -128,9 +140,14 @@ std::vector<ControlRow> controlRows(MousePreset preset) {
       {tr("Two fingers on a touchpad"), tr("Move the picture; pinch to zoom")},
       {tr("Click"), tr("Select what is seen there")},
       {control + tr("Click"), tr("Add to the selection, or take away from it")},
-      {alt + tr("Click"), tr("Select the next structure behind; after the last the first")},
+      {tr("Middle click, Page Down, %1").arg(alt + tr("Click")),
+       tr("Select the next structure behind; after the last the first")},
+      {tr("Page Up"), tr("Select the next structure before it")},
+      {boxText(preset), tr("Select by a box: to the right what lies within, to the left what it "
+                           "touches; with Ctrl in addition")},
       {tr("Double click"), tr("Turn around this place from now on")},
-      {tr("Right click"), tr("What can be done with the structure there")},
+      {tr("Right click"), tr("What can be done with the structure there, and all that lies there "
+                             "from front to back")},
       {tr("Drag the arrow of a section"), tr("Move the plane; with Ctrl in whole steps")},
       {tr("Click on the arrow's head"), tr("Keep the other side of the section")},
       {tr("Drag a ring of a section"), tr("Tilt the plane; with Ctrl in steps of 15°")},

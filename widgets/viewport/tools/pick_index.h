@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/geometry/mesh_trees.h"
+#include "model/scene/camera.h"
 #include "model/scene/scene.h"
 
 namespace sline::widgets {
@@ -32,11 +33,24 @@ class PickIndex {
   /// others pass around it: a structure of which only an outline is drawn is seen where its outline
   /// passes between them. Directions are unit vectors.
   ///
-  /// The seen structure is, in this order: an outline that is not hidden; the nearest structure
-  /// that is solid there (drawn by suggestive contours or more, or hiding what is behind it); a
-  /// solid one with its edge at the place; the nearest that is veiled or thin; the nearest that has
-  /// the place within its outline. Structures that are hidden, locked or cut away are ignored.
+  /// The seen structure is, in this order: a line's that is not hidden; the nearest structure that
+  /// is solid there, whose fill hides at least 35 % of what is behind it; the nearest that is drawn
+  /// by suggestive contours or more but lets more through; a solid one with its edge at the place;
+  /// the nearest that is veiled or thin; the nearest that has the place within its outline.
+  /// Structures that are hidden, locked or cut away are ignored.
   Picks pick(const model::Scene& scene, std::span<const model::Ray> rays);
+
+  /// Describes a box of the picture; pixels as in `Pointer`.
+  struct Box {
+    model::Camera camera;
+    glm::vec2 size{1.0f};  ///< of the picture
+    glm::vec2 low{0.0f};
+    glm::vec2 high{0.0f};
+    bool touching = false;  ///< else only what lies wholly within counts
+  };
+  /// Returns the structures in the box of which some place in it is not behind a solid one, in tree
+  /// order.
+  std::vector<model::NodeId> inBox(const model::Scene& scene, const Box& box);
 
  private:
   std::mutex m_mutex;

@@ -68,6 +68,15 @@ void Picker::ask(Question question, Answer answer) {
       });
 }
 
+void Picker::askBox(model::Scene scene, const PickIndex::Box& box,
+                    std::function<void(const std::vector<model::NodeId>&)> answer) {
+  m_threads.start(
+      [this, index = m_index, scene = std::move(scene), box, answer = std::move(answer)] {
+        std::vector<model::NodeId> found = index->inBox(scene, box);
+        QMetaObject::invokeMethod(this, [found = std::move(found), answer] { answer(found); });
+      });
+}
+
 void Picker::askLatest(Question question, Answer answer) {
   const int number = ++*m_latest;
   m_threads.start([this, index = m_index, latest = m_latest, number, question = std::move(question),

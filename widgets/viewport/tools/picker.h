@@ -33,6 +33,9 @@ class Picker : public QObject {
   /// Asks a question that is answered unless another of these, or `forget`, comes first; for names
   /// under the mouse.
   void askLatest(Question question, Answer answer);
+  /// Asks which structures are seen in a box.
+  void askBox(model::Scene scene, const PickIndex::Box& box,
+              std::function<void(const std::vector<model::NodeId>&)> answer);
   /// Drops the answer to `askLatest`, which is no longer wanted.
   void forget() { ++*m_latest; }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/anatomy/kin_names.h"
+
+#include <algorithm>
+#include <array>
+
+#include "model/anatomy/laterality_words.h"
+#include "model/base/letters.h"
+
+namespace sline::model {
+
+namespace {
+
+/// Tells whether the word counts rather than names: "12", "viii", "third", "t12", "a".
+bool counts(const std::string& word) {
+  static constexpr std::array<std::string_view, 12> ordinals{
+      "first",   "second", "third", "fourth", "fifth",    "sixth",
+      "seventh", "eighth", "ninth", "tenth",  "eleventh", "twelfth"};
+  return word.size() <= 1 || std::any_of(word.begin(), word.end(), isDigit) ||
+         word.find_first_not_of("ivx") == std::string::npos ||
+         std::find(ordinals.begin(), ordinals.end(), word) != ordinals.end();
+}
+
+}  // namespace
+
+KinName kinName(std::string_view name) {
+  KinName kin;
+  for (const std::string& word : nameWords(name)) {
+    if (const Side side = sideOfWord(word); side != Side::none) {
+      kin.side = side;
+      continue;
+    }
+    kin.pair += word + ' ';
+    if (!counts(word))
+      kin.family += word + ' ';
+  }
+  return kin;
+}
+
+}  // namespace sline::model
