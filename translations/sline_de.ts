@@ -2865,6 +2865,10 @@
         <source>What can be done with the structure there, and all that lies there from front to back</source>
         <translation>Was mit der Struktur dort getan werden kann, und alles, was dort liegt, von vorn nach hinten</translation>
     </message>
+    <message>
+        <source>Serves %1</source>
+        <translation>Versorgt: %1</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -3363,6 +3367,14 @@ OpenGL: %3</translation>
         <source>Plate</source>
         <translation>Tafel</translation>
     </message>
+    <message>
+        <source>set by hand since</source>
+        <translation>seither von Hand eingestellt</translation>
+    </message>
+    <message>
+        <source>Back to the focus</source>
+        <translation>Zurück zum Fokus</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FocusPanel</name>
@@ -3450,6 +3462,25 @@ OpenGL: %3</translation>
         <translation>
             <numerusform>Auch %n ausgeblendete Struktur</numerusform>
             <numerusform>Auch %n ausgeblendete Strukturen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Set by hand since; the focus leaves it so</source>
+        <translation>Seither von Hand eingestellt; der Fokus lässt es so</translation>
+    </message>
+    <message>
+        <source>%1 – by hand</source>
+        <translation>%1 – von Hand</translation>
+    </message>
+    <message>
+        <source>Draws them as the focus would; only those chosen in the list, if any</source>
+        <translation>Zeichnet sie, wie der Fokus es täte; nur die in der Liste gewählten, falls es welche gibt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n by Hand: Back to the Focus</source>
+        <translation>
+            <numerusform>%n von Hand: zurück zum Fokus</numerusform>
+            <numerusform>%n von Hand: zurück zum Fokus</numerusform>
         </translation>
     </message>
 </context>

@@ -159,6 +159,13 @@
             <numerusform>Also %n hidden structures</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n by Hand: Back to the Focus</source>
+        <translation>
+            <numerusform>%n by Hand: Back to the Focus</numerusform>
+            <numerusform>%n by Hand: Back to the Focus</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::GammaPanel</name>

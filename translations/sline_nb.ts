@@ -2865,6 +2865,10 @@
         <source>What can be done with the structure there, and all that lies there from front to back</source>
         <translation>Hva som kan gjøres med strukturen der, og alt som ligger der fra forrest til bakerst</translation>
     </message>
+    <message>
+        <source>Serves %1</source>
+        <translation>Forsyner: %1</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -3363,6 +3367,14 @@ OpenGL: %3</translation>
         <source>Plate</source>
         <translation>Plansje</translation>
     </message>
+    <message>
+        <source>set by hand since</source>
+        <translation>siden satt for hånd</translation>
+    </message>
+    <message>
+        <source>Back to the focus</source>
+        <translation>Tilbake til fokus</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FocusPanel</name>
@@ -3450,6 +3462,25 @@ OpenGL: %3</translation>
         <translation>
             <numerusform>Også %n skjult struktur</numerusform>
             <numerusform>Også %n skjulte strukturer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Set by hand since; the focus leaves it so</source>
+        <translation>Siden satt for hånd; fokus lar det være slik</translation>
+    </message>
+    <message>
+        <source>%1 – by hand</source>
+        <translation>%1 – for hånd</translation>
+    </message>
+    <message>
+        <source>Draws them as the focus would; only those chosen in the list, if any</source>
+        <translation>Tegner dem slik fokus ville gjort; bare de valgte i listen, hvis noen er valgt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n by Hand: Back to the Focus</source>
+        <translation>
+            <numerusform>%n for hånd: tilbake til fokus</numerusform>
+            <numerusform>%n for hånd: tilbake til fokus</numerusform>
         </translation>
     </message>
 </context>

@@ -2865,6 +2865,10 @@
         <source>What can be done with the structure there, and all that lies there from front to back</source>
         <translation>Wat met de structuur daar gedaan kan worden, en alles wat daar ligt van voor naar achter</translation>
     </message>
+    <message>
+        <source>Serves %1</source>
+        <translation>Verzorgt: %1</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -3363,6 +3367,14 @@ OpenGL: %3</translation>
         <source>Plate</source>
         <translation>Plaat</translation>
     </message>
+    <message>
+        <source>set by hand since</source>
+        <translation>sindsdien met de hand ingesteld</translation>
+    </message>
+    <message>
+        <source>Back to the focus</source>
+        <translation>Terug naar de focus</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FocusPanel</name>
@@ -3450,6 +3462,25 @@ OpenGL: %3</translation>
         <translation>
             <numerusform>Ook %n verborgen structuur</numerusform>
             <numerusform>Ook %n verborgen structuren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Set by hand since; the focus leaves it so</source>
+        <translation>Sindsdien met de hand ingesteld; de focus laat het zo</translation>
+    </message>
+    <message>
+        <source>%1 – by hand</source>
+        <translation>%1 – met de hand</translation>
+    </message>
+    <message>
+        <source>Draws them as the focus would; only those chosen in the list, if any</source>
+        <translation>Tekent ze zoals de focus dat zou doen; alleen wat in de lijst gekozen is, als dat er is</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n by Hand: Back to the Focus</source>
+        <translation>
+            <numerusform>%n met de hand: terug naar de focus</numerusform>
+            <numerusform>%n met de hand: terug naar de focus</numerusform>
         </translation>
     </message>
 </context>

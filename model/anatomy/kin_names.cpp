@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
 #include "model/base/letters.h"
 
@@ -24,8 +25,13 @@ bool counts(const std::string& word) {
 }  // namespace
 
 KinName kinName(std::string_view name) {
+  static const AnatomicalNames names;
+  const std::vector<std::string> words = nameWords(names.displayName(name, NameLanguage::english));
+  const auto has = [&words](std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
   KinName kin;
-  for (const std::string& word : nameWords(name)) {
+  for (const std::string& word : words) {
     if (const Side side = sideOfWord(word); side != Side::none) {
       kin.side = side;
       continue;
@@ -34,6 +40,10 @@ KinName kinName(std::string_view name) {
     if (!counts(word))
       kin.family += word + ' ';
   }
+  if (has("intervertebral") || has("disc"))
+    kin.family = "disc ";
+  else if (has("vertebra"))
+    kin.family = "vertebra ";
   return kin;
 }
 

@@ -10,5 +10,6 @@ namespace sline::model {
 std::string_view anatomySystemsText();
 std::string_view anatomyStructuresText();
 std::string_view tissuePatternsText();
+std::string_view supplyText();
 
 }  // namespace sline::model

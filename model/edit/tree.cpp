@@ -37,6 +37,13 @@ bool pointsAt(const Annotation& annotation, const NodeSet& nodes) {
 }
 
 /// Removes the nodes from sections, annotations and saved views.
+void forget(Focus& focus, const NodeSet& gone) {
+  const auto isGone = [&gone](NodeId id) { return gone.contains(id.value); };
+  std::erase_if(focus.targets, isGone);
+  std::erase_if(focus.wishes.roles, [&](const auto& wish) { return isGone(wish.first); });
+  std::erase_if(focus.given, [&](const Look& look) { return isGone(look.node); });
+}
+
 void forget(Scene& scene, const NodeSet& gone) {
   const auto cutsNothing = [&gone](const Section& section) {
     return section.scope != rootId && gone.contains(section.scope.value);
@@ -64,8 +71,13 @@ void forget(Scene& scene, const NodeSet& gone) {
     if (view.annotations)
       std::erase_if(*view.annotations,
                     [&unsaid](AnnotationId id) { return unsaid.contains(id.value); });
+    if (view.focus)
+      forget(*view.focus, gone);
   }
   scene.setViews(std::move(views));
+  Focus focus = scene.focus();
+  forget(focus, gone);
+  scene.setFocus(std::move(focus));
 }
 
 /// Returns the nodes in tree order below their new parents, after some of them have moved.

@@ -41,6 +41,8 @@ AppliedView withViewApplied(const Scene& scene, const View& view) {
     result.scene.setSections(*view.sections);
   if (view.annotations)
     showAnnotations(result.scene, *view.annotations);
+  if (view.focus)
+    result.scene.setFocus(*view.focus);
   if (!view.looks)
     return result;
   std::map<NodeId, const Style*> styles;
@@ -101,6 +103,7 @@ View viewOf(const Scene& scene, const Camera& camera, std::string name) {
   for (const Annotation& annotation : scene.annotations())
     if (annotation.visible)
       view.annotations->push_back(annotation.id);
+  view.focus = scene.focus();
   return view;
 }
 

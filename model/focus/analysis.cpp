@@ -7,6 +7,7 @@
 #include "model/base/parallel.h"
 #include "model/focus/kin.h"
 #include "model/focus/roles.h"
+#include "model/focus/supply.h"
 #include "model/focus/surroundings.h"
 #include "model/focus/tissues.h"
 
@@ -33,7 +34,8 @@ std::optional<FocusAnalysis> analysed(const Scene& scene, const FocusQuestion& q
                                       FormIndex& forms, const std::stop_token& stop) {
   FocusAnalysis analysis;
   analysis.targets = structuresOf(scene, question.targets);
-  analysis.fromCamera = question.camera.has_value();
+  analysis.asked.assign(question.targets.begin(), question.targets.end());
+  analysis.camera = question.camera;
   std::vector<Party> parties;
   for (const Node& node : scene.nodes())
     if (!node.isGroup())
@@ -64,6 +66,7 @@ std::optional<FocusAnalysis> analysed(const Scene& scene, const FocusQuestion& q
   const Tissues tissues = tissuesOf(scene);
   for (Relation& relation : analysis.relations)
     relation.tissue = tissues.at(relation.structure.value);
+  treatVesselsByWhatTheyFeed(scene, analysis.relations);
   treatKinAlike(scene, analysis.relations);
   return analysis;
 }

@@ -20,18 +20,11 @@
 
 namespace sline::model {
 
-enum class ContextRole {
-  target,
-  feeder,  ///< a vessel or duct that comes to a target, or the stem from which such a vessel comes
-  neighbour,  ///< lies beside a target
-  shell,      ///< lies outside, around or before a target, and hides it
-  backdrop,   ///< everything else: far off and out of the way
-};
-
 /// Says what decided a structure's role.
 enum class RoleReason {
   chosen,
   reaches,    ///< thin, long and comes to a target
+  supplies,   ///< a vessel named after a target, which it feeds or drains (`through`)
   feedsStem,  ///< thin, long and the origin of a vessel that reaches a target (`through`)
   touches,
   near,
@@ -46,7 +39,7 @@ struct Relation {
   Tissue tissue = Tissue::unknown;
   ContextRole role = ContextRole::backdrop;
   RoleReason reason = RoleReason::far;
-  NodeId through;      ///< the vessel between, for `feedsStem`
+  NodeId through;      ///< the vessel between, for `feedsStem`; the target, for `supplies`
   float gapMm = 0.0f;  ///< from surface to surface
   float gap = 0.0f;
   float contact = 0.0f;   ///< share of the targets' surface that it lies against
@@ -60,9 +53,10 @@ struct Relation {
 };
 
 struct FocusAnalysis {
+  std::vector<NodeId> asked;        ///< structures and groups, as the question had them
   std::vector<NodeId> targets;      ///< structures, in tree order
   std::vector<Relation> relations;  ///< one for each structure, in tree order
-  bool fromCamera = false;
+  std::optional<Camera> camera;     ///< that of the question
 };
 
 struct FocusQuestion {

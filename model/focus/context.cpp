@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "model/edit/visibility.h"
 #include "model/scene/style_fields.h"
@@ -270,7 +271,73 @@ std::unordered_map<std::uint64_t, Standing> standings(const Scene& scene) {
   return standings;
 }
 
+std::unordered_set<std::uint64_t> setOf(std::span<const NodeId> ids) {
+  std::unordered_set<std::uint64_t> set;
+  for (const NodeId id : ids)
+    set.insert(id.value);
+  return set;
+}
+
+/// Returns those of the structures set by hand that stay so: a person who puts a structure in focus
+/// wants it as a target, whatever she made of it while it was context.
+std::unordered_set<std::uint64_t> keptByHand(const Scene& scene, const FocusAnalysis& analysis) {
+  std::unordered_set<std::uint64_t> kept = setOf(setByHand(scene));
+  std::unordered_set<std::uint64_t> before;
+  for (const NodeId id : scene.focus().targets)
+    before.merge(setOf(scene.structuresBelow(id)));
+  for (const NodeId id : analysis.targets) {
+    const Node* node = scene.find(id);
+    if (!before.contains(id.value) || !node || node->style.visible == false)
+      kept.erase(id.value);
+  }
+  return kept;
+}
+
+/// Returns the focus that the scene has with these styles.
+Focus focusOf(const Scene& scene, const FocusAnalysis& analysis,
+              const std::unordered_map<std::uint64_t, Style>& given) {
+  Focus focus = scene.focus();
+  focus.targets = analysis.asked;
+  focus.seenFrom = analysis.camera;
+  focus.given.clear();
+  for (const Relation& relation : analysis.relations)
+    if (const auto style = given.find(relation.structure.value); style != given.end())
+      focus.given.push_back({.node = relation.structure, .style = style->second});
+  return focus;
+}
+
 }  // namespace
+
+std::vector<NodeId> setByHand(const Scene& scene) {
+  std::vector<NodeId> changed;
+  bool asGiven = false;
+  for (const Look& look : scene.focus().given) {
+    const Node* node = scene.find(look.node);
+    if (!node)
+      continue;
+    if (picked(node->style, look.style) != look.style)
+      changed.push_back(look.node);
+    else
+      asGiven = asGiven || look.style.visible == true;
+  }
+  return asGiven || changed.size() == 1 ? changed : std::vector<NodeId>();
+}
+
+Edited withoutHand(const Scene& scene, std::span<const NodeId> ids) {
+  const std::unordered_set<std::uint64_t> wanted = setOf(ids);
+  std::unordered_map<std::uint64_t, const Style*> styles;
+  for (const Look& look : scene.focus().given)
+    if (wanted.contains(look.node.value))
+      styles[look.node.value] = &look.style;
+  Scene after = scene;
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes)
+    if (const auto style = styles.find(node.id.value); style != styles.end())
+      patch(node.style, *style->second);
+  after.setNodes(std::move(nodes));
+  const bool changed = !(after == scene);
+  return {std::move(after), changed};
+}
 
 std::vector<NodeId> hiddenByHand(const Scene& scene, const FocusAnalysis& analysis) {
   const auto all = standings(scene);
@@ -287,7 +354,9 @@ std::vector<NodeId> hiddenByHand(const Scene& scene, const FocusAnalysis& analys
 Edited withFocusAndContext(const Scene& scene, const FocusAnalysis& analysis, ContextAmount amount,
                            const ContextWishes& wishes) {
   const auto all = standings(scene);
+  const std::unordered_set<std::uint64_t> hers = keptByHand(scene, analysis);
   std::vector<NodeId> opened;
+  std::unordered_map<std::uint64_t, Style> given;
   std::unordered_map<std::uint64_t, Style> styles;
   for (Relation relation : analysis.relations) {
     const auto standing = all.find(relation.structure.value);
@@ -296,11 +365,14 @@ Edited withFocusAndContext(const Scene& scene, const FocusAnalysis& analysis, Co
     if (const auto wish = wishes.roles.find(relation.structure); wish != wishes.roles.end())
       relation.role = wish->second;
     const bool hidden = standing->second.hiddenByHand;
+    const Style& style = given[relation.structure.value] = contextStyle(relation, amount);
+    if (hers.contains(relation.structure.value) && !(hidden && wishes.hiddenToo))
+      continue;
     if (hidden && relation.role != ContextRole::target && !wishes.hiddenToo)
       continue;
     if (hidden)
       opened.push_back(relation.structure);
-    styles[relation.structure.value] = contextStyle(relation, amount);
+    styles[relation.structure.value] = style;
   }
   Scene after = withShown(scene, opened).scene;
   std::vector<Node> nodes = after.nodes();
@@ -308,6 +380,10 @@ Edited withFocusAndContext(const Scene& scene, const FocusAnalysis& analysis, Co
     if (const auto style = styles.find(node.id.value); style != styles.end())
       patch(node.style, style->second);
   after.setNodes(std::move(nodes));
+  Focus focus = focusOf(scene, analysis, given);
+  focus.amount = amount;
+  focus.wishes = wishes;
+  after.setFocus(std::move(focus));
   const bool changed = !(after == scene);
   return {std::move(after), changed};
 }

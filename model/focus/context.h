@@ -6,22 +6,12 @@
 // Gröller, "Illustrative Context-Preserving Exploration of Volume Data" (2006); here by Γ and fill.
 #pragma once
 
-#include <map>
+#include <span>
 
 #include "model/edit/edited.h"
 #include "model/focus/analysis.h"
 
 namespace sline::model {
-
-/// The amount runs from 0 (the focus on empty paper) to 1 (everything clearly there).
-using ContextAmount = Bounded<struct ContextAmountTag, 0, 1>;
-
-/// Holds what the user decides besides the amount.
-struct ContextWishes {
-  std::map<NodeId, ContextRole> roles;  ///< replace the roles of the analysis
-  bool hiddenToo = false;               ///< whether to draw structures hidden by hand as well
-  bool operator==(const ContextWishes&) const = default;
-};
 
 /// Says in which way a structure is drawn, and why.
 enum class ContextManner {
@@ -42,9 +32,19 @@ ContextManner mannerOf(const Relation& relation);
 Style contextStyle(const Relation& relation, ContextAmount amount);
 
 /// Gives these styles to the analysed structures that are in the scene and not locked. Hidden ones
-/// stay hidden, except targets and structures that an earlier edit of this kind had faded out.
+/// stay hidden, except targets and structures that an earlier edit of this kind had faded out; what
+/// was set by hand since that edit stays, except new targets. The scene's focus says all this.
 Edited withFocusAndContext(const Scene& scene, const FocusAnalysis& analysis, ContextAmount amount,
                            const ContextWishes& wishes = {});
+
+/// Returns the structures that look otherwise than the scene's focus gave them: they were set by
+/// hand since, in tree order. None where several do and no visible one is as it was given: then the
+/// whole look was replaced, by a drawing style for instance, and that is not the hand of a person
+/// on one structure.
+std::vector<NodeId> setByHand(const Scene& scene);
+
+/// Gives the structures back to the focus: they look as it gave them.
+Edited withoutHand(const Scene& scene, std::span<const NodeId> ids);
 
 /// Returns the analysed structures, targets aside, that are hidden (or have a group above them
 /// hidden) by hand rather than by `withFocusAndContext`.

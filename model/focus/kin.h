@@ -9,10 +9,11 @@
 namespace sline::model {
 
 /// Gives pairs and families one relation each, that of the member that matters most: left and right
-/// of a structure where the targets lie on the body's middle, and bones or joints whose names
-/// differ by a number alone (ribs, vertebrae, discs), so that they are treated as a whole (METHOD
-/// §12.3). The body's middle is the sagittal plane halfway between the members of the pairs; the
-/// targets lie on it if their box crosses it.
+/// of a structure where the targets lie on the body's middle, and structures whose names differ by
+/// a number alone (ribs, vertebrae, discs, fingers, calyces; not vessels), so that they are treated
+/// as a whole (METHOD §12.3). Names count in all languages of AnatomicalNames. The body's middle is
+/// the plane halfway between the members of the pairs; the targets lie on it if they are on both
+/// sides of it.
 void treatKinAlike(const Scene& scene, std::span<Relation> relations);
 
 }  // namespace sline::model

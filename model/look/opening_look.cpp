@@ -135,6 +135,7 @@ std::optional<OpeningLook> openingLook(const Scene& scene, FormIndex& forms,
                     .structures = wishes.about,
                     .everything = wishes.about.size() == visibleStructures(scene).size()};
   look.scene = withShown(withoutTwins(scene), look.subject.pockets).scene;
+  look.scene.setFocus({});  // a plate is a whole look anew, whatever was set by hand
   if (hasColours(look.scene))
     look.scene = inked(look.scene, idsOf(look.subject.structures));
   const Camera camera = chosenCamera(look, wishes, forms);

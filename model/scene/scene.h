@@ -16,7 +16,9 @@
 #include "model/geometry/mesh.h"
 #include "model/scene/annotation.h"
 #include "model/scene/camera.h"
+#include "model/scene/focus.h"
 #include "model/scene/light.h"
+#include "model/scene/look.h"
 #include "model/scene/node_id.h"
 #include "model/scene/scan.h"
 #include "model/scene/section.h"
@@ -78,14 +80,6 @@ struct Node {
   bool operator==(const Node&) const = default;
 };
 
-/// Says how a view shows a node: the style's answers replace the node's own, all others stay.
-struct Look {
-  NodeId node;
-  Style style;
-  std::string unread;  ///< like Node::unread
-  bool operator==(const Look&) const = default;
-};
-
 /// A saved view leaves what it does not mention as the scene has it.
 struct View {
   std::string name;
@@ -93,6 +87,7 @@ struct View {
   std::optional<std::vector<Section>> sections;
   std::optional<std::vector<Look>> looks;                ///< at most one for each node
   std::optional<std::vector<AnnotationId>> annotations;  ///< those shown; all others are hidden
+  std::optional<Focus> focus;                            ///< without targets: nothing is in focus
   std::string unread;                                    ///< like Node::unread
   bool operator==(const View&) const = default;
 };
@@ -107,6 +102,7 @@ class Scene {
   const std::vector<Annotation>& annotations() const { return m_annotations; }
   /// Returns the key light; where it is absent, the renderer decides.
   const std::optional<KeyLight>& keyLight() const { return m_keyLight; }
+  const Focus& focus() const { return m_focus; }
 
   /// Returns the node, or null where there is none of that id (or for the root). As quick as a
   /// search in a sorted list.
@@ -149,6 +145,7 @@ class Scene {
   /// Replaces the annotations; asserts that ids are unique and annotations without fault.
   void setAnnotations(std::vector<Annotation> annotations);
   void setKeyLight(std::optional<KeyLight> light) { m_keyLight = std::move(light); }
+  void setFocus(Focus focus) { m_focus = std::move(focus); }
   /// Returns the scans kept with the scene; each is without fault.
   const std::vector<Scan>& scans() const { return m_scans; }
   void setScans(std::vector<Scan> scans);
@@ -174,6 +171,7 @@ class Scene {
   std::vector<Section> m_sections;
   std::vector<Annotation> m_annotations;
   std::optional<KeyLight> m_keyLight;
+  Focus m_focus;
   std::vector<Scan> m_scans;
   std::string m_unread;
   std::uint64_t m_lastId = 0;

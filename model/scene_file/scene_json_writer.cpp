@@ -126,22 +126,44 @@ Ordered keyLightOf(const KeyLight& light) {
   return json;
 }
 
+Ordered looksOf(const std::vector<Look>& looks) {
+  Ordered list = Ordered::array();
+  for (const Look& look : looks) {
+    list.push_back({{"node", look.node.value}, {"style", styleJson(look.style)}});
+    addUnread(list.back(), look.unread);
+  }
+  return list;
+}
+
+Ordered focusOf(const Focus& focus) {
+  Ordered json = {{"targets", Ordered::array()}, {"context", jsonNumber(focus.amount.value())}};
+  for (const NodeId id : focus.targets)
+    json["targets"].push_back(id.value);
+  if (focus.seenFrom)
+    json["seen_from"] = cameraJson(*focus.seenFrom);
+  for (const auto& [id, role] : focus.wishes.roles)
+    json["roles"][std::string(contextRoleNames[std::size_t(role)])].push_back(id.value);
+  if (focus.wishes.hiddenToo)
+    json["hidden_too"] = true;
+  if (!focus.given.empty())
+    json["given"] = looksOf(focus.given);
+  addUnread(json, focus.unread);
+  return json;
+}
+
 Ordered viewOf(const View& view) {
   Ordered json = {{"name", view.name}, {"camera", cameraJson(view.camera)}};
   if (view.sections)
     json["sections"] = sectionsOf(*view.sections);
-  if (view.looks) {
-    json["looks"] = Ordered::array();
-    for (const Look& look : *view.looks) {
-      json["looks"].push_back({{"node", look.node.value}, {"style", styleJson(look.style)}});
-      addUnread(json["looks"].back(), look.unread);
-    }
-  }
+  if (view.looks)
+    json["looks"] = looksOf(*view.looks);
   if (view.annotations) {
     json["annotations"] = Ordered::array();
     for (const AnnotationId id : *view.annotations)
       json["annotations"].push_back(id.value);
   }
+  if (view.focus)
+    json["focus"] = focusOf(*view.focus);
   addUnread(json, view.unread);
   return json;
 }
@@ -169,6 +191,8 @@ std::string sceneJson(const Scene& scene) {
   root["views"] = Ordered::array();
   for (const View& view : scene.views())
     root["views"].push_back(viewOf(view));
+  if (scene.focus() != Focus())
+    root["focus"] = focusOf(scene.focus());
   if (scene.keyLight())
     root["key_light"] = keyLightOf(*scene.keyLight());
   if (!scene.scans().empty())

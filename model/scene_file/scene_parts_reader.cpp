@@ -149,6 +149,39 @@ std::vector<Look> SceneJsonReader::looks(const JsonValue& list) const {
   return all;
 }
 
+Focus SceneJsonReader::focus(const JsonValue& value) const {
+  JsonObject object(value);
+  Focus focus;
+  object.need("targets").forEach(
+      [&focus](const JsonValue& id) { focus.targets.push_back(NodeId{idOf(id)}); });
+  if (const auto amount = object.take("context")) {
+    const auto known = ContextAmount::from(amount->number());
+    if (!known)
+      amount->fail("a number from 0 to 1 is expected here");
+    focus.amount = known.value_or(focus.amount);
+  }
+  if (const auto place = object.take("seen_from")) {
+    JsonObject inner(*place);
+    focus.seenFrom = cameraFrom(inner, m_newer);
+    object.giveBack("seen_from", inner.rest());
+  }
+  if (const auto roles = object.take("roles")) {
+    JsonObject inner(*roles);
+    for (std::size_t i = 0; i < contextRoleNames.size(); ++i)
+      if (const auto list = inner.take(contextRoleNames[i]))
+        list->forEach([&, role = ContextRole(i)](const JsonValue& id) {
+          focus.wishes.roles[NodeId{idOf(id)}] = role;
+        });
+    object.giveBack("roles", inner.rest());
+  }
+  if (const auto too = object.take("hidden_too"))
+    focus.wishes.hiddenToo = too->flag();
+  if (const auto list = object.take("given"))
+    focus.given = looks(*list);
+  focus.unread = object.unread();
+  return focus;
+}
+
 View SceneJsonReader::view(const JsonValue& value) const {
   JsonObject object(value);
   View view;
@@ -165,6 +198,8 @@ View SceneJsonReader::view(const JsonValue& value) const {
     list->forEach([&shown = view.annotations.emplace()](const JsonValue& id) {
       shown.push_back(AnnotationId{idOf(id)});
     });
+  if (const auto focused = object.take("focus"))
+    view.focus = focus(*focused);
   view.unread = object.unread();
   return view;
 }

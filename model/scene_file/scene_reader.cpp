@@ -120,6 +120,9 @@ Scene SceneJsonReader::scene(const JsonValue& root) {
   std::vector<Annotation> notes;
   if (const auto list = object.take("annotations"))
     notes = annotations(*list, nodes);
+  Focus focused;
+  if (const auto value = object.take("focus"))
+    focused = focus(*value);
   std::optional<KeyLight> light;
   if (const auto value = object.take("key_light"))
     light = keyLightFrom(*value);
@@ -138,6 +141,7 @@ Scene SceneJsonReader::scene(const JsonValue& root) {
   scene.setNodes(std::move(nodes));
   scene.setSections(std::move(cuts));
   scene.setAnnotations(std::move(notes));
+  scene.setFocus(std::move(focused));
   scene.setKeyLight(std::move(light));
   scene.setScans(std::move(scans));
   scene.setViews(std::move(views));

@@ -41,6 +41,7 @@ class SceneJsonReader {
   Annotation annotation(const JsonValue& value) const;
   std::vector<Annotation> annotations(const JsonValue& list, const std::vector<Node>& nodes) const;
   std::vector<Look> looks(const JsonValue& list) const;
+  Focus focus(const JsonValue& value) const;
   View view(const JsonValue& value) const;
 
   const MeshesByName& m_meshes;

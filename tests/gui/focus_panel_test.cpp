@@ -3,12 +3,14 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QListView>
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QtTest>
 
 #include "model/edit/visibility.h"
+#include "model/scene_file/scene_file.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
 #include "widgets/focus/amount_slider.h"
@@ -172,7 +174,7 @@ class FocusPanelTest : public QObject {
     QTest::keyClick(&f.window, Qt::Key_L);
     QTest::mouseClick(&f.control<QPushButton>("fromView"), Qt::LeftButton);
     QVERIFY(f.settled());
-    QVERIFY(f.window.focus().state().analysis->fromCamera);
+    QVERIFY(f.window.focus().state().analysis->camera);
     // Seen from the left the right kidney hides nothing of the left one.
     for (const model::Relation& relation : f.window.focus().state().analysis->relations)
       if (relation.structure == named(f, "right kidney"))
@@ -180,7 +182,7 @@ class FocusPanelTest : public QObject {
     const int steps = f.session.history().count();
     QTest::mouseClick(&f.control<QPushButton>("fromAround"), Qt::LeftButton);
     QVERIFY(f.settled());
-    QVERIFY(!f.window.focus().state().analysis->fromCamera);
+    QVERIFY(!f.window.focus().state().analysis->camera);
     QVERIFY(f.session.history().count() >= steps);
   }
 
@@ -199,6 +201,90 @@ class FocusPanelTest : public QObject {
     QTest::mouseClick(&too, Qt::LeftButton, {}, {8, too.height() / 2});
     QTest::keyClick(&slider(f), Qt::Key_End);
     QVERIFY(shown(f, "aorta"));
+  }
+
+  /// Γ that a person dragged since stays when F is pressed again; it is marked, and one click gives
+  /// it back.
+  void whatWasSetByHandStays() {
+    WindowFixture f;
+    QVERIFY(openAndFocus(f));
+    slider(f).setFocus();
+    QTest::keyClick(&slider(f), Qt::Key_End);
+    auto& back = f.control<QPushButton>("focusGiveBack");
+    QVERIFY(!back.isVisible());
+    const float asFocus = gammaOf(f, "bladder");
+    f.pullGamma(named(f, "bladder"), 5.0f);
+    f.letGoOfGamma();
+    const float hers = gammaOf(f, "bladder");
+    QVERIFY(hers > 4.5f && hers != asFocus);
+    QVERIFY(back.isVisible());
+    QVERIFY(row(f, QStringLiteral("bladder – by hand")));
+    f.session.select({named(f, "left kidney"), named(f, "aorta")});
+    QTest::keyClick(&f.window, Qt::Key_F);
+    QVERIFY(f.settled());
+    QVERIFY(gammaOf(f, "aorta") > 4.0f);
+    QCOMPARE(gammaOf(f, "bladder"), hers);
+    QTreeWidgetItem* marked = row(f, QStringLiteral("bladder – by hand"));
+    QVERIFY(marked && marked->toolTip(0).contains(QLatin1String("by hand")));
+    QVERIFY(back.text().startsWith(QLatin1Char('1')));
+    const int steps = f.session.history().count();
+    QTest::mouseClick(&back, Qt::LeftButton);
+    QCOMPARE(f.session.history().count(), steps + 1);
+    QVERIFY(gammaOf(f, "bladder") < 4.0f);
+    QVERIFY(!back.isVisible() && row(f, QStringLiteral("bladder")));
+    QTest::keyClick(&f.window, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(gammaOf(f, "bladder"), hers);
+    QVERIFY(back.isVisible());
+  }
+
+  /// A scene file brings back what was in focus and how much context there was.
+  void theSceneFileHasTheFocus() {
+    QTemporaryDir folder;
+    const std::filesystem::path file = folder.filePath("body.sline").toStdString();
+    {
+      WindowFixture f;
+      QVERIFY(openAndFocus(f));
+      slider(f).setFocus();
+      QTest::keyClick(&slider(f), Qt::Key_PageUp);
+      QVERIFY(model::writeSceneFile(file, {.scene = f.session.scene()}).ok());
+    }
+    WindowFixture f;
+    f.session.openPaths({file});
+    QVERIFY(QTest::qWaitFor([&f] { return !f.session.scene().nodes().empty(); }));
+    QVERIFY(f.settled());
+    QCOMPARE(f.control<QLabel>("focusTitle").text(), QStringLiteral("left kidney"));
+    QCOMPARE(slider(f).value(), 60);
+    QVERIFY(slider(f).isEnabled() && row(f, QStringLiteral("bladder")));
+    QVERIFY(!f.session.modified());
+    slider(f).setFocus();
+    QTest::keyClick(&slider(f), Qt::Key_Home);
+    QVERIFY(!shown(f, "bladder") && shown(f, "left kidney"));
+  }
+
+  /// Each view has its own focus and amount.
+  void viewsHaveTheirOwn() {
+    WindowFixture f;
+    QVERIFY(openAndFocus(f));
+    f.control<QAction>("addView").trigger();
+    f.session.select({named(f, "bladder")});
+    QTest::keyClick(&f.window, Qt::Key_F);
+    QVERIFY(f.settled());
+    slider(f).setFocus();
+    QTest::keyClick(&slider(f), Qt::Key_End);
+    f.control<QAction>("addView").trigger();
+    const auto go = [&f](int index) {
+      auto& cards = f.control<QListView>("viewRow");
+      QTest::mouseClick(cards.viewport(), Qt::LeftButton, {},
+                        cards.visualRect(cards.model()->index(index, 0)).center());
+      return f.settled();
+    };
+    QVERIFY(go(0));
+    QTRY_COMPARE(f.control<QLabel>("focusTitle").text(), QStringLiteral("left kidney"));
+    QCOMPARE(slider(f).value(), 50);
+    QVERIFY(go(1));
+    QTRY_COMPARE(f.control<QLabel>("focusTitle").text(), QStringLiteral("bladder"));
+    QCOMPARE(slider(f).value(), 100);
+    QVERIFY(gammaOf(f, "bladder") > 4.0f);
   }
 
   void anotherDocumentBeginsAnew() {

@@ -12,7 +12,7 @@
 namespace sline::widgets {
 
 namespace {
-/// The number of steps back for which the focus is remembered.
+/// The number of analyses that are remembered.
 constexpr std::size_t mostRecords = 60;
 constexpr int shortly = 50;  // milliseconds
 
@@ -37,7 +37,7 @@ FocusContext::~FocusContext() {
 
 void FocusContext::focusOn(NodeIds targets) {
   if (!targets.empty())
-    analyse(targets, m_state.analysis && m_state.analysis->fromCamera, tr("Focus"));
+    analyse(targets, m_state.analysis && m_state.analysis->camera.has_value(), tr("Focus"));
 }
 
 void FocusContext::setFromCamera(bool camera) {
@@ -127,7 +127,7 @@ QString FocusContext::explanation(model::NodeId structure) const {
     const model::Style drawn = model::contextStyle(relation, m_state.amount);
     const bool own = node && node->style.gamma == drawn.gamma && node->style.fill == drawn.fill &&
                      node->style.visible == drawn.visible;
-    return own ? mannerText(relation, *drawn.visible) : QString();
+    return own ? mannerText(relation, *drawn.visible) : tr("set by hand since");
   }
   return {};
 }
@@ -140,7 +140,6 @@ void FocusContext::takeLook(std::uint64_t question, const Look& look, const mode
   // What the user did meanwhile counts more than a choice made for the scene as it was.
   if (!look || m_session.previewing() || !(m_session.scene() == asked))
     return;
-  remember();
   m_state = {.analysis = look->analysis,
              .targets = look->subject.structures,
              .amount = model::plateAmount(),
@@ -155,7 +154,7 @@ void FocusContext::takeLook(std::uint64_t question, const Look& look, const mode
     else
       m_session.apply(tr("Plate"), std::move(edited));
   }
-  remember();
+  remember(look->analysis);
   emit cameraChosen(look->camera);
   emit changed();
 }
@@ -193,23 +192,34 @@ model::Edited FocusContext::edited(const model::Scene& scene) const {
   return model::withFocusAndContext(scene, *m_state.analysis, m_state.amount, m_state.wishes);
 }
 
-void FocusContext::remember() {
-  const model::Scene& scene = m_session.scene();
-  std::erase_if(m_records, [&scene](const Record& record) { return record.scene == scene; });
+void FocusContext::remember(const Answer& analysis) {
+  if (!analysis)
+    return;
+  const int opening = m_session.document().opening;
+  std::erase_if(m_records, [&](const Record& record) {
+    return record.opening == opening && record.analysis->asked == analysis->asked &&
+           record.analysis->camera == analysis->camera;
+  });
   if (m_records.size() >= mostRecords)
     m_records.erase(m_records.begin());
-  m_records.push_back({scene, m_state});
+  m_records.push_back({opening, analysis});
 }
 
-void FocusContext::apply(const QString& step, FocusState state, const QString& series) {
-  remember();
+void FocusContext::apply(const QString& step, FocusState state, const QString& series,
+                         const NodeIds& freed) {
   m_state = std::move(state);
+  remember(m_state.analysis);
   {
     const QScopedValueRollback applying(m_applying, true);
-    m_session.apply(step, edited(m_session.scene()), series);
+    model::Edited after = edited(model::withoutHand(m_session.scene(), freed).scene);
+    after.changed = !(after.scene == m_session.scene());
+    m_session.apply(step, std::move(after), series);
   }
-  remember();
   emit changed();
+}
+
+void FocusContext::giveBack(const NodeIds& structures) {
+  m_session.apply(tr("Back to the focus"), model::withoutHand(m_session.scene(), structures));
 }
 
 void FocusContext::setRoles(const NodeIds& structures, model::ContextRole role) {
@@ -223,7 +233,7 @@ void FocusContext::setRoles(const NodeIds& structures, model::ContextRole role) 
       else
         state.wishes.roles[relation.structure] = role;
     }
-  apply(tr("Role in the context"), std::move(state));
+  apply(tr("Role in the context"), std::move(state), {}, structures);
 }
 
 void FocusContext::setHiddenToo(bool too) {
@@ -238,7 +248,6 @@ void FocusContext::dragTo(model::ContextAmount amount) {
   if (!m_state.analysis)
     return;
   if (!m_dragging) {
-    remember();
     m_dragging = true;
     m_beforeDrag = m_state.amount;
   }
@@ -255,7 +264,6 @@ void FocusContext::finishDrag() {
     const QScopedValueRollback applying(m_applying, true);
     m_session.commitPreview(amountStep(m_state.amount));
   }
-  remember();
   emit changed();
 }
 
@@ -286,20 +294,54 @@ void FocusContext::documentChange(const Document& before, const Document& now) {
     m_dragging = false;
     m_state.amount = m_beforeDrag;
   }
-  const auto found = std::find_if(m_records.begin(), m_records.end(), [&now](const Record& record) {
-    return record.scene == now.scene;
-  });
-  if (found != m_records.end()) {
-    m_state = found->state;
-  } else if (before.opening != now.opening) {
+  const bool another = before.opening != now.opening;
+  if (!another && before.scene.focus() == now.scene.focus())
+    return;
+  if (another) {
     m_stop.request_stop();
     m_offerStop.request_stop();
     await(0);
-    m_state = {.amount = m_state.amount};
-  } else {
-    return;
   }
+  follow(now);
   emit changed();
+}
+
+void FocusContext::follow(const Document& now) {
+  const model::Focus& focus = now.scene.focus();
+  m_state = {.analysis = nullptr,
+             .targets = focus.targets,
+             .amount = focus.amount,
+             .wishes = focus.wishes};
+  if (focus.targets.empty())
+    return;
+  for (const Record& record : m_records)
+    if (record.opening == now.opening && record.analysis->asked == focus.targets &&
+        record.analysis->camera == focus.seenFrom)
+      m_state.analysis = record.analysis;
+  if (!m_state.analysis)
+    analyseAgain();
+}
+
+void FocusContext::analyseAgain() {
+  const std::stop_token stop = freshQuestion();
+  const std::uint64_t question = ++m_asked;
+  inBackground([this, question, stop, forms = m_forms, scene = m_session.sceneBeforePreview()] {
+    const model::Focus& focus = scene.focus();
+    auto analysis = model::analysed(scene, {focus.targets, focus.seenFrom}, *forms, stop);
+    forms->trim();
+    const Answer answer =
+        analysis ? std::make_shared<const model::FocusAnalysis>(std::move(*analysis)) : nullptr;
+    QMetaObject::invokeMethod(this, [=, this] {
+      if (question != m_awaited)
+        return;
+      await(0);
+      // A focus of which nothing is left stays without its context.
+      m_state.analysis = answer;
+      remember(answer);
+      emit changed();
+    });
+  });
+  await(question);
 }
 
 }  // namespace sline::widgets

@@ -15,15 +15,18 @@
 
 namespace sline::widgets {
 
+/// Holds the scene's focus (model::Scene::focus) and the analysis that belongs to it.
 struct FocusState {
-  std::shared_ptr<const model::FocusAnalysis> analysis;  ///< null where nothing is in focus
-  NodeIds targets;                                       ///< as they were selected
+  /// Null where nothing is in focus, and until the analysis of a focus that came with the scene is
+  /// there.
+  std::shared_ptr<const model::FocusAnalysis> analysis;
+  NodeIds targets;  ///< as they were selected
   model::ContextAmount amount = model::ContextAmount::clamped(0.5f);
   model::ContextWishes wishes;
 };
 
-/// Holds the focus and its context. Each change is one step of the session's history; going back to
-/// a step brings back what was in focus then.
+/// Changes the focus of the scene and its context, as one step of the session's history each. The
+/// focus is part of the scene: undo, a saved view or a scene file bring back what was in focus.
 class FocusContext : public QObject {
   Q_OBJECT
  public:
@@ -44,6 +47,8 @@ class FocusContext : public QObject {
   void setFromCamera(bool camera);
   void setRoles(const NodeIds& structures, model::ContextRole role);
   void setHiddenToo(bool too);
+  /// Gives structures that were set by hand back to the focus: they look as it drew them.
+  void giveBack(const NodeIds& structures);
 
   /// Chooses a look for the whole scene in the background: the subject of that index among
   /// `model::subjectsOf` in focus, seen from where it shows best (METHOD §12). `aspect` is the
@@ -76,11 +81,11 @@ class FocusContext : public QObject {
   void failed(const sline::Error& error);
 
  private:
-  struct Record {
-    model::Scene scene;
-    FocusState state;
-  };
   using Answer = std::shared_ptr<const model::FocusAnalysis>;
+  struct Record {
+    int opening = 0;  ///< of the document
+    Answer analysis;
+  };
   using Look = std::shared_ptr<const model::OpeningLook>;
   void takeLook(std::uint64_t question, const Look& look, const model::Scene& asked, bool opening);
   /// Stops what was asked before.
@@ -91,15 +96,20 @@ class FocusContext : public QObject {
   void take(std::uint64_t question, const Answer& answer, const NodeIds& targets,
             const QString& step);
   model::Edited edited(const model::Scene& scene) const;
-  void apply(const QString& step, FocusState state, const QString& series = {});
-  void remember();
+  /// `freed` are structures that no longer stay as they were set by hand.
+  void apply(const QString& step, FocusState state, const QString& series = {},
+             const NodeIds& freed = {});
+  void remember(const Answer& analysis);
+  /// Takes the focus from the document; asks for its analysis where none is remembered.
+  void follow(const Document& now);
+  void analyseAgain();
   void documentChange(const Document& before, const Document& now);
   void await(std::uint64_t question);
 
   Session& m_session;
   CameraOf m_camera;
   FocusState m_state;
-  std::vector<Record> m_records;  ///< the resulting scenes, for undo and redo
+  std::vector<Record> m_records;  ///< for undo, redo and views
   model::ContextAmount m_beforeDrag;
   std::size_t m_subject = 0;
   bool m_dragging = false;

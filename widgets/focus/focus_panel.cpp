@@ -37,10 +37,23 @@ model::ContextRole roleOf(const FocusState& state, const model::Relation& relati
   return wish == state.wishes.roles.end() ? relation.role : wish->second;
 }
 
-QTreeWidgetItem* rowOf(Session& session, const model::Relation& relation, bool wished) {
+/// Says who decided how a structure is drawn.
+struct Deciding {
+  bool wished = false;  ///< its role was chosen
+  bool byHand = false;  ///< it was set by hand since
+};
+
+bool isIn(const NodeIds& ids, model::NodeId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+QTreeWidgetItem* rowOf(Session& session, const model::Relation& relation, Deciding who) {
   auto* item = new QTreeWidgetItem;
-  const QString reason = wished ? FocusPanel::tr("As you said") : reasonText(session, relation);
-  item->setText(0, session.names().shown(session.scene().find(relation.structure)->name));
+  const QString reason = who.byHand   ? FocusPanel::tr("Set by hand since; the focus leaves it so")
+                         : who.wished ? FocusPanel::tr("As you said")
+                                      : reasonText(session, relation);
+  const QString name = session.names().shown(session.scene().find(relation.structure)->name);
+  item->setText(0, who.byHand ? FocusPanel::tr("%1 – by hand").arg(name) : name);
   item->setToolTip(0, reason.toHtmlEscaped());
   item->setData(0, Qt::AccessibleDescriptionRole, reason);
   item->setData(0, idRole, qulonglong(relation.structure.value));
@@ -151,6 +164,11 @@ QWidget* FocusPanel::makeRoles() {
   m_hidden->setObjectName(QStringLiteral("focusHiddenToo"));
   layout->addWidget(m_roles, 1);
   layout->addLayout(treat);
+  m_giveBack = new QPushButton;
+  m_giveBack->setObjectName(QStringLiteral("focusGiveBack"));
+  m_giveBack->setToolTip(
+      tr("Draws them as the focus would; only those chosen in the list, if any"));
+  layout->addWidget(m_giveBack);
   layout->addWidget(m_hidden);
   m_needFocus.push_back(box);
   return box;
@@ -169,14 +187,21 @@ void FocusPanel::connectControls() {
     m_focus.setRoles(chosen(), model::ContextRole(m_role->itemData(index).toInt()));
   });
   connect(m_hidden, &QCheckBox::clicked, &m_focus, &FocusContext::setHiddenToo);
+  connect(m_giveBack, &QPushButton::clicked, this, [this] {
+    NodeIds some = chosen();
+    std::erase_if(some, [this](model::NodeId id) { return !isIn(m_byHand, id); });
+    m_focus.giveBack(some.empty() ? m_byHand : some);
+  });
   connect(&m_focus, &FocusContext::changed, this, &FocusPanel::refresh);
   connect(&m_focus, &FocusContext::busyChanged, this, &FocusPanel::showTitle);
   connect(&m_session, &Session::selectionChanged, this, &FocusPanel::showTitle);
   connect(&m_session.names(), &DisplayNames::changed, this, &FocusPanel::refresh);
   connect(&m_session, &Session::documentChanged, this,
           [this](const Document& before, const Document& now) {
-            if (before.scene.nodes() != now.scene.nodes())
-              showHidden();
+            if (before.scene.nodes() == now.scene.nodes())
+              return;
+            showHidden();
+            showHand();
           });
 }
 
@@ -185,9 +210,11 @@ void FocusPanel::refresh() {
   for (QWidget* control : m_needFocus)
     control->setEnabled(state.analysis != nullptr);
   m_amount->showAmount(state.amount);
-  m_sides->button(state.analysis && state.analysis->fromCamera ? 1 : 0)->setChecked(true);
+  m_sides->button(state.analysis && state.analysis->camera ? 1 : 0)->setChecked(true);
   showTitle();
+  m_byHand = model::setByHand(m_session.scene());
   showRoles();
+  showHand();
   showHidden();
 }
 
@@ -198,7 +225,7 @@ void FocusPanel::showTitle() {
     if (const model::Node* node = m_session.scene().find(id))
       names << m_session.names().shown(node->name);
   constexpr int few = 3;
-  m_title->setText(!state.analysis ? tr("Nothing in focus")
+  m_title->setText(names.isEmpty() ? tr("Nothing in focus")
                    : names.size() <= few
                        ? names.join(QStringLiteral(", "))
                        : tr("%n structures in focus", nullptr, int(names.size())));
@@ -206,7 +233,7 @@ void FocusPanel::showTitle() {
   m_button->setEnabled(any);
   m_hint->setText(m_focus.busy() ? tr("Looking at what surrounds it…")
                                  : tr("Select a structure in the list or in the picture."));
-  m_hint->setVisible(m_focus.busy() || (!any && !state.analysis));
+  m_hint->setVisible(m_focus.busy() || (!any && names.isEmpty()));
 }
 
 void FocusPanel::showRoles() {
@@ -224,7 +251,9 @@ void FocusPanel::showRoles() {
     auto* heading = new QTreeWidgetItem;
     for (const model::Relation& relation : state.analysis->relations)
       if (roleOf(state, relation) == row.role && m_session.scene().find(relation.structure))
-        heading->addChild(rowOf(m_session, relation, row.role != relation.role));
+        heading->addChild(rowOf(
+            m_session, relation,
+            {.wished = row.role != relation.role, .byHand = isIn(m_byHand, relation.structure)}));
     if (heading->childCount() == 0) {
       delete heading;
       continue;
@@ -256,6 +285,16 @@ void FocusPanel::showChosenRole() {
   if (items.isEmpty() || !items.front()->parent())
     return;
   m_role->setCurrentIndex(m_role->findData(items.front()->parent()->data(0, roleRole)));
+}
+
+void FocusPanel::showHand() {
+  NodeIds now = model::setByHand(m_session.scene());
+  if (now != m_byHand) {
+    m_byHand = std::move(now);
+    showRoles();
+  }
+  m_giveBack->setVisible(!m_byHand.empty());
+  m_giveBack->setText(tr("%n by Hand: Back to the Focus", nullptr, int(m_byHand.size())));
 }
 
 void FocusPanel::showHidden() {

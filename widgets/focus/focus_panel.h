@@ -37,6 +37,8 @@ class FocusPanel : public QWidget {
   void showTitle();
   void showRoles();
   void showHidden();
+  /// Marks what was set by hand since.
+  void showHand();
   void showChosenRole();
   NodeIds chosen() const;
 
@@ -50,6 +52,8 @@ class FocusPanel : public QWidget {
   QTreeWidget* m_roles = nullptr;
   QComboBox* m_role = nullptr;
   QCheckBox* m_hidden = nullptr;
+  QPushButton* m_giveBack = nullptr;
+  NodeIds m_byHand;
   std::vector<QWidget*> m_needFocus;  ///< controls that mean nothing without something in focus
 };
 

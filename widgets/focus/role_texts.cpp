@@ -39,6 +39,8 @@ QString firstClause(Session& session, const model::Relation& relation) {
       return tr("Thin and long, comes to it");
     case RoleReason::feedsStem:
       return tr("Where %1 comes from").arg(nameOf(session, relation.through));
+    case RoleReason::supplies:
+      return tr("Serves %1").arg(nameOf(session, relation.through));
     case RoleReason::touches:
       return tr("Lies against it");
     case RoleReason::hides:

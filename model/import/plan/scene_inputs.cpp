@@ -39,6 +39,22 @@ Annotation moved(Annotation annotation, const NewIds& ids) {
   return annotation;
 }
 
+Focus moved(Focus focus, const NewIds& ids) {
+  const auto isNowhere = [](NodeId id) { return id == rootId; };
+  for (NodeId& id : focus.targets)
+    id = movedId(id, ids);
+  std::erase_if(focus.targets, isNowhere);
+  std::map<NodeId, ContextRole> roles;
+  for (const auto& [id, role] : focus.wishes.roles)
+    if (const NodeId now = movedId(id, ids); !isNowhere(now))
+      roles[now] = role;
+  focus.wishes.roles = std::move(roles);
+  for (Look& look : focus.given)
+    look.node = movedId(look.node, ids);
+  std::erase_if(focus.given, [&](const Look& look) { return isNowhere(look.node); });
+  return focus;
+}
+
 View moved(View view, const NewIds& ids, const std::map<AnnotationId, AnnotationId>& noteIds) {
   if (view.sections)
     for (Section& section : *view.sections)
@@ -55,6 +71,8 @@ View moved(View view, const NewIds& ids, const std::map<AnnotationId, Annotation
         shown.push_back(found->second);
     view.annotations = std::move(shown);
   }
+  if (view.focus)
+    view.focus = moved(std::move(*view.focus), ids);
   return view;
 }
 
@@ -100,6 +118,8 @@ NewIds append(Scene& to, const Scene& added) {
   std::vector<Scan> scans = to.scans();
   scans.insert(scans.end(), added.scans().begin(), added.scans().end());
   to.setScans(std::move(scans));
+  if (to.focus() == Focus())
+    to.setFocus(moved(added.focus(), ids));
   if (!to.keyLight())
     to.setKeyLight(added.keyLight());
   if (to.unread().empty())

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 
 #include "model/focus/analysis.h"
 #include "tests/support/shapes.h"
@@ -202,7 +203,7 @@ class FocusAnalysisTest : public QObject {
     const auto before = ask(scene, "target", camera);
     camera.eye = {-500, 0, 0};
     const auto behind = ask(scene, "target", camera);
-    QVERIFY(before && behind && before->fromCamera);
+    QVERIFY(before && behind && before->camera);
     QVERIFY(of(scene, *before, "neighbour").hides > 0.1f);
     QCOMPARE(of(scene, *behind, "neighbour").hides, 0.0f);
     camera.eye = {50, 0, 0};  // inside the shell
@@ -231,6 +232,34 @@ class FocusAnalysisTest : public QObject {
     QVERIFY(!analysed(scene, {target, std::nullopt}, forms, stop.get_token()));
     QVERIFY(!analysed(scene, {{}, std::nullopt}, forms));
     QVERIFY(!analysed({}, {target, std::nullopt}, forms));
+  }
+
+  /// The middle of a body that lies askew is found, too: of pairs along its spine and a bladder at
+  /// its end, near one hip, both hips count alike.
+  void aBodyMayLieAskew() {
+    constexpr float angle = 0.7f;
+    const auto placed = [](float left, float along, float up, float radius) {
+      return test::moved(*test::sphere(radius, 2), 1.0f,
+                         {std::cos(angle) * left - std::sin(angle) * along,
+                          std::sin(angle) * left + std::cos(angle) * along, up});
+    };
+    Scene scene;
+    const NodeId bladder =
+        scene.append({.name = "urinary bladder", .mesh = placed(1.0f, 90.0f, 0.0f, 10.0f)});
+    const NodeId left = scene.append({.name = "left kidney", .mesh = placed(18, 90, 0, 6)});
+    const NodeId right = scene.append({.name = "right kidney", .mesh = placed(-45, 90, 0, 6)});
+    for (const float along : {-90.0f, 0.0f, 90.0f})
+      for (const char* side : {"left", "right"})
+        scene.append({.name = std::string(side) + " muscle " + char('d' + int(along / 30.0f)),
+                      .mesh = placed(side[0] == 'l' ? 80.0f : -80.0f, along, 0, 5)});
+    FormIndex forms;
+    const auto analysis = analysed(scene, {{&bladder, 1}, std::nullopt}, forms);
+    QVERIFY(analysis);
+    std::map<std::uint64_t, Relation> relations;
+    for (const Relation& relation : analysis->relations)
+      relations[relation.structure.value] = relation;
+    QCOMPARE(relations[left.value].gap, relations[right.value].gap);
+    QVERIFY(relations[left.value].role == relations[right.value].role);
   }
 };
 

@@ -3,7 +3,10 @@
 // choice of the user is lost.
 #include <QTest>
 
+#include "model/edit/look.h"
 #include "model/edit/sections.h"
+#include "model/edit/tree.h"
+#include "model/edit/views.h"
 #include "model/edit/visibility.h"
 #include "model/focus/context.h"
 #include "tests/support/shapes.h"
@@ -49,7 +52,8 @@ class FocusContextTest : public QObject {
     m_target = m_scene.append({.parent = m_group, .name = "target", .mesh = ball});
     m_other = m_scene.append({.parent = m_group, .name = "other", .mesh = ball});
     m_third = m_scene.append({.name = "third", .mesh = ball});
-    m_analysis = {.targets = {m_target},
+    m_analysis = {.asked = {m_target},
+                  .targets = {m_target},
                   .relations = {{.structure = m_target, .role = ContextRole::target},
                                 {.structure = m_other, .role = ContextRole::neighbour},
                                 {.structure = m_third, .role = ContextRole::backdrop}}};
@@ -179,6 +183,72 @@ class FocusContextTest : public QObject {
     m_scene = withShown(m_scene, other).scene;
     m_scene = withHidden(at(0.8f), other).scene;
     QVERIFY(!at(1.0f).resolve(m_other).visible);
+  }
+
+  /// Another focus leaves what a person has set since, until she gives it back.
+  void whatPeopleSetStays() {
+    m_scene = at(0.5f);
+    QVERIFY(setByHand(m_scene).empty());
+    const NodeId other[] = {m_other};
+    const Scene given = m_scene;
+    m_scene = withLook(m_scene, other, {.gamma = Gamma::clamped(5.0f)}).scene;
+    QCOMPARE(setByHand(m_scene), std::vector<NodeId>{m_other});
+    const Scene more = at(1.0f);
+    QVERIFY(more.find(m_other)->style == m_scene.find(m_other)->style);
+    QVERIFY(more.find(m_third)->style != m_scene.find(m_third)->style);
+    QCOMPARE(setByHand(more), std::vector<NodeId>{m_other});
+    // Given back it looks as it would without her hand.
+    const Edited back = withoutHand(more, other);
+    QVERIFY(back.changed && setByHand(back.scene).empty());
+    m_scene = given;
+    QVERIFY(back.scene == at(1.0f));
+    QVERIFY(!withoutHand(back.scene, other).changed);
+  }
+
+  /// A colour is no affair of the focus, and who puts a structure in focus wants it as a target.
+  void newTargetsAreDrawnAsSuch() {
+    m_scene = at(0.5f);
+    const NodeId other[] = {m_other};
+    QVERIFY(setByHand(withLook(m_scene, other, {.colour = Colour{9, 9, 9}}).scene).empty());
+    m_scene = withLook(m_scene, other, {.gamma = Gamma::clamped(1.0f)}).scene;
+    m_analysis.asked = m_analysis.targets = {m_other};
+    m_analysis.relations[0].role = ContextRole::backdrop;
+    m_analysis.relations[1].role = ContextRole::target;
+    const Scene scene = at(0.5f);
+    QVERIFY(scene.find(m_other)->style.gamma->value() > 4.0f);
+    // Once a target, it stays as she sets it then.
+    m_scene = withLook(scene, other, {.gamma = Gamma::clamped(1.0f)}).scene;
+    QCOMPARE(setByHand(m_scene), std::vector<NodeId>{m_other});
+    QCOMPARE(at(1.0f).find(m_other)->style.gamma->value(), 1.0f);
+  }
+
+  void aLookForAllIsNoHand() {
+    m_scene = at(0.8f);
+    const NodeId all[] = {m_target, m_other, m_third};
+    m_scene = withLook(m_scene, all, {.gamma = Gamma::clamped(5.0f)}).scene;
+    QVERIFY(setByHand(m_scene).empty());
+    QVERIFY(at(0.8f).find(m_third)->style.gamma->value() < 5.0f);
+  }
+
+  void theSceneSaysWhatIsInFocus() {
+    ContextWishes wishes;
+    wishes.roles[m_third] = ContextRole::shell;
+    const Scene scene = at(0.7f, wishes);
+    QCOMPARE(scene.focus().targets, std::vector<NodeId>{m_target});
+    QCOMPARE(scene.focus().amount.value(), 0.7f);
+    QVERIFY(scene.focus().wishes == wishes && !scene.focus().seenFrom);
+    // A view has its own.
+    const View view = viewOf(scene, {}, "view");
+    QVERIFY(view.focus == scene.focus());
+    QVERIFY(withViewApplied(m_scene, view).scene.focus() == scene.focus());
+    QVERIFY(withViewApplied(scene, viewOf(m_scene, {}, "before")).scene.focus() == Focus());
+    // What has gone is in no focus.
+    const NodeId target[] = {m_target};
+    Scene saved = scene;
+    saved.setViews({view});
+    const Scene without = removed(saved, target).scene;
+    QVERIFY(without.focus().targets.empty() && without.focus().given.size() == 2);
+    QVERIFY(without.views()[0].focus->targets.empty());
   }
 
   void hiddenTargetsAreShown() {

@@ -76,13 +76,23 @@ Scene sampleScene() {
                       .up = {-0.0f, 0.1f, 1},
                       .fovyDegrees = 21.5f,
                       .heightMm = 333.25f};
+  Focus focus;
+  focus.targets = {one, arteries};
+  focus.amount = ContextAmount::clamped(0.3f);
+  focus.seenFrom = camera;
+  focus.wishes.roles[vessels] = ContextRole::shell;
+  focus.wishes.roles[one] = ContextRole::feeder;
+  focus.wishes.hiddenToo = true;
+  focus.given.push_back({.node = one, .style = {.gamma = Gamma::clamped(4.5f)}});
+  scene.setFocus(focus);
   scene.setViews({{.name = "Overview", .camera = camera},
                   {.name = "Cut", .sections = std::vector<Section>{half}},
                   {.name = "Whole", .sections = std::vector<Section>{}},
                   {.name = "Bare",
                    .looks = std::vector<Look>{{.node = one, .style = {.visible = true}},
                                               {.node = vessels, .style = {.fill = Fill::paper}}},
-                   .annotations = std::vector<AnnotationId>{AnnotationId{4}}}});
+                   .annotations = std::vector<AnnotationId>{AnnotationId{4}},
+                   .focus = Focus()}});
   scene.setAnnotations({{.id = {4},
                          .kind = AnnotationKind::callout,
                          .anchors = {SurfacePoint{one, 17, {0.25f, 0.5f}}},
@@ -114,6 +124,8 @@ std::string difference(const Scene& a, const Scene& b) {
     return "sections";
   if (a.annotations() != b.annotations())
     return "annotations";
+  if (a.focus() != b.focus())
+    return "focus";
   if (a.keyLight() != b.keyLight())
     return "key light";
   if (a.unread() != b.unread())

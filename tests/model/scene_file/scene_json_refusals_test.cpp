@@ -179,6 +179,15 @@ void SceneJsonRefusalsTest::refuses_data() {
       },
       "key_light", "unit vector");
   row(
+      "more than all context", [](Json& j) { j["focus"]["context"] = 1.5; }, "focus.context",
+      "0 to 1");
+  row(
+      "a focus on a name", [](Json& j) { j["views"][3]["focus"]["targets"] = {"liver"}; },
+      "views[3].focus.targets[0]", "whole number");
+  row(
+      "a role of nothing", [](Json& j) { j["focus"]["roles"]["shell"] = 3; }, "focus.roles.shell",
+      "a list");
+  row(
       "a checksum too long",
       [](Json& j) { j["nodes"][2]["provenance"]["fingerprint"]["crc32"] = 1LL << 32; },
       "nodes[2].provenance.fingerprint.crc32", "whole number");

@@ -66,8 +66,9 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
       keys << QString::fromStdString(key);
     return keys.join(' ');
   };
-  QCOMPARE(keysOf(root),
-           QString("format schema frame unit nodes sections annotations views key_light"));
+  QCOMPARE(keysOf(root), QString("format schema frame unit nodes sections annotations views focus "
+                                 "key_light"));
+  QCOMPARE(keysOf(root["focus"]), QString("targets context seen_from roles hidden_too given"));
   QCOMPARE(keysOf(root["nodes"][2]), QString("id parent name mesh style locked provenance"));
   QCOMPARE(keysOf(root["nodes"][2]["style"]),
            QString("colour ink_colour gamma opacity fill visible pen_weight line_variation "
@@ -80,7 +81,7 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
                    "refinement_steps repaired_faces displacement_mm slice_mm decimated_from "
                    "decimation_mm part fingerprint transform"));
   QCOMPARE(keysOf(root["views"][1]), QString("name camera sections"));
-  QCOMPARE(keysOf(root["views"][3]), QString("name camera looks annotations"));
+  QCOMPARE(keysOf(root["views"][3]), QString("name camera looks annotations focus"));
   QCOMPARE(keysOf(root["annotations"][0]),
            QString("id kind at text texts colour visible locked offset"));
   QCOMPARE(keysOf(root["annotations"][1]), QString("id kind at to text visible locked"));
@@ -93,13 +94,28 @@ void SceneJsonTest::unknownKeysAreKeptEverywhere() {
   const Scene scene = test::sampleScene();
   Json json = jsonOf(scene);
   const Json extra = {{"list", {1, 2.5, "x", nullptr}}, {"deep", {{"er", true}}}};
-  for (Json* object :
-       {&json, &json["nodes"][0], &json["nodes"][2], &json["nodes"][2]["mesh"],
-        &json["nodes"][2]["style"], &json["nodes"][2]["provenance"], &json["sections"][0],
-        &json["views"][0], &json["views"][0]["camera"], &json["views"][1]["sections"][0],
-        &json["views"][3]["looks"][0], &json["views"][3]["looks"][0]["style"],
-        &json["annotations"][0], &json["annotations"][0]["at"], &json["annotations"][1]["to"],
-        &json["nodes"][2]["provenance"]["fingerprint"], &json["key_light"]})
+  for (Json* object : {&json,
+                       &json["nodes"][0],
+                       &json["nodes"][2],
+                       &json["nodes"][2]["mesh"],
+                       &json["nodes"][2]["style"],
+                       &json["nodes"][2]["provenance"],
+                       &json["sections"][0],
+                       &json["views"][0],
+                       &json["views"][0]["camera"],
+                       &json["views"][1]["sections"][0],
+                       &json["views"][3]["looks"][0],
+                       &json["views"][3]["looks"][0]["style"],
+                       &json["annotations"][0],
+                       &json["annotations"][0]["at"],
+                       &json["annotations"][1]["to"],
+                       &json["nodes"][2]["provenance"]["fingerprint"],
+                       &json["key_light"],
+                       &json["focus"],
+                       &json["focus"]["seen_from"],
+                       &json["focus"]["roles"],
+                       &json["focus"]["given"][0],
+                       &json["views"][3]["focus"]})
     (*object)["from the future"] = extra;
   json["nodes"][1]["style"] = {{"from the future", extra}};  // a style with nothing known in it
   const auto again = sceneFromJson(json, meshesByName(scene));
