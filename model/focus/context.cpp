@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "model/edit/node_sets.h"
 #include "model/edit/visibility.h"
 #include "model/scene/style_fields.h"
 
@@ -269,13 +270,6 @@ std::unordered_map<std::uint64_t, Standing> standings(const Scene& scene) {
     standings[node.id.value] = standing;
   }
   return standings;
-}
-
-std::unordered_set<std::uint64_t> setOf(std::span<const NodeId> ids) {
-  std::unordered_set<std::uint64_t> set;
-  for (const NodeId id : ids)
-    set.insert(id.value);
-  return set;
 }
 
 /// Returns those of the structures set by hand that stay so: a person who puts a structure in focus
