@@ -16,8 +16,8 @@ struct AppliedView {
   std::vector<NodeId> absent;  ///< nodes that the view mentions but the scene lacks
 };
 
-/// Returns the scene as the view shows it: with its sections, looks, annotations and focus as far as
-/// it has any; everything else stays, and so do nodes that came after the view.
+/// Returns the scene as the view shows it: with its sections, looks, annotations and focus as far
+/// as it has any; everything else stays, and so do nodes that came after the view.
 AppliedView withViewApplied(const Scene& scene, const View& view);
 
 /// Returns the looks of all nodes, from which `withViewApplied` restores the picture: structures
@@ -28,8 +28,8 @@ std::vector<Look> looksOf(const Scene& scene);
 /// Returns how many nodes and annotations the view mentions that the scene lacks.
 std::size_t absentFrom(const Scene& scene, const View& view);
 
-/// Returns a view of the current picture: camera, looks of all nodes, sections, the annotations that
-/// are shown and what is in focus.
+/// Returns a view of the current picture: camera, looks of all nodes, sections, the annotations
+/// that are shown and what is in focus.
 View viewOf(const Scene& scene, const Camera& camera, std::string name);
 
 /// Returns the name without blanks at its ends; where another view already has it (as

@@ -3,8 +3,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QListView>
 #include <QLabel>
+#include <QListView>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QtTest>
