@@ -13,6 +13,7 @@
 
 #include "model/anatomy/name_words.h"
 #include "model/base/letters.h"
+#include "model/base/natural_order.h"
 #include "model/scene/visible_structures.h"
 
 namespace sline::model {
@@ -113,9 +114,8 @@ std::vector<Twins> twinsOf(const Scene& scene) {
   std::vector<Twins> versions;
   std::vector<Twins> bodies;
   for (auto& [name, nodes] : named) {
-    // "liver" comes before "liver 2", and "liver 2" before "liver 10".
     std::stable_sort(nodes.begin(), nodes.end(), [](const Node* a, const Node* b) {
-      return std::pair(a->name.size(), a->name) < std::pair(b->name.size(), b->name);
+      return naturallyBefore(a->name, b->name);
     });
     for (std::size_t k = 1; k < nodes.size(); ++k)
       for (std::size_t i = 0; i < k; ++i)

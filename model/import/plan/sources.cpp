@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "model/base/letters.h"
+#include "model/base/natural_order.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/dicom_left_out.h"
 #include "model/import/readers/dicom_kind.h"
@@ -166,7 +167,7 @@ class Collector {
     }
     if (!images.empty())
       m_result.warnings.push_back({folder.string(), images.text() + ". " + DicomLeftOut::remedy()});
-    std::sort(files.begin(), files.end());
+    std::sort(files.begin(), files.end(), pathNaturallyBefore);
     m_result.sources.push_back({ImportSource::Kind::folder, folder, std::nullopt});
     for (const fs::path& file : files) {
       std::vector<std::string> folders;
