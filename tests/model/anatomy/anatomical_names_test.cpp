@@ -44,6 +44,16 @@ void AnatomicalNamesTest::display_data() {
                      "venstre eggstokk"});
   row("scapula r.", {"right scapula", "scapula dextra", "rechtes Schulterblatt",
                      "rechter schouderblad", "høyre skulderblad"});
+  // Groups of atlases.
+  row("Muscular",
+      {"Muscular system", "Systema musculare", "Muskelsystem", "Spierstelsel", "Muskelsystem"});
+  row("Venous", {"Venous system", "Systema venosum", "Venensystem", "Aderstelsel", "Venesystem"});
+  row("GI", {"gastrointestinal tract", "tractus gastrointestinalis", "Magen-Darm-Trakt",
+             "maag-darmkanaal", "mage-tarm-kanal"});
+  row("Vascular System",
+      {"Vascular system", "Systema vasculare", "Gefäßsystem", "Vaatstelsel", "Karsystem"});
+  row("Pelvic Structures", {"Pelvic structures", "Structurae pelvis", "Beckenstrukturen",
+                            "Bekkenstructuren", "Bekkenstrukturer"});
   row("ureter L", {"left ureter", "ureter sinister", "linker Harnleiter", "linker urineleider",
                    "venstre urinleder"});
   row("right_iliac_arteries",
