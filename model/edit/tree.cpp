@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 #include "model/edit/locks.h"
 #include "model/scene/style_fields.h"
@@ -117,16 +118,54 @@ Style handedDown(Style own, const Style& group) {
   return style;
 }
 
+/// Holds what a structure is called.
+struct Called {
+  std::string name;
+  std::map<std::string, std::string> inOthers;  ///< by language
+};
+
+/// Calls a label after the new name where it was called after the old one.
+void follow(Annotation& annotation, const Called& old, const Called& now) {
+  const bool own = annotation.text == old.name;
+  std::map<std::string, std::string> texts;
+  for (const auto& [tag, text] : annotation.texts) {
+    const auto was = old.inOthers.find(tag);
+    if (was == old.inOthers.end() || was->second != text)
+      texts[tag] = text;
+    else if (const auto is = now.inOthers.find(tag); is != now.inOthers.end())
+      texts[tag] = is->second;
+  }
+  if (own) {
+    annotation.text = now.name;
+    texts.insert(now.inOthers.begin(), now.inOthers.end());
+  }
+  annotation.texts = std::move(texts);
+}
+
 }  // namespace
 
-Edited renamed(const Scene& scene, NodeId id, const std::string& name) {
+Edited renamed(const Scene& scene, NodeId id, const std::string& name, const NamesOf& namesOf) {
   if (name.empty() || scene.isLocked(id))
     return {scene, false};
   std::vector<Node> nodes = scene.nodes();
+  Called old;
   for (Node& node : nodes)
     if (node.id == id)
-      node.name = name;
-  return withNodesReplaced(scene, std::move(nodes));
+      old.name = std::exchange(node.name, name);
+  Edited edited = withNodesReplaced(scene, std::move(nodes));
+  if (!edited.changed)
+    return edited;
+  Called now{.name = name, .inOthers = {}};
+  if (namesOf) {
+    old.inOthers = namesOf(old.name);
+    now.inOthers = namesOf(now.name);
+  }
+  std::vector<Annotation> annotations = scene.annotations();
+  for (Annotation& annotation : annotations)
+    if (pointsAt(annotation, {id.value}))
+      follow(annotation, old, now);
+  edited.scene.setAnnotations(std::move(annotations));
+  return edited;
 }
 
 Edited removed(const Scene& scene, std::span<const NodeId> ids) {

@@ -3,14 +3,21 @@
 // (model/edit/locks.h).
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 
 #include "model/edit/edited.h"
 
 namespace sline::model {
 
-/// Renames the node; an empty or unchanged name changes nothing.
-Edited renamed(const Scene& scene, NodeId id, const std::string& name);
+/// Returns what a structure of that name is called in other languages, by BCP 47 tag; empty where
+/// nobody knows.
+using NamesOf = std::function<std::map<std::string, std::string>(const std::string& name)>;
+
+/// Renames the node; an empty or unchanged name changes nothing. Labels on it that are called as it
+/// was follow, in every language by itself; texts that were edited stay.
+Edited renamed(const Scene& scene, NodeId id, const std::string& name, const NamesOf& namesOf = {});
 /// Removes the nodes and everything below them, the sections that cut nothing else, the annotations
 /// that point at them, and their entries in saved views. Locked nodes stay, and so do the groups
 /// above them.

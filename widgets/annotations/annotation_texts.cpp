@@ -5,7 +5,7 @@
 
 #include "model/scene/markup.h"
 #include "render/lettering/label_texts.h"
-#include "widgets/annotations/label_preferences.h"
+#include "widgets/session/names_by_language.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -105,10 +105,8 @@ model::Annotation withFirstText(Session& session, model::Annotation annotation,
   if (!node || text != offeredText(session, *structure, language))
     return withText(std::move(annotation), language, text);
   annotation.text = node->name;
-  if (session.names().knows(node->name))
-    for (const LabelLanguage& each : labelLanguages())
-      if (!each.tag.empty())
-        annotation.texts[each.tag] = session.names().calledIn(node->name, each.tag).toStdString();
+  for (const auto& [tag, name] : namesByLanguage(session.names(), node->name))
+    annotation.texts[tag] = name;
   return annotation;
 }
 

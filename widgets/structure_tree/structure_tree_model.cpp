@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/edit/tree.h"
+#include "widgets/session/names_by_language.h"
 #include "widgets/structure_tree/node_mime.h"
 
 namespace sline::widgets {
@@ -224,7 +225,11 @@ bool StructureTreeModel::setData(const QModelIndex& index, const QVariant& value
   if (role != Qt::EditRole || index.column() != name)
     return false;
   const std::string text = value.toString().trimmed().toStdString();
-  return m_session.apply(tr("Rename"), model::renamed(m_session.scene(), idOf(index), text));
+  const auto namesOf = [this](const std::string& of) {
+    return namesByLanguage(m_session.names(), of);
+  };
+  return m_session.apply(tr("Rename"),
+                         model::renamed(m_session.scene(), idOf(index), text, namesOf));
 }
 
 Qt::ItemFlags StructureTreeModel::flags(const QModelIndex& index) const {

@@ -5,6 +5,7 @@
 #include "model/edit/look.h"
 #include "model/edit/tree.h"
 #include "tests/model/edit/written_tree.h"
+#include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
 namespace sline::model {
@@ -13,6 +14,7 @@ using test::nodeNamed;
 using test::nodesNamed;
 using test::readTree;
 using test::writtenTree;
+using Texts = std::map<std::string, std::string>;
 
 class TreeEditTest : public QObject {
   Q_OBJECT
@@ -168,6 +170,45 @@ class TreeEditTest : public QObject {
     // Grouping and dissolving restores the tree.
     const Grouped made = grouped(scene, nodesNamed(scene, "a c"), "N");
     QVERIFY(ungrouped(made.edited.scene, std::array{made.group}).scene.nodes() == scene.nodes());
+  }
+
+  /// Labels are called as their structure is, until someone calls one otherwise.
+  void labelsFollowAName() {
+    Scene scene;
+    const NodeId lump = scene.append({.name = "Segment 1", .mesh = test::sphere(1.0f, 1)});
+    const NodeId other = scene.append({.name = "other", .mesh = test::sphere(1.0f, 1)});
+    const auto label = [&scene](NodeId on, const char* text, Texts texts) {
+      return scene.appendAnnotation(
+          {.anchors = {SurfacePoint{on, 0, {}}}, .text = text, .texts = std::move(texts)});
+    };
+    label(lump, "Segment 1", {});
+    label(lump, "Segment 1", {{"de", "mein Klumpen"}});
+    label(lump, "my lump", {});
+    label(other, "Segment 1", {});
+    const NamesOf names = [](const std::string& name) {
+      return name == "liver"    ? Texts{{"de", "Leber"}, {"la", "hepar"}}
+             : name == "kidney" ? Texts{{"de", "Niere"}, {"la", "ren"}}
+                                : Texts{};
+    };
+    const auto saidOf = [](const Scene& of, std::size_t i) {
+      Texts all = of.annotations()[i].texts;
+      all[""] = of.annotations()[i].text;
+      return all;
+    };
+    const Edited liver = renamed(scene, lump, "liver", names);
+    QVERIFY(liver.changed);
+    QCOMPARE(saidOf(liver.scene, 0), (Texts{{"", "liver"}, {"de", "Leber"}, {"la", "hepar"}}));
+    QCOMPARE(saidOf(liver.scene, 1),
+             (Texts{{"", "liver"}, {"de", "mein Klumpen"}, {"la", "hepar"}}));
+    QCOMPARE(saidOf(liver.scene, 2), (Texts{{"", "my lump"}}));
+    QCOMPARE(saidOf(liver.scene, 3), (Texts{{"", "Segment 1"}}));
+    const Scene kidney = renamed(liver.scene, lump, "kidney", names).scene;
+    QCOMPARE(saidOf(kidney, 0), (Texts{{"", "kidney"}, {"de", "Niere"}, {"la", "ren"}}));
+    QCOMPARE(saidOf(kidney, 1), (Texts{{"", "kidney"}, {"de", "mein Klumpen"}, {"la", "ren"}}));
+    // A name that nobody knows leaves no wrong one behind.
+    const Scene lost = renamed(kidney, lump, "Segment 2", names).scene;
+    QCOMPARE(saidOf(lost, 0), (Texts{{"", "Segment 2"}}));
+    QCOMPARE(saidOf(lost, 1), (Texts{{"", "Segment 2"}, {"de", "mein Klumpen"}}));
   }
 };
 
