@@ -2869,6 +2869,22 @@
         <source>Serves %1</source>
         <translation>Versorgt: %1</translation>
     </message>
+    <message>
+        <source>English / Latin</source>
+        <translation>Englisch / Latein</translation>
+    </message>
+    <message>
+        <source>German / Latin</source>
+        <translation>Deutsch / Latein</translation>
+    </message>
+    <message>
+        <source>Dutch / Latin</source>
+        <translation>Niederländisch / Latein</translation>
+    </message>
+    <message>
+        <source>Norwegian / Latin</source>
+        <translation>Norwegisch / Latein</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -2869,6 +2869,22 @@
         <source>Serves %1</source>
         <translation>Forsyner: %1</translation>
     </message>
+    <message>
+        <source>English / Latin</source>
+        <translation>Engelsk / latin</translation>
+    </message>
+    <message>
+        <source>German / Latin</source>
+        <translation>Tysk / latin</translation>
+    </message>
+    <message>
+        <source>Dutch / Latin</source>
+        <translation>Nederlandsk / latin</translation>
+    </message>
+    <message>
+        <source>Norwegian / Latin</source>
+        <translation>Norsk / latin</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -2869,6 +2869,22 @@
         <source>Serves %1</source>
         <translation>Verzorgt: %1</translation>
     </message>
+    <message>
+        <source>English / Latin</source>
+        <translation>Engels / Latijn</translation>
+    </message>
+    <message>
+        <source>German / Latin</source>
+        <translation>Duits / Latijn</translation>
+    </message>
+    <message>
+        <source>Dutch / Latin</source>
+        <translation>Nederlands / Latijn</translation>
+    </message>
+    <message>
+        <source>Norwegian / Latin</source>
+        <translation>Noors / Latijn</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/scene/label_words.h"
+
 namespace sline::model {
 
 namespace {
@@ -198,7 +200,7 @@ std::string plainText(AnnotationKind kind, const std::string& text) {
 }
 
 std::string plainTextIn(const Annotation& annotation, const std::string& language) {
-  return plainText(annotation.kind, textIn(annotation, language));
+  return plainText(annotation.kind, writtenIn(annotation, language));
 }
 
 }  // namespace sline::model

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "model/scene/label_words.h"
 #include "model/scene/markup.h"
 
 namespace sline::render {
@@ -49,7 +50,7 @@ std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& scr
       continue;
     ++number;
     if (std::optional<LabelItem> item = itemOf(annotation, scene, screen, sights))
-      labels.push_back({*std::move(item), model::textIn(annotation, language), number,
+      labels.push_back({*std::move(item), model::writtenIn(annotation, language), number,
                         annotation.colour, lengthOf(annotation, scene)});
   }
   return labels;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/scene/label_words.h"
 #include "model/scene/visible_structures.h"
 #include "render/labels/label_room.h"
 
@@ -118,7 +119,7 @@ std::vector<ShownLabel> visibleLabels(const model::Scene& scene, const Screen& s
     label.item.id = annotation.id;
     label.item.kind = annotation.kind;
     label.item.offset = annotation.offset;
-    label.text = model::textIn(annotation, style.language);
+    label.text = model::writtenIn(annotation, style.language);
     label.number = ++number;
     for (const model::Anchor& anchor : annotation.anchors)
       if (const auto point = scene.placeOf(anchor))

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/scene/label_words.h"
 #include "render/lettering/word_division.h"
 
 namespace sline::render {
@@ -36,7 +37,8 @@ QString fullText(const ShownLabel& label, const LabelStyle& style) {
   QString text = QString::fromStdString(bounded(label.text)).simplified();
   if (!label.lengthMm)
     return text;
-  const QLocale locale(QString::fromStdString(style.language.empty() ? "en" : style.language));
+  const QLocale locale(
+      QString::fromStdString(style.language.empty() ? "en" : model::firstLanguage(style.language)));
   const int digits = *label.lengthMm < 10.0f ? 1 : 0;
   const QString length =
       locale.toString(double(*label.lengthMm), 'f', digits) + QStringLiteral("\u00a0mm");
@@ -219,7 +221,7 @@ MeasuredText::MeasuredText(const ShownLabel& label, const LabelStyle& style, con
     m_fixed = textOf(label, style, 0.0f).box;
     return;
   }
-  const Ruler ruler(style.language);
+  const Ruler ruler(model::firstLanguage(style.language));
   m_space = float(ruler.width(TextLine(QStringLiteral(" "))));
   const WordLimits limits = limitsOf(0.0f, words, m_scale);
   const auto measured = [&ruler, &limits](const Word& word, qreal indent) {
@@ -290,7 +292,7 @@ glm::vec2 MeasuredText::boxAt(float widestMm) const {
 
 LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm,
                  const WordRoom& words) {
-  const Ruler ruler(style.language);
+  const Ruler ruler(model::firstLanguage(style.language));
   const float scale = pixelsToMm(style);
   const glm::vec2 padding = paddingOf(label.item.kind, style);
   const WordLimits limits = limitsOf(widestMm, words, scale);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/scene/label_words.h"
 #include "model/scene/scene.h"
 
 namespace sline::render {
@@ -77,7 +78,7 @@ constexpr std::array<MarkTable, 5> tables{
       "%1 in media profunditate"}}};
 
 const MarkTable& tableOf(const std::string& language) {
-  const std::string primary = language.substr(0, language.find_first_of("-_"));
+  const std::string primary = language.substr(0, language.find_first_of("-_+"));
   for (const MarkTable& table : tables)
     if (primary == table.language)
       return table;
@@ -88,7 +89,7 @@ const MarkTable& tableOf(const std::string& language) {
 
 MarkWords::MarkWords(const std::string& language)
     : m_table(tableOf(language)),
-      m_locale(QString::fromStdString(language.empty() ? "en" : language)) {}
+      m_locale(QString::fromStdString(language.empty() ? "en" : model::firstLanguage(language))) {}
 
 QString MarkWords::view(const std::string& name, const model::Camera& camera) const {
   const auto named = model::anatomicalViewNamed(model::normalisedName(name));

@@ -121,8 +121,8 @@ class ExportChoicesTest : public QObject {
     QVERIFY(text().contains(QStringLiteral("2 labels")));
     QVERIFY(text().contains(QStringLiteral("Names of structures")));
     QVERIFY(text().contains(QStringLiteral("MB")));
-    desk.pick("export-language", QStringLiteral("Deutsch"));
-    QVERIFY(text().contains(QStringLiteral("Deutsch")));
+    desk.pick("export-language", QStringLiteral("German"));
+    QVERIFY(text().contains(QStringLiteral("German")));
     desk.pick("export-labels", QStringLiteral("None"));
     QVERIFY(text().contains(QStringLiteral("No labels")));
   }

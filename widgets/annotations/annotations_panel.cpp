@@ -178,7 +178,7 @@ void AnnotationsPanel::chooseColour() {
 }
 
 void AnnotationsPanel::followPreferences() {
-  m_annotations->setLanguage(labelStyle(m_preferences, m_session.names()).language);
+  m_annotations->setLanguage(typedLanguage(labelStyle(m_preferences, m_session.names())));
   showActive();
 }
 

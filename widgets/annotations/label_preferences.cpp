@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "widgets/text/tr.h"
+#include "model/scene/label_words.h"
 
 namespace sline::widgets {
 
@@ -13,11 +13,6 @@ namespace {
 constexpr std::array<const char*, 4> modes{"off", "texts", "numbers", "blank"};
 
 }  // namespace
-
-std::vector<LabelLanguage> labelLanguages() {
-  return {{"", tr("The scene’s own")}, {"en", tr("English")}, {"de", tr("German")},
-          {"la", tr("Latin")},         {"nl", tr("Dutch")},   {"nb", tr("Norwegian")}};
-}
 
 std::string tagOf(std::optional<model::NameLanguage> language) {
   static constexpr std::array<const char*, model::nameLanguages> tags{"en", "la", "de", "nl", "nb"};
@@ -37,6 +32,10 @@ render::LabelStyle labelStyle(const Preferences& preferences, const DisplayNames
   else if (language == QLatin1String("scene"))
     style.language.clear();
   return style;
+}
+
+std::string typedLanguage(const render::LabelStyle& style) {
+  return model::firstLanguage(style.language);
 }
 
 }  // namespace sline::widgets

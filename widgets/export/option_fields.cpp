@@ -3,6 +3,9 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <array>
 
 #include "render/export/order/common_options.h"
 #include "widgets/text/tr.h"
@@ -45,16 +48,33 @@ ChoiceField languageField(const QStringList& languages) {
   ChoiceField field{{{QString(), tr("The scene's own")}}};
   for (const QString& tag : languages)
     field.choices.push_back({tag, languageName(tag)});
+  const QString latin = QStringLiteral("la");
+  if (languages.contains(latin))
+    for (const QString& tag : languages)
+      if (const QString both = tag + QLatin1Char('+') + latin; tag != latin)
+        field.choices.push_back({both, languageName(both)});
   return field;
 }
 
 }  // namespace
 
 QString languageName(const QString& tag) {
-  if (tag == QLatin1String("la"))
-    return tr("Latin");
-  const QString name = QLocale(tag).nativeLanguageName();
-  return QLocale(tag).language() != QLocale::C && !name.isEmpty() ? name : tag;
+  QStringList names;
+  for (const QString& one : tag.split(QLatin1Char('+'))) {
+    const std::array<std::pair<const char*, QString>, 5> known{{{"en", tr("English")},
+                                                                {"de", tr("German")},
+                                                                {"la", tr("Latin")},
+                                                                {"nl", tr("Dutch")},
+                                                                {"nb", tr("Norwegian")}}};
+    const auto found = std::find_if(known.begin(), known.end(), [&one](const auto& language) {
+      return one == QLatin1String(language.first);
+    });
+    const QString own = QLocale(one).nativeLanguageName();
+    names << (found != known.end()                                      ? found->second
+              : QLocale(one).language() != QLocale::C && !own.isEmpty() ? own
+                                                                        : one);
+  }
+  return names.join(QStringLiteral(" / "));
 }
 
 Field fieldOf(const render::ExportOption& option, const QStringList& languages) {

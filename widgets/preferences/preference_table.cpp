@@ -42,7 +42,11 @@ std::vector<PreferenceRow> languageRows() {
                          {QStringLiteral("en"), tr("English")},
                          {QStringLiteral("de"), tr("German")},
                          {QStringLiteral("nl"), tr("Dutch")},
-                         {QStringLiteral("nb"), tr("Norwegian")}}}},
+                         {QStringLiteral("nb"), tr("Norwegian")},
+                         {QStringLiteral("en+la"), tr("English / Latin")},
+                         {QStringLiteral("de+la"), tr("German / Latin")},
+                         {QStringLiteral("nl+la"), tr("Dutch / Latin")},
+                         {QStringLiteral("nb+la"), tr("Norwegian / Latin")}}}},
            page,
            QStringLiteral("interface")}};
 }

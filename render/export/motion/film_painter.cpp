@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "model/scene/label_words.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/plate/plate_image.h"
 #include "render/picture/headless/headless_picture.h"
@@ -26,7 +27,7 @@ class Sightings {
       return;
     for (const model::Annotation& annotation : frame.scene.annotations())
       if (annotation.visible)
-        m_wanted.try_emplace(annotation.id, model::textIn(annotation, language));
+        m_wanted.try_emplace(annotation.id, model::writtenIn(annotation, language));
     for (const ShownLabel& label : plate.labels->labels)
       m_met.insert(label.item.id);
     for (const PlacedLabel& placed : plate.labels->layout.labels)

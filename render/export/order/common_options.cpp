@@ -145,7 +145,9 @@ constinit const ExportOption languageOption{
     .group = OptionGroup::labels,
     .flag = "--language",
     .value = "TAG",
-    .help = "The language of labels, as in de or la; where one has no text in it, the scene's own",
+    .help =
+        "The language of labels, as in de or la, or several, as in de+la; where one has no text in "
+        "the first, the scene's own",
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Lan&guage"),
     .tip =
         QT_TRANSLATE_NOOP("sline::render::ExportOption",

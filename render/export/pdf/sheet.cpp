@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "model/scene/label_words.h"
 #include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_lists.h"
@@ -67,7 +68,8 @@ class Sheet {
     for (m_total = 0; m_total == 0 || !m_pages;) {
       const bool counting = m_total == 0;
       m_page = 0;
-      m_pages = std::make_unique<PdfPages>(m_layout.paper, m_order.labels.language);
+      m_pages =
+          std::make_unique<PdfPages>(m_layout.paper, model::firstLanguage(m_order.labels.language));
       setPages();
       if (counting) {
         m_total = m_page;
@@ -330,7 +332,7 @@ Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesyste
   const Result<VectorDrawing> drawing = drawFigure(order, target, progress);
   if (!drawing.ok())
     return drawing.error();
-  PdfPages pages(order.page.sizeMm, order.labels.language);
+  PdfPages pages(order.page.sizeMm, model::firstLanguage(order.labels.language));
   pages.place(*drawing, {{}, {{}, order.page.sizeMm}});
   const FigurePlate plate = figurePlate(order);
   progress.note(plate.notes);

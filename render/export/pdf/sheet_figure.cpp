@@ -7,6 +7,7 @@
 
 #include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
+#include "model/scene/label_words.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/figure_plate.h"
@@ -14,7 +15,9 @@
 
 namespace sline::render {
 
-std::string structureName(const std::string& name, const std::string& language) {
+namespace {
+
+std::string nameInOne(const std::string& name, const std::string& language) {
   static constexpr std::array<std::pair<std::string_view, model::NameLanguage>, 6> languages{
       {{"en", model::NameLanguage::english},
        {"de", model::NameLanguage::german},
@@ -27,6 +30,21 @@ std::string structureName(const std::string& name, const std::string& language) 
   const auto known = std::find_if(languages.begin(), languages.end(),
                                   [&](const auto& row) { return row.first == primary; });
   return known == languages.end() ? name : names.displayName(name, known->second);
+}
+
+}  // namespace
+
+std::string structureName(const std::string& name, const std::string& language) {
+  std::string all;
+  std::vector<std::string> said;
+  for (const std::string& tag : model::languagesIn(language)) {
+    const std::string one = nameInOne(name, tag);
+    if (std::find(said.begin(), said.end(), one) != said.end())
+      continue;
+    all += (said.empty() ? "" : " / ") + one;
+    said.push_back(one);
+  }
+  return all;
 }
 
 namespace {

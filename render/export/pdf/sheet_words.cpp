@@ -12,7 +12,7 @@ const SheetWords& sheetWords(const std::string& language) {
        {"nl", "Legenda", "Benamingen", "vervolg", "Zelftest", "Antwoorden", "Naam", "Datum"},
        {"nb", "Tegnforklaring", "Betegnelser", "fortsettelse", "Selvtest", "Fasit", "Navn", "Dato"},
        {"la", "Index colorum", "Nomina", "continuatio", "Examen", "Solutiones", "Nomen", "Dies"}}};
-  const std::string primary = language.substr(0, language.find_first_of("-_"));
+  const std::string primary = language.substr(0, language.find_first_of("-_+"));
   for (const SheetWords& words : all)
     if (primary == words.language)
       return words;

@@ -2,8 +2,10 @@
 #include "render/export/plate/figure_plate.h"
 
 #include <QString>
+#include <algorithm>
 #include <set>
 
+#include "model/scene/label_words.h"
 #include "model/scene/markup.h"
 
 namespace sline::render {
@@ -35,7 +37,9 @@ void addLabels(ExportNotes& notes, Kind kind, const ExportOrder& order,
 /// no translation.
 void addUntranslated(ExportNotes& notes, const ExportOrder& order, const LabelPlate& plate) {
   const std::string& language = order.labels.language;
-  if (language.empty() || language.starts_with("en") || order.labels.mode == LabelMode::blank)
+  std::vector<std::string> tags = model::languagesIn(language);
+  std::erase_if(tags, [](const std::string& tag) { return tag.empty() || tag.starts_with("en"); });
+  if (tags.empty() || order.labels.mode == LabelMode::blank)
     return;
   std::set<model::AnnotationId> placed;
   for (const PlacedLabel& label : plate.layout.labels)
@@ -43,7 +47,9 @@ void addUntranslated(ExportNotes& notes, const ExportOrder& order, const LabelPl
   ExportNote note{.kind = Kind::labelsUntranslated, .names = {}, .detail = language};
   for (const model::Annotation& annotation : order.scene.annotations())
     if (placed.contains(annotation.id) && !annotation.text.empty() &&
-        !annotation.texts.contains(language))
+        std::any_of(tags.begin(), tags.end(), [&annotation](const std::string& tag) {
+          return !annotation.texts.contains(tag);
+        }))
       note.names.push_back(nameOf(annotation, language));
   if (!note.names.empty())
     addNote(notes, std::move(note));

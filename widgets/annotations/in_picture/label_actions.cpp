@@ -194,7 +194,7 @@ void LabelActions::labelSelected() {
 void LabelActions::take(const std::vector<model::Annotation>& found, int opening) {
   if (opening != m_session.document().opening)
     return;
-  const std::string tag = m_labels.style().language;
+  const std::string tag = typedLanguage(m_labels.style());
   model::Edited all{m_session.scene(), false};
   int count = 0;
   for (const model::Annotation& place : found) {

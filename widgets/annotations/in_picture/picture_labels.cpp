@@ -10,6 +10,7 @@
 #include "render/lettering/label_style.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/annotations/in_picture/presented_letters.h"
+#include "widgets/annotations/label_preferences.h"
 #include "widgets/viewport/tools/navigation.h"
 #include "widgets/viewport/tools/points.h"
 
@@ -178,7 +179,7 @@ void PictureLabels::clicked(const Picks& picks, const QPointF& at) {
     return;
   }
   if (*m_making != model::AnnotationKind::distance) {
-    const QString name = offeredText(m_place.session, picks.seen->id, m_style.language);
+    const QString name = offeredText(m_place.session, picks.seen->id, typedLanguage(m_style));
     begin({.kind = *m_making, .anchors = {*picks.anchor}}, name, at);
     return;
   }
@@ -204,7 +205,7 @@ void PictureLabels::edit(model::AnnotationId id) {
   if (!annotation || m_shut)
     return;
   const QRectF box = m_layer->sheet() ? boxOf(*m_layer->sheet(), id) : QRectF();
-  begin(*annotation, wordsIn(*annotation, m_style.language),
+  begin(*annotation, wordsIn(*annotation, typedLanguage(m_style)),
         box.isEmpty() ? QRectF(m_place.picture.rect()).center()
                       : QPointF(box.left(), box.center().y()));
 }
@@ -220,14 +221,14 @@ void PictureLabels::accept(const QString& text) {
   if (text.isEmpty() && !wordless)
     return;
   if (m_new) {
-    add(withFirstText(session, written, m_style.language, text));
+    add(withFirstText(session, written, typedLanguage(m_style), text));
     return;
   }
   const model::Annotation* now = model::findAnnotation(session.scene(), written.id);
-  if (now && text != wordsIn(*now, m_style.language))
+  if (now && text != wordsIn(*now, typedLanguage(m_style)))
     session.apply(tr("Change What a Label Says"),
                   model::withAnnotationChanged(session.scene(), written.id,
-                                               withText(*now, m_style.language, text)));
+                                               withText(*now, typedLanguage(m_style), text)));
 }
 
 void PictureLabels::add(const model::Annotation& annotation) {
