@@ -16,7 +16,7 @@ namespace {
 // λ over which an end's direction is taken.
 constexpr float directionReach = 3.0f;
 // Strokes that are veiled this much alike are one.
-constexpr float sameVeil = 0.14f;
+constexpr float sameVeil = 0.03f;
 
 float lengthOf(const VisibleStroke& stroke) {
   float length = 0.0f;

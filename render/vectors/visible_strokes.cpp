@@ -13,6 +13,10 @@ namespace {
 // Pixels. A pen would not lift for a gap this short, nor draw a mark this short.
 constexpr std::size_t shortestGap = 3;
 constexpr std::size_t shortestMark = 3;
+// Pixels, and the largest difference of a channel: a line behind fills changes its colour no
+// sooner.
+constexpr std::size_t shortestShade = 8;
+constexpr float sameShade = 0.08f;
 // Fills in front of a line leave one of this many grades of it.
 constexpr int veilGrades = 8;
 // Pixels of half a width; thinner ink is not worth drawing.
@@ -137,6 +141,19 @@ Veil meanVeil(std::span<const Sample> run) {
   return {sum.colour / float(run.size()), sum.transmittance / float(run.size())};
 }
 
+/// Returns where the run of samples that begins there ends: at another grade or, where it is long
+/// enough to be seen, at a veil of another colour.
+std::size_t endOfRun(std::span<const Sample> all, std::size_t from) {
+  std::size_t to = from + 1;
+  while (to < all.size() && all[to].grade == all[from].grade) {
+    const glm::vec3 change = glm::abs(all[to].veil.colour - all[from].veil.colour);
+    if (to - from >= shortestShade && std::max({change.r, change.g, change.b}) > sameShade)
+      break;
+    ++to;
+  }
+  return to;
+}
+
 /// Gives runs of one grade that are too short for a pen the grade of the run before them.
 void closeGaps(std::vector<Sample>& all) {
   for (std::size_t from = 0; from < all.size();) {
@@ -205,11 +222,10 @@ std::vector<VisibleStroke> visibleStrokes(const InkChain& chain, const StrokeSce
     all.pop_back();  // a dot
   closeGaps(all);
   for (std::size_t from = 0; from < all.size();) {
-    std::size_t to = from + 1;
-    while (to < all.size() && all[to].grade == all[from].grade)
-      ++to;
+    const std::size_t to = endOfRun(all, from);
     const bool whole = to - from == all.size();
-    if (all[from].grade > 0 && (whole || to - from >= shortestMark)) {
+    if (all[from].grade > 0 && (whole || to - from >= shortestMark ||
+                                (from > 0 && all[from - 1].grade == all[from].grade))) {
       VisibleStroke& stroke = strokes.emplace_back();
       stroke.closed = whole && chain.size() > 2 && chain.front().a == chain.back().b;
       stroke.veil = meanVeil(std::span(all).subspan(from, to - from));
