@@ -32,12 +32,22 @@ std::vector<model::ResolvedStyle> looksOf(const model::Scene& scene, const NodeI
 
 /// Tells whether one of the nodes has a value of its own.
 template <class Says>
-bool anySays(const model::Scene& scene, const NodeIds& ids, const Says& says) {
+bool anyOfSays(const model::Scene& scene, const model::NodeSet& asked, const Says& says) {
   const std::vector<model::Node>& nodes = scene.nodes();
-  const model::NodeSet asked = model::setOf(ids);
   return std::any_of(nodes.begin(), nodes.end(), [&](const model::Node& node) {
     return asked.contains(node.id.value) && says(node.style);
   });
+}
+
+template <class Says>
+bool anySays(const model::Scene& scene, const NodeIds& ids, const Says& says) {
+  return anyOfSays(scene, model::setOf(ids), says);
+}
+
+/// Tells the same of the nodes and all below them, which a reset makes inherit again.
+template <class Says>
+bool anyBelowSays(const model::Scene& scene, const NodeIds& ids, const Says& says) {
+  return anyOfSays(scene, model::withAllBelow(scene, model::setOf(ids)), says);
 }
 
 QIcon swatch(const std::optional<QColor>& colour, const QPalette& palette, bool mixed) {
@@ -155,7 +165,8 @@ void StyleNumberEditor::showSelection() {
       anySays(scene, ids, [this](const model::Style& style) { return m_row.own(style); });
   m_slider->showRange(low, high, own);
   m_number->showRange(low, high);
-  resetButton().setEnabled(own);
+  resetButton().setEnabled(
+      anyBelowSays(scene, ids, [this](const model::Style& style) { return m_row.own(style); }));
 }
 
 StyleChoiceEditor::StyleChoiceEditor(Session& session, StyleChoice row, QWidget* parent)
@@ -189,7 +200,7 @@ void StyleChoiceEditor::showSelection() {
                                  [&](const auto& look) { return m_row.value(look) != first; });
   m_values->setPlaceholderText(tr("Several"));
   m_values->setCurrentIndex(mixed ? -1 : first);
-  resetButton().setEnabled(anySays(scene, session().selection(), m_row.own));
+  resetButton().setEnabled(anyBelowSays(scene, session().selection(), m_row.own));
 }
 
 StyleColourEditor::StyleColourEditor(Session& session, StyleColour row, QWidget* parent)
@@ -228,9 +239,9 @@ void StyleColourEditor::showSelection() {
   m_swatch->setToolTip(mixed   ? tr("Several")
                        : first ? qColour(*first).name()
                                : tr("With the background"));
-  resetButton().setEnabled(anySays(scene, session().selection(), [this](const model::Style& style) {
-    return (style.*m_row.field).has_value();
-  }));
+  resetButton().setEnabled(
+      anyBelowSays(scene, session().selection(),
+                   [this](const model::Style& style) { return (style.*m_row.field).has_value(); }));
 }
 
 void StyleColourEditor::choose() {
