@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QMenu>
 #include <algorithm>
+#include <optional>
 
 #include "widgets/sections/section_actions.h"
 #include "widgets/viewport/viewport.h"
@@ -36,7 +37,7 @@ PictureMenu::PictureMenu(Session& session, Viewport& viewport, SectionActions& s
   connect(&viewport, &Viewport::menuWanted, this, &PictureMenu::popUp);
 }
 
-void PictureMenu::addStructure(QMenu& menu, const std::optional<Pick>& pick) {
+void PictureMenu::addHeading(QMenu& menu) {
   const model::Node* first = m_session.scene().find(m_session.selection().front());
   const int others = int(m_session.selection().size()) - 1;
   const QString name = plain(m_session.names().shown(first->name));
@@ -44,18 +45,19 @@ void PictureMenu::addStructure(QMenu& menu, const std::optional<Pick>& pick) {
       menu.addAction(others > 0 ? tr("%1 and %n more", nullptr, others).arg(name) : name);
   heading->setEnabled(false);
   menu.addSeparator();
+}
+
+void PictureMenu::addStructure(QMenu& menu, const Pick& pick) {
   menu.addActions(m_menus[QStringLiteral("structureMenu")].actions());
-  if (!pick)
-    return;
   menu.addSeparator();
   QMenu* cut = menu.addMenu(tr("Section &Here"));
   cut->setObjectName(QStringLiteral("sectionHere"));
-  m_sections.fill(*cut, {.scope = model::rootId, .through = pick->position});
+  m_sections.fill(*cut, {.scope = model::rootId, .through = pick.position});
   QMenu* cutThis = menu.addMenu(tr("Section Here, of &This Alone"));
   cutThis->setObjectName(QStringLiteral("sectionHereAlone"));
-  m_sections.fill(*cutThis, {.scope = pick->id, .through = pick->position});
+  m_sections.fill(*cutThis, {.scope = pick.id, .through = pick.position});
   menu.addAction(tr("Turn &Around This Place"), this,
-                 [this, place = pick->position] { m_viewport.setPivot(place); });
+                 [this, place = pick.position] { m_viewport.setPivot(place); });
 }
 
 void PictureMenu::addDepths(QMenu& menu, const std::vector<Pick>& all) {
@@ -83,13 +85,15 @@ void PictureMenu::popUp(const QPoint& onScreen, const Picks& picks) {
   menu->setObjectName(QStringLiteral("pictureMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (pick)
-    addStructure(*menu, pick);
+    addHeading(*menu);
+  if (!picks.all.empty()) {
+    addDepths(*menu, picks.all);
+    menu->addSeparator();
+  }
+  if (pick)
+    addStructure(*menu, *pick);
   else
     menu->addActions(m_menus[QStringLiteral("viewMenu")].actions());
-  if (!picks.all.empty()) {
-    menu->addSeparator();
-    addDepths(*menu, picks.all);
-  }
   menu->popup(onScreen);
 }
 

@@ -3,7 +3,6 @@
 
 #include <QObject>
 #include <QPoint>
-#include <optional>
 
 #include "widgets/session/session.h"
 #include "widgets/shell/menu_table.h"
@@ -30,7 +29,9 @@ class PictureMenu : public QObject {
   /// Adds all that is there from front to back, to choose from; each shows in the picture while the
   /// mouse is on its entry.
   void addDepths(QMenu& menu, const std::vector<Pick>& all);
-  void addStructure(QMenu& menu, const std::optional<Pick>& pick);
+  /// Adds the name of what is selected.
+  void addHeading(QMenu& menu);
+  void addStructure(QMenu& menu, const Pick& pick);
 
   Session& m_session;
   Viewport& m_viewport;
