@@ -2885,6 +2885,58 @@
         <source>Norwegian / Latin</source>
         <translation>Norwegisch / Latein</translation>
     </message>
+    <message>
+        <source>St&amp;yle</source>
+        <translation>Stil &amp;mitnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Style</source>
+        <translation>Stil &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+C</source>
+        <translation>Ctrl+Alt+C</translation>
+    </message>
+    <message>
+        <source>The whole look of the selected structure, for others</source>
+        <translation>Das ganze Aussehen der gewählten Struktur, für andere</translation>
+    </message>
+    <message>
+        <source>&amp;Paste Style</source>
+        <translation>Stil &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+V</source>
+        <translation>Ctrl+Alt+V</translation>
+    </message>
+    <message>
+        <source>Give the selected structures the look that was copied</source>
+        <translation>Den gewählten Strukturen das kopierte Aussehen geben</translation>
+    </message>
+    <message>
+        <source>Paste Style, &amp;Keep Colour</source>
+        <translation>Stil einfügen, &amp;Farbe behalten</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Shift+V</source>
+        <translation>Ctrl+Alt+Shift+V</translation>
+    </message>
+    <message>
+        <source>Give the selected structures the look that was copied, but for colour and ink</source>
+        <translation>Den gewählten Strukturen das kopierte Aussehen geben, ohne Farbe und Tinte</translation>
+    </message>
+    <message>
+        <source>&amp;Make Like…</source>
+        <translation>&amp;Machen wie …</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>Click on another structure, in the picture or the list: the selected ones are drawn as it is and keep their colours</source>
+        <translation>Auf eine andere Struktur klicken, im Bild oder in der Liste: Die gewählten werden gezeichnet wie sie und behalten ihre Farben</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2913,6 +2965,13 @@ OpenGL: %3</translation>
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AnatomyPalette</name>
+    <message>
+        <source>Anatomical colours</source>
+        <translation>Anatomische Farben</translation>
     </message>
 </context>
 <context>
@@ -5157,6 +5216,21 @@ OpenGL: %3</translation>
     <message>
         <source>Locked</source>
         <translation>Gesperrt</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StyleActions</name>
+    <message>
+        <source>Paste Style</source>
+        <translation>Stil einfügen</translation>
+    </message>
+    <message>
+        <source>Paste Style, Keep Colour</source>
+        <translation>Stil einfügen, Farbe behalten</translation>
+    </message>
+    <message>
+        <source>Make Like</source>
+        <translation>Machen wie</translation>
     </message>
 </context>
 <context>

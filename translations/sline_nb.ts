@@ -2885,6 +2885,58 @@
         <source>Norwegian / Latin</source>
         <translation>Norsk / latin</translation>
     </message>
+    <message>
+        <source>St&amp;yle</source>
+        <translation>S&amp;til</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Style</source>
+        <translation>&amp;Kopier stilen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+C</source>
+        <translation>Ctrl+Alt+C</translation>
+    </message>
+    <message>
+        <source>The whole look of the selected structure, for others</source>
+        <translation>Hele utseendet til den valgte strukturen, for andre</translation>
+    </message>
+    <message>
+        <source>&amp;Paste Style</source>
+        <translation>&amp;Lim inn stilen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+V</source>
+        <translation>Ctrl+Alt+V</translation>
+    </message>
+    <message>
+        <source>Give the selected structures the look that was copied</source>
+        <translation>Gi de valgte strukturene utseendet som ble kopiert</translation>
+    </message>
+    <message>
+        <source>Paste Style, &amp;Keep Colour</source>
+        <translation>Lim inn stilen, &amp;behold fargen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Shift+V</source>
+        <translation>Ctrl+Alt+Shift+V</translation>
+    </message>
+    <message>
+        <source>Give the selected structures the look that was copied, but for colour and ink</source>
+        <translation>Gi de valgte strukturene utseendet som ble kopiert, uten farge og blekk</translation>
+    </message>
+    <message>
+        <source>&amp;Make Like…</source>
+        <translation>&amp;Gjør lik …</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>Click on another structure, in the picture or the list: the selected ones are drawn as it is and keep their colours</source>
+        <translation>Klikk på en annen struktur, i bildet eller listen: de valgte tegnes som den og beholder fargene sine</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2913,6 +2965,13 @@ OpenGL: %3</translation>
     <message>
         <source>Copy</source>
         <translation>Kopier</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AnatomyPalette</name>
+    <message>
+        <source>Anatomical colours</source>
+        <translation>Anatomiske farger</translation>
     </message>
 </context>
 <context>
@@ -5157,6 +5216,21 @@ OpenGL: %3</translation>
     <message>
         <source>Locked</source>
         <translation>Låst</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StyleActions</name>
+    <message>
+        <source>Paste Style</source>
+        <translation>Lim inn stilen</translation>
+    </message>
+    <message>
+        <source>Paste Style, Keep Colour</source>
+        <translation>Lim inn stilen, behold fargen</translation>
+    </message>
+    <message>
+        <source>Make Like</source>
+        <translation>Gjør lik</translation>
     </message>
 </context>
 <context>

@@ -2885,6 +2885,58 @@
         <source>Norwegian / Latin</source>
         <translation>Noors / Latijn</translation>
     </message>
+    <message>
+        <source>St&amp;yle</source>
+        <translation>Sti&amp;jl</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Style</source>
+        <translation>Stijl &amp;kopiëren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+C</source>
+        <translation>Ctrl+Alt+C</translation>
+    </message>
+    <message>
+        <source>The whole look of the selected structure, for others</source>
+        <translation>Het hele uiterlijk van de gekozen structuur, voor andere</translation>
+    </message>
+    <message>
+        <source>&amp;Paste Style</source>
+        <translation>Stijl &amp;plakken</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+V</source>
+        <translation>Ctrl+Alt+V</translation>
+    </message>
+    <message>
+        <source>Give the selected structures the look that was copied</source>
+        <translation>De gekozen structuren het gekopieerde uiterlijk geven</translation>
+    </message>
+    <message>
+        <source>Paste Style, &amp;Keep Colour</source>
+        <translation>Stijl plakken, kle&amp;ur behouden</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Shift+V</source>
+        <translation>Ctrl+Alt+Shift+V</translation>
+    </message>
+    <message>
+        <source>Give the selected structures the look that was copied, but for colour and ink</source>
+        <translation>De gekozen structuren het gekopieerde uiterlijk geven, zonder kleur en inkt</translation>
+    </message>
+    <message>
+        <source>&amp;Make Like…</source>
+        <translation>&amp;Maken zoals…</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>Click on another structure, in the picture or the list: the selected ones are drawn as it is and keep their colours</source>
+        <translation>Op een andere structuur klikken, in de afbeelding of de lijst: de gekozene worden getekend zoals die en houden hun kleuren</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2913,6 +2965,13 @@ OpenGL: %3</translation>
     <message>
         <source>Copy</source>
         <translation>Kopiëren</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AnatomyPalette</name>
+    <message>
+        <source>Anatomical colours</source>
+        <translation>Anatomische kleuren</translation>
     </message>
 </context>
 <context>
@@ -5157,6 +5216,21 @@ OpenGL: %3</translation>
     <message>
         <source>Locked</source>
         <translation>Vergrendeld</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StyleActions</name>
+    <message>
+        <source>Paste Style</source>
+        <translation>Stijl plakken</translation>
+    </message>
+    <message>
+        <source>Paste Style, Keep Colour</source>
+        <translation>Stijl plakken, kleur behouden</translation>
+    </message>
+    <message>
+        <source>Make Like</source>
+        <translation>Maken zoals</translation>
     </message>
 </context>
 <context>

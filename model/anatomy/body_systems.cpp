@@ -45,7 +45,25 @@ void AnatomyTable::addPattern(const std::vector<std::string_view>& fields) {
     ++m_badRows;
     return;
   }
+  m_names.emplace_back(fields[0].substr(fields[0].starts_with('=') ? 1 : 0));
   m_matches.push_back({std::size_t(owner - m_systems.data()), colour.value_or(owner->colour)});
+}
+
+std::vector<NamedColour> AnatomyTable::colours() const {
+  std::vector<NamedColour> colours;
+  for (std::size_t i = 0; i < m_systems.size(); ++i) {
+    colours.push_back({m_systems[i].title, m_systems[i].colour, true});
+    // Several patterns stand for one structure, such as its plural and its abbreviation.
+    std::vector<Colour> had{m_systems[i].colour};
+    for (std::size_t k = 0; k < m_matches.size(); ++k) {
+      const Colour& colour = m_matches[k].colour;
+      if (m_matches[k].system != i || std::find(had.begin(), had.end(), colour) != had.end())
+        continue;
+      had.push_back(colour);
+      colours.push_back({m_names[k], colour, false});
+    }
+  }
+  return colours;
 }
 
 std::optional<AnatomyMatch> AnatomyTable::match(std::string_view name) const {

@@ -21,6 +21,13 @@ struct AnatomySystem {
   Tissue tissue = Tissue::unknown;
 };
 
+/// A colour with the name of what has it by convention.
+struct NamedColour {
+  std::string name;  ///< the title of a system, or a structure's name
+  Colour colour;
+  bool system = false;
+};
+
 struct AnatomyMatch {
   std::size_t system = 0;  ///< in AnatomyTable::systems()
   Colour colour;
@@ -38,6 +45,8 @@ class AnatomyTable {
   std::size_t patternCount() const { return m_patterns.count(); }
   std::size_t badRows() const { return m_badRows; }
   const AnatomySystem* system(std::string_view id) const;
+  /// Returns the colours: each system's, followed by those of its structures that have others.
+  std::vector<NamedColour> colours() const;
 
   /// Returns the row that fits the name best (see NamePatterns); nothing where none does.
   std::optional<AnatomyMatch> match(std::string_view name) const;
@@ -49,6 +58,7 @@ class AnatomyTable {
   std::vector<AnatomySystem> m_systems;
   NamePatterns m_patterns;  ///< the values are indices into `m_matches`
   std::vector<AnatomyMatch> m_matches;
+  std::vector<std::string> m_names;  ///< of the patterns, as long as `m_matches`
   std::size_t m_badRows = 0;
 };
 

@@ -36,13 +36,16 @@ std::vector<MenuRow> menuRows() {
               "recover | close quit")),
       row("recentMenu", tr("Open &Recent"), {}),
       row("demoMenu", tr("&Demo"), {}),
-      row("editMenu", tr("&Edit"), ids("undo redo | >selectMenu find | copyPicture | preferences")),
+      row("editMenu", tr("&Edit"),
+          ids("undo redo | >selectMenu find | copyPicture >styleMenu | preferences")),
       row("selectMenu", tr("S&elect"),
           ids("selectAll selectInverse selectSameKind selectOtherSide | selectBox")),
       row("structureMenu", tr("&Structure"),
-          ids("focus context ghost colour >inheritMenu | >selectMenu | toggle isolate hideOthers "
+          ids("focus context ghost colour >styleMenu >inheritMenu | >selectMenu | toggle isolate "
+              "hideOthers "
               "showAll zoomTo | rename newGroup group ungroup lock properties | remove")),
       row("inheritMenu", tr("&Inherit"), ids("inherit inheritColour inheritOpacity | inheritAll")),
+      row("styleMenu", tr("St&yle"), ids("copyStyle pasteStyle pasteStyleAlone | makeLike")),
       row("labelMenu", tr("&Labels"),
           ids("annotateLabel annotateCallout annotatePin annotateDistance | labelSelected "
               "| labelEdit labelDelete | >labelModeMenu")),

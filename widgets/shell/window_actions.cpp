@@ -132,6 +132,19 @@ std::vector<ActionRow> selectionRows() {
               "touches")}};
 }
 
+std::vector<ActionRow> styleRows() {
+  return {{QStringLiteral("copyStyle"), tr("&Copy Style"), key(tr("Ctrl+Alt+C")),
+           tr("The whole look of the selected structure, for others")},
+          {QStringLiteral("pasteStyle"), tr("&Paste Style"), key(tr("Ctrl+Alt+V")),
+           tr("Give the selected structures the look that was copied")},
+          {QStringLiteral("pasteStyleAlone"), tr("Paste Style, &Keep Colour"),
+           key(tr("Ctrl+Alt+Shift+V")),
+           tr("Give the selected structures the look that was copied, but for colour and ink")},
+          {QStringLiteral("makeLike"), tr("&Make Like…"), key(tr("Shift+L")),
+           tr("Click on another structure, in the picture or the list: the selected ones are drawn "
+              "as it is and keep their colours")}};
+}
+
 std::vector<ActionRow> structureRows() {
   return {
       {QStringLiteral("zoomTo"),
@@ -234,7 +247,7 @@ std::vector<ActionRow> viewRows() {
 std::vector<ActionRow> actionRows() {
   std::vector<ActionRow> rows = fileRows();
   for (const std::vector<ActionRow>& more :
-       {lookRows(), selectionRows(), structureRows(), labelRows(), viewRows()})
+       {lookRows(), selectionRows(), styleRows(), structureRows(), labelRows(), viewRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

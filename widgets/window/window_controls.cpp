@@ -31,6 +31,7 @@
 #include "widgets/structure_tree/structure_actions.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_view.h"
+#include "widgets/structure_tree/style_actions.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/views/tour_actions.h"
 #include "widgets/views/view_actions.h"
@@ -152,6 +153,7 @@ void MainWindow::makeMenus() {
                             menus[QStringLiteral("savedViews")]);
   connect(m_views, &ViewActions::viewChosen, m_tour, &ViewTour::goTo);
   new StructureActions(m_session, *m_tree, *m_viewport, m_actions, m_parts);
+  new StyleActions(m_session, m_actions, m_parts);
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
   connect(m_sections, &SectionActions::refused, m_message, &MessageBar::showError);
   m_sections->fillAddMenu(findChild<SectionsPanel*>()->addButton());

@@ -15,6 +15,7 @@ class BodySystemsTest : public QObject {
   void systems();
   void brokenRowsAreLeftOut();
   void edits();
+  void coloursByName();
 };
 
 void BodySystemsTest::tableIsWhole() {
@@ -123,6 +124,23 @@ void BodySystemsTest::edits() {
   QCOMPARE(table.match("artery of long pattern of words")->system, std::size_t(1));
   QVERIFY(table.match("whole"));
   QVERIFY(!table.match("whole thing"));
+}
+
+/// The colours that a person chooses from are those that names give.
+void BodySystemsTest::coloursByName() {
+  const AnatomyTable table;
+  const std::vector<NamedColour> colours = table.colours();
+  QVERIFY(colours.size() > table.systems().size());
+  QVERIFY(colours.front().system && colours.front().name == "Bones");
+  std::size_t systems = 0;
+  for (const NamedColour& named : colours) {
+    systems += named.system ? 1 : 0;
+    if (named.system)
+      continue;
+    const auto match = table.match(named.name);
+    QVERIFY2(match && match->colour == named.colour, named.name.c_str());
+  }
+  QCOMPARE(systems, table.systems().size());
 }
 
 SLINE_TEST(BodySystemsTest)
