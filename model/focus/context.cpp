@@ -208,6 +208,10 @@ Fill fillOf(const Relation& r, const Growth& growth) {
 
 }  // namespace
 
+bool looksInFocus(const ResolvedStyle& style) {
+  return style.gamma == Gamma::clamped(focusGamma);
+}
+
 ContextManner mannerOf(const Relation& r) {
   if (r.role == ContextRole::target)
     return ContextManner::detail;

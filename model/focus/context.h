@@ -25,6 +25,9 @@ enum class ContextManner {
 };
 ContextManner mannerOf(const Relation& relation);
 
+/// Tells whether a structure looks as one in focus does, which no surroundings do.
+bool looksInFocus(const ResolvedStyle& style);
+
 /// Returns a style that answers Γ, fill, opacity, pen, tone of hatching and visibility. With the
 /// amount more of each structure becomes visible, never less, and without jumps: its Γ and pen
 /// grow, its pen from nothing. Only structures that hide nothing of the targets are filled with

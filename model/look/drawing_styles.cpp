@@ -9,6 +9,7 @@
 #include "model/base/contrast.h"
 #include "model/edit/locks.h"
 #include "model/edit/look.h"
+#include "model/focus/context.h"
 #include "model/scene/resolved_styles.h"
 #include "model/scene/visible_structures.h"
 
@@ -94,8 +95,8 @@ Style textbook(const DrawnPart& part) {
 
 Style woodcut(const DrawnPart& part) {
   Style style = penOf(part, {3.0f, 2.7f, 0.0f}, {1.7f, 1.1f, 0.8f});
-  style.hatchDensity = HatchDensity::clamped(0.8f);
-  style.hatchTone = HatchTone::clamped(part.standing == Standing::subject ? 4.0f : 2.8f);
+  style.hatchDensity = HatchDensity::clamped(1.6f);
+  style.hatchTone = HatchTone::clamped(part.standing == Standing::subject ? 3.2f : 2.4f);
   style.colour = white;
   style.inkColour = black;
   return style;
@@ -124,15 +125,29 @@ Style operatingNote(const DrawnPart& part) {
   return style;
 }
 
+/// Returns the colour with that share of its light.
+Colour dimmed(const Colour& colour, float share) {
+  const auto channel = [share](std::uint8_t c) {
+    return std::uint8_t(std::lround(share * float(c)));
+  };
+  return {channel(colour.red), channel(colour.green), channel(colour.blue)};
+}
+
+/// Context has dim colours of its own: filled with the ground, vessels before what is bright would
+/// be black bands.
 Style lectureHall(const DrawnPart& part) {
   constexpr Colour ground{28, 30, 34};
   constexpr Colour chalk{214, 218, 226};
-  Style style = penOf(part, {4.3f, 1.2f, 0.0f}, {1.2f, 0.6f, 0.5f});
+  constexpr float quiet = 0.42f;
+  Style style = penOf(part, {4.3f, 3.9f, 0.0f}, {1.2f, 0.6f, 0.5f});
+  style.hatchTone = HatchTone::clamped(0.0f);
   style.inkColour = chalk;
   if (part.standing == Standing::subject) {
     style.colour = vivid(part.now.colour, 0.55f, 0.96f);
     style.inkColour = legibleOn(ground, *style.colour, 9.0);
-    style.hatchTone = HatchTone::clamped(0.0f);
+  } else if (part.standing == Standing::context) {
+    style.colour = dimmed(part.now.colour, quiet);
+    style.inkColour = legibleOn(ground, *style.colour, 4.5);
   }
   return style;
 }
@@ -187,6 +202,22 @@ std::vector<NodeId> structuresFrom(const Structures& visible, float gamma) {
   std::vector<NodeId> ids;
   for (const VisibleStructure& each : visible)
     if (each.style.gamma.value() >= gamma)
+      ids.push_back(each.node->id);
+  return ids;
+}
+
+/// Returns what looks in focus, if anything beside it is shaded as surroundings are: without any
+/// hatching. A person may have given the same Γ without a focus.
+std::vector<NodeId> inFocusAmong(const Structures& visible) {
+  constexpr float modelled = 3.0f;
+  const bool surrounded =
+      std::any_of(visible.begin(), visible.end(), [](const VisibleStructure& each) {
+        return !looksInFocus(each.style) && each.style.gamma.value() > modelled &&
+               each.style.hatchTone.value() <= 0.0f;
+      });
+  std::vector<NodeId> ids;
+  for (const VisibleStructure& each : visible)
+    if (surrounded && looksInFocus(each.style))
       ids.push_back(each.node->id);
   return ids;
 }
@@ -292,7 +323,9 @@ std::vector<NodeId> emphasisedIn(const Scene& scene) {
   const Structures visible = visibleStructures(scene);
   if (visible.empty())
     return {};
-  constexpr float shaded = 3.95f;  // context ends at 3.9 (model/focus/context.cpp)
+  if (auto ids = inFocusAmong(visible); !ids.empty())
+    return ids;
+  constexpr float shaded = 3.95f;
   if (auto ids = structuresFrom(visible, shaded); !ids.empty())
     return ids;
   float most = 0.0f;

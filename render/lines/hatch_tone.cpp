@@ -20,6 +20,13 @@ float quarterTurns(float x) {
 constexpr float wholeShadow = -0.35f;
 constexpr float noShadow = 0.3f;
 constexpr float shadowWeight = 0.45f;
+// The second, with hatching of twice the usual tone or more.
+constexpr float noShadowWhereDark = 0.95f;
+
+/// Returns the cosine to the light from which on there is no shadow.
+float endOfShadow(float tone) {
+  return noShadow + std::clamp(tone - 1.0f, 0.0f, 1.0f) * (noShadowWhereDark - noShadow);
+}
 
 /// Computes the field by METHOD §3: k = S w + (nv/d)·w. Seen from behind, n and S change sign and w
 /// does not, so k turns.
@@ -40,7 +47,8 @@ HatchField fieldAt(const model::ClusterVertices& in, std::size_t i, const HatchV
   const float side = view.twoSided && nv < 0.0f ? -1.0f : 1.0f;
   const float facing = side * nv;
   const float lit = std::clamp(
-      (side * glm::dot(n, view.light) - wholeShadow) / (noShadow - wholeShadow), 0.0f, 1.0f);
+      (side * glm::dot(n, view.light) - wholeShadow) / (endOfShadow(view.tone) - wholeShadow), 0.0f,
+      1.0f);
   const float shadow = 1.0f - lit * lit * (3.0f - 2.0f * lit);
   return {.weight = std::max(-side * glm::dot(k, v) * filigreeSize, shadowWeight * shadow),
           .angle = facing > 0.0f ? quarterTurns(std::min(facing, 1.0f)) : 1.0f - facing};

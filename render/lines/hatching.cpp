@@ -69,7 +69,8 @@ class Hatcher {
         m_frustum(camera, request.aspect),
         m_fields(layout.surface(), {.eye = m_eye,
                                     .light = inPatient(request.light, camera),
-                                    .twoSided = request.twoSided}) {}
+                                    .twoSided = request.twoSided,
+                                    .tone = request.tone}) {}
 
   Hatching hatch() {
     m_layout.beginView();
@@ -157,8 +158,10 @@ class Hatcher {
     const float share =
         std::min(hatchWidth(hatchOpacity(s.weight, s.angle, entered)) * m_request.tone, mostInk);
     const float closer = m_request.spacing / hatchSpacing;
+    // Darker strokes still end in fine points.
     if (m_layout.length() > 0.0f)
-      return definite(0.5f * m_request.spacing * share * s.presence, closer * m_request.tone);
+      return definite(0.5f * m_request.spacing * share * s.presence,
+                      closer * std::min(m_request.tone, 1.0f));
     // A disc of radius r in a square of the spacing's side covers πr² of it.
     return definite(m_request.spacing * std::sqrt(share / 3.14159265f) * s.presence,
                     std::sqrt(m_request.tone));

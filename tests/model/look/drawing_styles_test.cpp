@@ -5,6 +5,7 @@
 #include <QTest>
 #include <algorithm>
 
+#include "model/base/contrast.h"
 #include "model/edit/locks.h"
 #include "model/edit/look.h"
 #include "model/edit/visibility.h"
@@ -75,6 +76,12 @@ class DrawingStylesTest : public QObject {
     scene = withLook(scene, liver, {.gamma = Gamma::clamped(4.0f)}).scene;
     scene = withLook(scene, bone, {.gamma = Gamma::clamped(3.9f)}).scene;
     QCOMPARE(emphasisedIn(scene), liver);
+    // Surroundings are shaded, too, up to a little less than what is in focus.
+    scene = withLook(scene, liver, {.gamma = Gamma::clamped(4.3f)}).scene;
+    scene = withLook(scene, bone, {.gamma = Gamma::clamped(4.2f)}).scene;
+    QCOMPARE(emphasisedIn(scene).size(), std::size_t(2));  // a person may shade as she likes
+    scene = withLook(scene, bone, {.hatchTone = HatchTone::clamped(0.0f)}).scene;
+    QCOMPARE(emphasisedIn(scene), liver);
     QVERIFY(emphasisedIn(Scene()).empty());
   }
   void plateIsTheOpeningLook() {
@@ -141,8 +148,13 @@ class DrawingStylesTest : public QObject {
     const ResolvedStyle liver = styleOf(scene, "liver");
     QVERIFY(liver.gamma.value() > 4.0f);
     QVERIFY(liver.colour.red > reddish.red && liver.colour.blue < liver.colour.red);
-    QVERIFY(isGrey(styleOf(scene, "vertebra L1").inkColour));
-    QVERIFY(styleOf(scene, "vertebra L1").inkColour->red > 200);
+    // What is around it is filled, too, but dim, and its lines can be seen on the ground.
+    const ResolvedStyle bone = styleOf(scene, "vertebra L1");
+    constexpr Colour ground{28, 30, 34};
+    QVERIFY(bone.gamma.value() > 3.5f && bone.gamma < liver.gamma);
+    QVERIFY(contrastBetween(bone.colour, ground) < 0.6 * contrastBetween(liver.colour, ground));
+    QVERIFY(contrastBetween(*bone.inkColour, ground) >= 4.5);
+    QCOMPARE(emphasisedIn(scene), scene.named("liver"));
   }
   void sameAgain_data() { eachStyle(); }
   void sameAgain() {
