@@ -26,6 +26,7 @@ class SheetTest : public QObject {
   void teachingSheet();
   void ownLabels();
   void legendListsWhatIsVisible();
+  void legendExplainsHiddenOutlines();
   void longLegends();
   void patientSheet();
   void textsAndFiles_data();
@@ -174,6 +175,24 @@ void SheetTest::legendListsWhatIsVisible() {
   QVERIFY(text.contains("renal vein"));
   QVERIFY(!text.contains("kidney"));
   QCOMPARE(text.count("renal"), 2);
+  QVERIFY(!text.contains("Hidden outline"));
+}
+
+// A reader learns what dashes and thin lines mean, each once; not where no visible structure has
+// them.
+void SheetTest::legendExplainsHiddenOutlines() {
+  const QStringList sheet{m_sample, "--sheet", "figure"};
+  const QString dashed = textOf(exported(sheet + QStringList{"--hidden-lines", "dashed"}), 1);
+  QCOMPARE(dashed.count("Hidden outline"), 1);
+  const QString both =
+      textOf(exported(sheet + QStringList{"--hidden-lines", "dashed", "--hidden-lines",
+                                          "renal artery=thin", "--language", "de"}),
+             1);
+  QCOMPARE(both.count("Verdeckter Umriss"), 2);
+  const QString hidden = textOf(
+      exported(sheet + QStringList{"--only", "renal vein", "--hidden-lines", "renal artery=thin"}),
+      1);
+  QVERIFY(hidden.contains("renal vein") && !hidden.contains("Hidden outline"));
 }
 
 /// A hundred structures with long names take columns and further pages, and none gets lost.

@@ -140,6 +140,12 @@ class Sheet {
     if (!samples.ok())
       return samples.error();
     m_samples = std::move(*samples);
+    for (const model::HiddenLines how : hiddenLinesShown(m_order.scene)) {
+      Result<VectorDrawing> sample = hiddenLinesSample(m_order, how);
+      if (!sample.ok())
+        return sample.error();
+      m_hiddenSamples.push_back(std::move(*sample));
+    }
     return Unit{};
   }
 
@@ -227,6 +233,7 @@ class Sheet {
   struct Progress {
     std::size_t number = 0;
     std::size_t legend = 0;
+    std::size_t hidden = 0;
   };
 
   void setList(const std::vector<RowKind>& kinds) {
@@ -259,6 +266,10 @@ class Sheet {
       row.indented = !m_numberOf.empty();
       row.colour = m_order.scene.resolve(node.id).colour;
       row.sample = &m_samples[progress.legend++];
+    } else if (kind == RowKind::hidden) {
+      row.text = QString::fromUtf8(m_words.hiddenOutline);
+      row.indented = !m_numberOf.empty();
+      row.sample = &m_hiddenSamples[progress.hidden++];
     } else if (kind != RowKind::heading) {
       row.number = m_numbers[progress.number].number;
       row.text = m_numbers[progress.number++].text;
@@ -283,6 +294,7 @@ class Sheet {
   std::map<model::NodeId, int> m_numberOf;  ///< the numbers that the legend shows
   std::vector<LegendRow> m_legend;
   std::vector<VectorDrawing> m_samples;
+  std::vector<VectorDrawing> m_hiddenSamples;  ///< in the order of `hiddenLinesShown`
   std::unique_ptr<PdfPages> m_pages;
   ExportNotes m_notes;
   int m_page = 0;

@@ -108,6 +108,7 @@ float rowHeight(RowKind kind) {
       return 7.5f;
     case RowKind::group:
     case RowKind::legend:
+    case RowKind::hidden:
       return 5.6f;
     case RowKind::number:
       return 5.0f;
@@ -151,6 +152,17 @@ std::vector<LegendRow> legendRows(const model::Scene& scene) {
   return rows;
 }
 
+std::vector<model::HiddenLines> hiddenLinesShown(const model::Scene& scene) {
+  const std::vector<model::VisibleStructure> visible = model::visibleStructures(scene);
+  std::vector<model::HiddenLines> shown;
+  for (const model::HiddenLines how : {model::HiddenLines::thin, model::HiddenLines::dashed})
+    if (std::any_of(visible.begin(), visible.end(), [how](const model::VisibleStructure& each) {
+          return each.style.hiddenLines == how;
+        }))
+      shown.push_back(how);
+  return shown;
+}
+
 SheetRows sheetRows(const ExportOrder& order, std::size_t labels) {
   const SheetKind kind = order.of<SheetOptions>().kind;
   SheetRows rows;
@@ -169,6 +181,7 @@ SheetRows sheetRows(const ExportOrder& order, std::size_t labels) {
       rows.first.push_back(RowKind::group);
     rows.first.push_back(RowKind::legend);
   }
+  rows.first.insert(rows.first.end(), hiddenLinesShown(order.scene).size(), RowKind::hidden);
   if (teaching) {
     rows.test.assign(labels, RowKind::writeLine);
     rows.key.assign(labels, RowKind::number);

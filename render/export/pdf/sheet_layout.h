@@ -15,6 +15,7 @@ enum class RowKind {
   heading,   ///< of a list
   group,     ///< of structures
   legend,    ///< a structure's colour, sample and name
+  hidden,    ///< how outlines go on where they are hidden
   number,    ///< a label's number and text
   writeLine  ///< a number, and a line to write on
 };
@@ -72,6 +73,10 @@ struct LegendRow {
 };
 /// Returns rows for everything visible, in the order of the scene.
 std::vector<LegendRow> legendRows(const model::Scene& scene);
+
+/// Returns in which ways outlines of visible structures are drawn where they are hidden: the legend
+/// explains each.
+std::vector<model::HiddenLines> hiddenLinesShown(const model::Scene& scene);
 
 /// Returns the size of the figure on the order's sheet, to which cameras are fitted; without a
 /// sheet, the page's own size.

@@ -108,11 +108,13 @@ bool setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float wid
                         .ink = quietInk});
       return name == row.text;
     }
-    case RowKind::legend: {
+    case RowKind::legend:
+    case RowKind::hidden: {
       if (row.number > 0)
         setNumber(painter, row.number, middle);
       const float indent = row.indented ? numberWidth : 0.0f;
-      setSwatch(painter, row.colour, middle + glm::vec2(indent, -0.5f * swatch));
+      if (row.kind == RowKind::legend)
+        setSwatch(painter, row.colour, middle + glm::vec2(indent, -0.5f * swatch));
       const glm::vec2 corner = middle + glm::vec2(indent + swatch + 1.2f, -0.5f * sampleMm.y);
       if (row.sample)
         pages.place(*row.sample, {corner, {corner, corner + sampleMm}});

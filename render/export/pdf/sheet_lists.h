@@ -13,7 +13,7 @@ struct SheetRow {
   int number = 0;                         ///< 0: none
   bool indented = false;                  ///< leaves room for a number even where it has none
   Colour colour;                          ///< that of a structure
-  const VectorDrawing* sample = nullptr;  ///< that of a structure
+  const VectorDrawing* sample = nullptr;  ///< that of a structure, or of hidden outlines
 };
 
 /// Sets the row within a column of that width, from its place on the current page; returns false

@@ -7,11 +7,16 @@ namespace sline::render {
 
 const SheetWords& sheetWords(const std::string& language) {
   static constexpr std::array<SheetWords, 5> all{
-      {{"en", "Legend", "Labels", "continued", "Self-test", "Key", "Name", "Date"},
-       {"de", "Legende", "Beschriftung", "Fortsetzung", "Selbsttest", "Lösung", "Name", "Datum"},
-       {"nl", "Legenda", "Benamingen", "vervolg", "Zelftest", "Antwoorden", "Naam", "Datum"},
-       {"nb", "Tegnforklaring", "Betegnelser", "fortsettelse", "Selvtest", "Fasit", "Navn", "Dato"},
-       {"la", "Index colorum", "Nomina", "continuatio", "Examen", "Solutiones", "Nomen", "Dies"}}};
+      {{"en", "Legend", "Hidden outline", "Labels", "continued", "Self-test", "Key", "Name",
+        "Date"},
+       {"de", "Legende", "Verdeckter Umriss", "Beschriftung", "Fortsetzung", "Selbsttest", "Lösung",
+        "Name", "Datum"},
+       {"nl", "Legenda", "Verborgen omtrek", "Benamingen", "vervolg", "Zelftest", "Antwoorden",
+        "Naam", "Datum"},
+       {"nb", "Tegnforklaring", "Skjult omriss", "Betegnelser", "fortsettelse", "Selvtest", "Fasit",
+        "Navn", "Dato"},
+       {"la", "Index colorum", "Linea occulta", "Nomina", "continuatio", "Examen", "Solutiones",
+        "Nomen", "Dies"}}};
   const std::string primary = language.substr(0, language.find_first_of("-_+"));
   for (const SheetWords& words : all)
     if (primary == words.language)

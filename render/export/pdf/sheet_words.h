@@ -11,6 +11,7 @@ namespace sline::render {
 struct SheetWords {
   const char* language;
   const char* legend;
+  const char* hiddenOutline;
   const char* labels;
   const char* continued;
   const char* selfTest;

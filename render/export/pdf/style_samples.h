@@ -16,5 +16,7 @@ inline constexpr glm::vec2 sampleMm{8.0f, 4.8f};
 /// with pens as wide as in a figure of that height.
 Result<std::vector<VectorDrawing>> styleSamples(const ExportOrder& order,
                                                 const std::vector<model::NodeId>& structures);
+/// Returns a drawing of `sampleMm` of a body whose outline goes on that way behind another one.
+Result<VectorDrawing> hiddenLinesSample(const ExportOrder& order, model::HiddenLines how);
 
 }  // namespace sline::render
