@@ -13,9 +13,12 @@
 #include "app/cli/flags/option_kinds.h"
 #include "app/cli/flags/picture_options.h"
 #include "model/base/colour_text.h"
+#include "model/edit/look.h"
 #include "model/edit/views.h"
+#include "model/look/drawing_styles.h"
 #include "model/scene_file/scene_file.h"
 #include "render/export/pixels/image_file.h"
+#include "render/measures/proof/plate_proof.h"
 #include "render/measures/proof/print_proof.h"
 #include "render/picture/headless/headless_picture.h"
 
@@ -85,8 +88,27 @@ Json pairsJson(const model::Scene& scene, const std::vector<render::ProofPair>& 
   return json;
 }
 
-void printJson(const model::Scene& scene, const render::PrintProof& proof,
+/// Holds what was measured of a picture.
+struct Proofs {
+  render::PrintProof print;
+  std::vector<model::NodeId> subject;
+  render::PlateProof plate;
+};
+
+Json plateJson(const model::Scene& scene, const Proofs& proofs) {
+  Json json{{"subject_seen", jsonNumber(float(proofs.plate.subjectSeen))},
+            {"ink", jsonNumber(float(proofs.plate.ink))},
+            {"coloured", jsonNumber(float(proofs.plate.coloured))},
+            {"holds", proofs.plate.holds()}};
+  json["subject"] = Json::array();
+  for (const model::NodeId id : proofs.subject)
+    json["subject"].push_back(nameOf(scene, id));
+  return json;
+}
+
+void printJson(const model::Scene& scene, const Proofs& proofs,
                const render::ProofSettings& settings) {
+  const render::PrintProof& proof = proofs.print;
   Json root{{"least_difference", settings.leastDifference},
             {"least_gamma_step", jsonNumber(settings.leastGammaStep)}};
   root["neighbours"] = pairsJson(scene, proof.neighbours, settings);
@@ -100,6 +122,7 @@ void printJson(const model::Scene& scene, const render::PrintProof& proof,
     root["proposals"].push_back(std::move(json));
   }
   root["afterwards"] = pairsJson(scene, proof.afterwards, settings);
+  root["plate"] = plateJson(scene, proofs);
   std::cout << jsonText(root, 2) << '\n';
 }
 
@@ -150,8 +173,23 @@ void printProposals(const model::Scene& scene, const render::PrintProof& proof,
     std::cout << "No change was found for " << left << (left == 1 ? " pair" : " pairs") << '\n';
 }
 
-void printText(const model::Scene& scene, const render::PrintProof& proof,
+std::string percent(double share) {
+  return rounded(100.0 * share) + " %";
+}
+
+void printPlate(const Proofs& proofs) {
+  const std::size_t count = proofs.subject.size();
+  std::cout << "As a plate of " << count << (count == 1 ? " structure" : " structures")
+            << " drawn in detail: " << percent(proofs.plate.subjectSeen)
+            << " of their silhouette is seen (at least " << percent(render::leastSubjectSeen)
+            << "), " << percent(proofs.plate.ink) << " of the sheet is ink (at most "
+            << percent(render::mostInk) << "), " << percent(proofs.plate.coloured)
+            << " has colour (at least " << percent(render::leastColoured) << ")\n";
+}
+
+void printText(const model::Scene& scene, const Proofs& proofs,
                const render::ProofSettings& settings) {
+  const render::PrintProof& proof = proofs.print;
   std::cout << proof.neighbours.size()
             << " pairs of neighbours; told apart are those whose colours "
             << "differ by " << rounded(settings.leastDifference)
@@ -170,6 +208,27 @@ void printText(const model::Scene& scene, const render::PrintProof& proof,
               << " alike on the screen, too, which may be meant; --all lists and mends these\n";
   }
   printProposals(scene, proof, settings);
+  printPlate(proofs);
+}
+
+/// Proves the order's picture for print and as a plate of what it draws in detail.
+Result<Proofs> proofsOf(const render::ExportOrder& job, const PictureSpec& spec,
+                        const render::ProofSettings& settings, Progress& progress) {
+  Result<render::PrintProof> print =
+      render::printProof(job, settings, [&progress](double share, std::string_view what) {
+        progress.show(share, what);
+        return true;
+      });
+  progress.wipe();
+  if (!print.ok())
+    return print.error();
+  Proofs proofs{.print = std::move(*print), .subject = model::emphasisedIn(job.scene), .plate = {}};
+  const Result<render::PlateProof> plate =
+      render::plateProof(job.scene, job.camera, proofs.subject, spec.size.aspect());
+  if (!plate.ok())
+    return plate.error();
+  proofs.plate = *plate;
+  return proofs;
 }
 
 /// Writes the picture as each kind of eye sees it, to a file for each.
@@ -200,10 +259,13 @@ Status writeVisions(const render::ExportOrder& job, const PictureSpec& spec,
 }
 
 /// Writes the scene with the proposals: in the saved view that was looked at, else as its own
-/// styles.
+/// styles. A scene without a look gets the one it was looked at with, as the proposals are for it.
 Status writeCopy(const model::Imported& imported, const ProofFlags& flags,
-                 const render::PrintProof& proof) {
-  model::SceneDocument document{.scene = render::withProposals(imported.scene, proof.proposals),
+                 const model::Scene& lookedAt, const render::PrintProof& proof) {
+  model::Scene scene = imported.scene;
+  if (model::hasNoLook(scene))
+    scene.setNodes(lookedAt.nodes());
+  model::SceneDocument document{.scene = render::withProposals(scene, proof.proposals),
                                 .others = imported.others};
   const auto& views = imported.scene.views();
   const model::View* saved =
@@ -250,24 +312,19 @@ Exit runProof(const ProofFlags& flags) {
     return complain(arranged.error(), Exit::wrongUse);
   const render::ExportOrder job = exportOrder(*arranged, *spec);
   const render::ProofSettings settings{.leastDifference = flags.threshold, .all = flags.all};
-  const Result<render::PrintProof> proof =
-      render::printProof(job, settings, [&progress](double share, std::string_view what) {
-        progress.show(share, what);
-        return true;
-      });
-  progress.wipe();
-  if (!proof.ok())
-    return complain(proof.error(), Exit::failed);
+  const Result<Proofs> proofs = proofsOf(job, *spec, settings, progress);
+  if (!proofs.ok())
+    return complain(proofs.error(), Exit::failed);
   if (!flags.folder.empty())
     if (const Status written = writeVisions(job, *spec, flags.folder); !written.ok())
       return complain(written.error(), Exit::failed);
   if (flags.apply)
-    if (const Status written = writeCopy(*imported, flags, *proof); !written.ok())
+    if (const Status written = writeCopy(*imported, flags, job.scene, proofs->print); !written.ok())
       return complain(written.error(), Exit::failed);
   if (flags.json)
-    printJson(job.scene, *proof, settings);
+    printJson(job.scene, *proofs, settings);
   else
-    printText(job.scene, *proof, settings);
+    printText(job.scene, *proofs, settings);
   return Exit::done;
 }
 
@@ -288,6 +345,7 @@ void declareProof(CLI::App& command, ProofFlags& flags) {
       ->check(within(1.0, 100.0))
       ->capture_default_str();
   addDrawingOptions(command, flags.picture);
+  addLookOption(command, flags.picture);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");
@@ -296,10 +354,15 @@ void declareProof(CLI::App& command, ProofFlags& flags) {
   command.footer(
       "Compares the mean colours of structures that lie side by side in the picture, in grey and\n"
       "with protanopia, deuteranopia and tritanopia (Machado, Oliveira and Fernandes 2009). What\n"
-      "is proposed was drawn and measured the same way.\n\n"
+      "is proposed was drawn and measured the same way. Besides it measures whether the picture "
+      "is\n"
+      "a plate of what it draws in detail, on white and 1200 pixels high: how much of that "
+      "nothing\n"
+      "hides, and how much of the sheet is ink and has colour.\n\n"
       "  sline proof pelvis.sline --view anterior\n"
       "  sline proof abdomen.sline --view \"Urinary System\" --out proofs\n"
-      "  sline proof pelvis.sline --apply -o pelvis_print.sline");
+      "  sline proof pelvis.sline --apply -o pelvis_print.sline\n"
+      "  sline proof abdomen.mrml --look auto");
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ void ProofTest::listsPairsAndProposals() {
   QVERIFY2(finished.out.contains("deuteranopia"), finished.out.constData());
   QVERIFY(finished.out.contains("What would help"));
   QVERIFY(!finished.out.contains("No change was found"));
+  QVERIFY2(finished.out.contains("As a plate of 2 structures"), finished.out.constData());
   const Finished plain = runSline(proof({"--color", "left=#000000", "right=#ffffff"}));
   QCOMPARE(plain.code, 0);
   QVERIFY2(plain.out.contains("none"), plain.out.constData());
@@ -69,6 +70,11 @@ void ProofTest::jsonHoldsThem() {
   QVERIFY(pairs[0].toObject()["difference"].toObject()["normal"].toDouble() > 20.0);
   QCOMPARE(root["proposals"].toArray().size(), 1);
   QVERIFY(root["afterwards"].toArray()[0].toObject()["alike"].toArray().isEmpty());
+  const QJsonObject plate = root["plate"].toObject();
+  QCOMPARE(plate["subject"].toArray().size(), 2);
+  QCOMPARE(plate["subject_seen"].toDouble(), 1.0);
+  QVERIFY(plate["ink"].toDouble() < 0.1 && plate["coloured"].toDouble() > 0.1);
+  QVERIFY(plate["holds"].toBool());
 }
 
 void ProofTest::appliedSceneIsClean() {
