@@ -125,8 +125,11 @@ Style operatingNote(const DrawnPart& part) {
   return style;
 }
 
-/// Returns the colour with that share of its light.
-Colour dimmed(const Colour& colour, float share) {
+/// Returns the colour with at most that share of the light that a screen has; again, it is the
+/// same.
+Colour dimmed(const Colour& colour, float most) {
+  const auto brightest = float(std::max({colour.red, colour.green, colour.blue}));
+  const float share = std::min(std::round(most * 255.0f) / std::max(brightest, 1.0f), 1.0f);
   const auto channel = [share](std::uint8_t c) {
     return std::uint8_t(std::lround(share * float(c)));
   };

@@ -40,8 +40,8 @@ std::span<const DrawingStyle> drawingStyles();
 const DrawingStyle* drawingStyleNamed(std::string_view id);
 
 /// Returns what the scene's look makes its subject: the visible structures that look in focus amid
-/// shaded surroundings, else those that are shaded (Γ ≥ 3.95), else those that are drawn in most detail, else what
-/// `subjectsOf` finds first. In tree order; empty where nothing is visible.
+/// shaded surroundings, else those that are shaded (Γ ≥ 3.95), else those that are drawn in most
+/// detail, else what `subjectsOf` finds first. In tree order; empty where nothing is visible.
 std::vector<NodeId> emphasisedIn(const Scene& scene);
 
 /// Draws the scene that way. A scene without a look is first given the opening look, with its

@@ -20,12 +20,15 @@ float quarterTurns(float x) {
 constexpr float wholeShadow = -0.35f;
 constexpr float noShadow = 0.3f;
 constexpr float shadowWeight = 0.45f;
-// The second, with hatching of twice the usual tone or more.
+// The second, where hatching is as dark as a woodcut's; it begins where tones for print end.
 constexpr float noShadowWhereDark = 0.95f;
+constexpr float usualTone = 1.8f;
+constexpr float woodcutTone = 2.4f;
 
 /// Returns the cosine to the light from which on there is no shadow.
 float endOfShadow(float tone) {
-  return noShadow + std::clamp(tone - 1.0f, 0.0f, 1.0f) * (noShadowWhereDark - noShadow);
+  const float dark = std::clamp((tone - usualTone) / (woodcutTone - usualTone), 0.0f, 1.0f);
+  return noShadow + dark * (noShadowWhereDark - noShadow);
 }
 
 /// Computes the field by METHOD §3: k = S w + (nv/d)·w. Seen from behind, n and S change sign and w

@@ -17,7 +17,7 @@ struct HatchView {
   model::EyePoint eye;
   glm::vec3 light{0.0f};  ///< unit, towards the light
   bool twoSided = false;  ///< see LineRequest
-  float tone = 1.0f;      ///< of hatching; more than 1 lets shadows reach farther into the light
+  float tone = 1.0f;      ///< of hatching; much of it lets shadows reach farther into the light
 };
 
 /// Holds what hatching needs at a vertex, all on the side that faces the eye.
@@ -30,8 +30,9 @@ struct HatchField {
 ///
 /// ▲ w_k is positive in hollows alone: on a liver seen from the front S draws nothing, and Γ = 3
 /// looks like Γ = 2. A form therefore has a shadow of its own too, on the side away from the light,
-/// as everything in an atlas has; w_a (S eq. 6) lets it grow towards the contour. Hatching darker
-/// than usual has not only broader strokes: as in a woodcut, all but the lights is in shadow.
+/// as everything in an atlas has; w_a (S eq. 6) lets it grow towards the contour. Hatching far
+/// darker than usual has not only broader strokes: as in a woodcut, all but the lights is in
+/// shadow.
 class HatchFields {
  public:
   HatchFields(const model::Surface& surface, const HatchView& view);

@@ -15,8 +15,8 @@ namespace {
 // Pixels along a cell's side, at least and at most; a cell becomes one pixel of an image.
 constexpr int finestCell = 2;
 constexpr int coarsestCell = 12;
-// Cells of all images together: some 2 MB in a file.
-constexpr double mostCells = 2.0e6;
+// Cells of all images together: some 1.5 MB in a file.
+constexpr double mostCells = 1.5e6;
 // Cells by which tones continue beyond what is seen, for programs that interpolate.
 constexpr int beyond = 3;
 // Colours come in steps of so many 255ths, which makes files a third smaller.

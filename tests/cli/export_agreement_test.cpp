@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares our vectors, as other programs draw them, with our own picture: the ink lies where ours
-// does.
+// does, and what lets something through blends as ours does.
 #include <QDir>
 #include <QFileInfo>
 #include <QProcess>
@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/cli/blobs.h"
 #include "tests/cli/ink_agreement.h"
 #include "tests/support/suite.h"
 
@@ -27,6 +28,8 @@ class ExportAgreementTest : public QObject {
   void initTestCase();
   void inkLiesWhereOursDoes_data();
   void inkLiesWhereOursDoes();
+  void blendsAsOursDoes_data();
+  void blendsAsOursDoes();
   void theShadedAbdomenStaysHandy();
 
  private:
@@ -124,6 +127,59 @@ void ExportAgreementTest::inkLiesWhereOursDoes() {
     QVERIFY(picture.ink > 2000);
     QVERIFY(vectors.share >= 0.95);
     QVERIFY(picture.share >= 0.95);
+  }
+}
+
+void ExportAgreementTest::blendsAsOursDoes_data() {
+  QTest::addColumn<QString>("scene");
+  QTest::addColumn<QString>("fill");
+  QTest::addColumn<QString>("gamma");
+  const QString abdomen = SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
+  const QString pelvis = SLINE_TEST_DATA "/pelvis/bodyparts3d";
+  for (const char* fill : {"none", "veil", "tint"})
+    for (const char* gamma : {"3", "3.5"}) {
+      const auto row = [&](const char* name, const QString& scene) {
+        QTest::addRow("%s, %s, %s", name, fill, gamma) << scene << fill << gamma;
+      };
+      row("made pelvis", m_folder.filePath("pelvis.sline"));
+      row("pelvis", pelvis);
+      row("abdomen", abdomen);
+    }
+}
+
+void ExportAgreementTest::blendsAsOursDoes() {
+  QFETCH(QString, scene);
+  QFETCH(QString, fill);
+  QFETCH(QString, gamma);
+  if (!QFileInfo::exists(scene))
+    SLINE_ABSENT("there is no real anatomy to draw");
+  const QString png = m_folder.filePath("ours.png");
+  const QStringList flags{"--look", "plain", "--gamma", gamma, "--fill", fill, "--marks", "off"};
+  const Finished drawn = runSline(
+      QStringList{"render", scene, "-o", png, "--size", QString("%1x%2").arg(width).arg(height)} +
+      flags);
+  if (drawn.code != 0)
+    QSKIP(("no picture can be drawn here: " + drawn.err).constData());
+  const Finished exported =
+      runSline(QStringList{"export", scene, "--svg", m_folder.filePath("ours.svg"), "--pdf",
+                           m_folder.filePath("ours.pdf"), "--size-mm", "338.6667x190.5"} +
+               flags);
+  QVERIFY2(exported.code == 0, exported.err.constData());
+  const Pixels ours = readPicture(png);
+  for (const QString kind : {"svg", "pdf"}) {
+    if (kind == "pdf" && m_pdfRasteriser.isEmpty())
+      continue;
+    const QString file = m_folder.filePath("ours." + kind);
+    const QString theirs = m_folder.filePath("theirs.png");
+    QVERIFY(QFileInfo(file).size() <= 5'000'000);
+    rasterise(file, theirs);
+    const Pixels other = readPicture(theirs);
+    QCOMPARE(other.width, ours.width);
+    QCOMPARE(other.height, ours.height);
+    const Blobs blobs = differingBlobs(other, ours);
+    qInfo("%s: %d blobs, %.3f %%, at most %.2f; %lld kB", qPrintable(kind), blobs.count,
+          100.0 * blobs.share, blobs.largest, QFileInfo(file).size() / 1000);
+    QVERIFY(blobs.share <= 0.0005);
   }
 }
 

@@ -150,7 +150,8 @@ void StartPage::setRecoverable(const std::vector<model::Recoverable>& found) {
   m_recoveryList->setFound(found);
   m_recovery->setVisible(!found.empty());
   const QWidget* focus = m_window.focusWidget();
-  if (!found.empty() && isVisible() && (!focus || !isAncestorOf(focus)))
+  const bool untouched = !focus || !isAncestorOf(focus) || focus == focusProxy();
+  if (!found.empty() && isVisible() && untouched)
     m_recoveryList->setFocus();
 }
 

@@ -51,19 +51,19 @@ class SelectionTest : public QObject {
         << kind << "rib 1 left,rib 1 right,rib 2 left,rib 2 right"
         << "rib 1 left,rib 1 right,rib 2 left,rib 2 right,sacrum";
     QTest::newRow("a kidney is of the pair") << kind << "kidney_left"
-                                             << "kidney_left,Kidney Right";
+                                             << "kidney_left,Kidney Right,Niere links";
     QTest::newRow("nothing is of no kind") << kind << ""
                                            << "";
     QTest::newRow("the other kidney") << side << "kidney_left"
                                       << "Kidney Right";
     QTest::newRow("there and back") << side << "Kidney Right"
-                                    << "kidney_left";
+                                    << "kidney_left,Niere links";
     QTest::newRow("each its own") << side << "rib 1 left,rib 2 right"
                                   << "rib 1 right,rib 2 left";
     QTest::newRow("none in the middle") << side << "bladder"
                                         << "";
-    QTest::newRow("no partner in another language") << side << "Niere links"
-                                                    << "";
+    QTest::newRow("a partner in another language") << side << "Niere links"
+                                                   << "Kidney Right";
     QTest::newRow("a group is what is in it") << side << "Bones"
                                               << "rib 1 left,rib 1 right,rib 2 left,rib 2 right";
     QTest::newRow("all but a group") << inverse << "Bones"

@@ -71,20 +71,6 @@ class SeenTonesTest : public QObject {
     QVERIFY(std::abs(seen.colours[2].r - 5.0f / 6.0f) < 1e-6f);
   }
 
-  // A structure filled at its rim alone must not darken in its middle.
-  void whatIsClearStaysClear() {
-    SeenTones seen = stripes(5, 1);
-    for (std::size_t k = 0; k < 5; ++k)
-      seen.colours[k] = glm::vec4(0.2f * float(k));
-    joinTones(seen, 4);
-    QCOMPARE(seen.colours.size(), std::size_t(2));
-    QCOMPARE(seen.colours[0], glm::vec4(0.0f));
-    QVERIFY(std::abs(seen.colours[1].a - 0.5f) < 1e-4f);
-    QCOMPARE(int(seen.tones[0]), 1);
-    QCOMPARE(int(seen.tones[1]), 2);
-    QCOMPARE(int(seen.tones[4]), 2);
-  }
-
   void plentyOfRoomChangesNothing() {
     std::vector<SeenTones> all{stripes(20, 2), stripes(30, 1)};
     joinTonesWithin(all, 1e6);

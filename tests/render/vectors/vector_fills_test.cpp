@@ -62,11 +62,27 @@ bool inside(const render::Path& path, const glm::vec2& p) {
   return odd;
 }
 
+/// Returns red, green and blue, 0 … 255, and opacity of the tones at a point of the page.
+glm::vec4 toneAt(const render::VectorTones& tones, const glm::vec2& p) {
+  const render::Image& image = tones.image;
+  const glm::vec2 pixels(image.width, image.height);
+  const glm::ivec2 at(glm::floor((p - tones.at) / tones.sizeMm * pixels));
+  if (!inside(tones.edge, p) || at.x < 0 || at.y < 0 || at.x >= image.width || at.y >= image.height)
+    return glm::vec4(0.0f);
+  const std::uint8_t* rgba =
+      &image.rgba[4 * (std::size_t(at.y) * std::size_t(image.width) + std::size_t(at.x))];
+  return {rgba[0], rgba[1], rgba[2], float(rgba[3]) / 255.0f};
+}
+
 /// Returns red, green and blue of the fills at a point of the scene, painted on white; 0 … 255.
 glm::vec3 paintedAt(const render::VectorDrawing& drawn, float x, float z) {
   const glm::vec2 p = 0.5f * drawn.sizeMm + drawn.sizeMm.y / viewHeight * glm::vec2(x, -z);
   glm::vec3 page(255.0f);
   for (const render::VectorStructure& structure : drawn.structures) {
+    if (structure.tones) {
+      const glm::vec4 tone = toneAt(*structure.tones, p);
+      page = glm::mix(page, glm::vec3(tone), tone.a);
+    }
     glm::vec4 group(0.0f);
     for (const render::VectorShape& shape : structure.fills)
       if (inside(shape.path, p)) {

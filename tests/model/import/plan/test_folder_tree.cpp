@@ -210,7 +210,7 @@ void FolderTreeTest::duplicateNames() {
   writeMeshes(folder, {"a/liver", "b/liver", "b/Liver_"});
   const auto imported = importInputs(std::array{path(folder)}, {});
   QVERIFY(imported.ok());
-  QCOMPARE(tree(imported->scene), (QStringList{"a > liver", "b > Liver 2", "b > liver 3"}));
+  QCOMPARE(tree(imported->scene), (QStringList{"a > liver", "b > liver 2", "b > Liver 3"}));
 }
 
 void FolderTreeTest::otherFilesAreIgnored() {
