@@ -121,8 +121,6 @@ MeshPtr faired(const MeshPtr& mesh, float sliceDistance) {
 }
 
 MeshPtr withoutSmallForms(const Mesh& mesh, float deviation) {
-  // A Gaussian halves waves of this many deviations.
-  constexpr float halved = 5.3f;
   const std::span<const Triangle> triangles = mesh.triangles();
   const VertexRings rings(mesh.vertexCount(), triangles, HalfEdges(mesh.vertexCount(), triangles));
   const glm::vec3 centre = mesh.bounds().centre();
@@ -130,7 +128,7 @@ MeshPtr withoutSmallForms(const Mesh& mesh, float deviation) {
   for (glm::vec3& p : positions)
     p -= centre;
   const float edge = std::max(rings.meanEdge(positions), 1e-20f);
-  positions = windowedSinc(positions, rings, filterFor(halved * deviation / edge));
+  positions = gaussian(positions, rings, deviation / edge);
   for (glm::vec3& p : positions)
     p += centre;
   std::vector<Triangle> same(triangles.begin(), triangles.end());

@@ -17,9 +17,9 @@ inline constexpr float fairingShare = 0.75f;
 /// the same mesh is returned.
 MeshPtr faired(const MeshPtr& mesh, float sliceDistance);
 
-/// Returns a copy without forms that a Gaussian of that standard deviation, in mm, would take out:
-/// waves shorter than some five times as much. Its normals and curvature are those of the larger
-/// forms; its positions may lie well off. Borders stay.
+/// Returns a copy averaged with the weights of a Gaussian of that standard deviation, in mm,
+/// without waves shorter than some five times as much. Its normals and curvature are those of the
+/// larger forms; its positions may lie well off. Borders stay.
 MeshPtr withoutSmallForms(const Mesh& mesh, float deviation);
 
 }  // namespace sline::model

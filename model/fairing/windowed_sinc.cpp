@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/fairing/windowed_sinc.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,8 @@ namespace sline::model {
 namespace {
 
 constexpr std::size_t grain = 3072;
+// The most steps of a Gaussian; enough for a deviation of 27 edges.
+constexpr int mostTerms = 240;
 
 /// Returns the value of the Chebyshev series at k: cos(n·acos(1 − k/2)) is T_n there.
 double response(const std::vector<double>& c, double k) {
@@ -65,9 +68,11 @@ std::vector<double> sincCoefficients(const SincFilter& filter) {
   return last.coefficients;
 }
 
-std::vector<glm::vec3> windowedSinc(std::span<const glm::vec3> positions, const VertexRings& rings,
-                                    const SincFilter& filter) {
-  const std::vector<double> c = sincCoefficients(filter);
+namespace {
+
+/// Returns the sum of the polynomials of those coefficients, applied to the positions.
+std::vector<glm::vec3> filtered(std::span<const glm::vec3> positions, const VertexRings& rings,
+                                const std::vector<double>& c) {
   const std::size_t count = positions.size();
   // The recurrence is x_0 = x; x_1 = x − K·x/2; x_{n+1} = (2 − K)·x_n − x_{n−1} with K = 1 − mean
   // over the ring.
@@ -86,8 +91,8 @@ std::vector<glm::vec3> windowedSinc(std::span<const glm::vec3> positions, const 
     now[v] = isFixed(v) ? before[v] : 0.5f * (before[v] + ringMean(before, v));
     sum[v] = float(c[0]) * before[v] + float(c[1]) * now[v];
   });
-  for (int n = 2; n <= filter.iterations; ++n) {
-    const float weight = float(c[std::size_t(n)]);
+  for (std::size_t n = 2; n < c.size(); ++n) {
+    const float weight = float(c[n]);
     parallelFor(count, grain, [&](std::size_t v) {
       const glm::vec3 next = isFixed(v) ? positions[v] : now[v] + ringMean(now, v) - before[v];
       before[v] = next;
@@ -99,6 +104,40 @@ std::vector<glm::vec3> windowedSinc(std::span<const glm::vec3> positions, const 
     if (isFixed(v))
       sum[v] = positions[v];
   return sum;
+}
+
+}  // namespace
+
+std::vector<glm::vec3> windowedSinc(std::span<const glm::vec3> positions, const VertexRings& rings,
+                                    const SincFilter& filter) {
+  return filtered(positions, rings, sincCoefficients(filter));
+}
+
+std::vector<double> gaussianCoefficients(float deviation) {
+  // A step of averaging over rings adds half a squared edge to the variance along each axis, so the
+  // Gaussian is exp(−2σ²k); with k = 2 (1 − cos θ) its Chebyshev series is a Fourier series, of
+  // which the terms beyond some 4 √(4σ²) vanish.
+  const double spread = 4.0 * double(deviation) * double(deviation);
+  const int terms = std::clamp(int(std::ceil(4.3 * std::sqrt(spread))) + 6, 8, mostTerms);
+  constexpr int samples = 2048;
+  std::vector<double> c(std::size_t(terms) + 1, 0.0);
+  double total = 0.0;
+  for (int n = 0; n <= terms; ++n) {
+    for (int i = 0; i < samples; ++i) {
+      const double theta = std::numbers::pi * (i + 0.5) / samples;
+      c[std::size_t(n)] += std::exp(-spread * (1.0 - std::cos(theta))) * std::cos(n * theta);
+    }
+    c[std::size_t(n)] *= (n == 0 ? 1.0 : 2.0) / samples;
+    total += c[std::size_t(n)];
+  }
+  for (double& value : c)
+    value /= total;
+  return c;
+}
+
+std::vector<glm::vec3> gaussian(std::span<const glm::vec3> positions, const VertexRings& rings,
+                                float deviation) {
+  return filtered(positions, rings, gaussianCoefficients(deviation));
 }
 
 void averageOverRings(std::vector<float>& values, const VertexRings& rings, int times) {

@@ -27,6 +27,15 @@ std::vector<glm::vec3> windowedSinc(std::span<const glm::vec3> positions, const 
 /// band.
 std::vector<double> sincCoefficients(const SincFilter& filter);
 
+/// Returns the positions averaged with a Gaussian's weights of that standard deviation, in edges.
+/// Unlike the sinc it leaves no waves beside sharp forms, which lines would follow. Border vertices
+/// stay.
+std::vector<glm::vec3> gaussian(std::span<const glm::vec3> positions, const VertexRings& rings,
+                                float deviation);
+
+/// Returns such coefficients of exp(−2σ²k), σ the deviation.
+std::vector<double> gaussianCoefficients(float deviation);
+
 /// Replaces each value by the mean over its ring and itself, that many times (borders too).
 void averageOverRings(std::vector<float>& values, const VertexRings& rings, int times);
 

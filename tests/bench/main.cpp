@@ -43,6 +43,7 @@ struct Options {
   int turning = 0;
   bool curves = false;
   bool opening = false;
+  std::vector<std::string> scales;
   bool json = false;
 };
 
@@ -273,6 +274,12 @@ Status runLines(const Options& options, const glm::ivec2& size) {
     std::cout << bench::measureTurning(run);
   if (options.curves)
     std::cout << bench::measureCurves(run);
+  std::vector<model::NodeId> named;
+  for (const std::string& name : options.scales)
+    for (const model::NodeId id : stage->scene.named(name))
+      named.push_back(id);
+  if (!named.empty())
+    std::cout << bench::measureScales(run, named);
   return Unit{};
 }
 
@@ -343,6 +350,9 @@ void addOptions(CLI::App& app, Options& options) {
                "Instead: say how far curves lie from the lines that they stand for");
   app.add_flag("--opening", options.opening,
                "Instead of turning: choose the look that the scene opens with");
+  app.add_option("--scales", options.scales,
+                 "Instead: the suggestive strokes of these structures without and with the "
+                 "picture's scale");
   app.add_flag("--json", options.json, "Print JSON");
 }
 }  // namespace
@@ -374,7 +384,7 @@ int main(int argc, char** argv) {
     const Status dragged = runDrags(options, *size);
     return dragged ? 0 : fail(dragged.error());
   }
-  if (options.turning > 0 || options.curves) {
+  if (options.turning > 0 || options.curves || !options.scales.empty()) {
     const Status measured = runLines(options, *size);
     return measured ? 0 : fail(measured.error());
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <optional>
 
@@ -11,6 +12,7 @@
 #include "render/measures/line_faults.h"
 #include "render/measures/line_steadiness.h"
 #include "render/measures/steadiness.h"
+#include "render/measures/subject.h"
 
 namespace sline::bench {
 
@@ -73,6 +75,26 @@ struct Sum {
   }
 };
 
+struct Drawn {
+  int strokes = 0;
+  double length = 0.0;
+};
+
+Drawn drawnOf(const render::InkFrame& frame, render::LineKind kind) {
+  Drawn drawn;
+  for (const render::StructureInk& ink : frame.structures)
+    for (const render::InkLine& line : ink.lines) {
+      if (line.kind != kind)
+        continue;
+      double length = 0.0;
+      for (std::size_t i = 1; i < line.points.size(); ++i)
+        length += double(glm::distance(line.points[i].at, line.points[i - 1].at) / frame.unit());
+      ++drawn.strokes;
+      drawn.length += length;
+    }
+  return drawn;
+}
+
 }  // namespace
 
 std::string measureTurning(const TurningRun& run) {
@@ -124,6 +146,37 @@ std::string measureCurves(const TurningRun& run) {
     if (faults.exactWidth > 500.0 && faults.narrowing() > 0.01)
       text += formatted("    %-34s %.2f %% of %.0f λ\n", name.c_str(), 100.0 * faults.narrowing(),
                         faults.exactWidth);
+  return text;
+}
+
+std::string measureScales(const TurningRun& run, const std::vector<model::NodeId>& structures) {
+  const float aspect = float(run.width) / float(run.height);
+  std::string text = formatted("%-34s %27s %27s\n", "suggestive strokes and their length",
+                               "it fills the picture", "as large as in the scene");
+  for (const model::NodeId id : structures) {
+    const model::Scene alone = render::isolated(run.scene, id);
+    const model::Mesh& mesh = *alone.nodes().front().mesh;
+    const model::Camera near = model::fitted(
+        model::anatomicalCamera(model::AnatomicalView::anterior, mesh.bounds(), aspect),
+        mesh.positions(), aspect);
+    text += formatted("%-34s", alone.nodes().front().name.c_str());
+    for (const model::Camera& camera : {near, run.camera}) {
+      std::array<Drawn, 2> drawn;
+      for (const bool scaled : {false, true}) {
+        std::vector<model::Node> nodes = alone.nodes();
+        nodes.front().style.gamma = Gamma::clamped(2.0f);
+        nodes.front().style.lineScale = scaled ? 1.0f : 0.0f;
+        model::Scene scene = alone;
+        scene.setNodes(std::move(nodes));
+        drawn[scaled] = drawnOf(
+            render::InkFrames(scene, run.width, run.height).at(camera, render::InkRules::vectors),
+            render::LineKind::suggestive);
+      }
+      text += formatted(" %3d → %3d, %6.0f → %5.0f λ;", drawn[0].strokes, drawn[1].strokes,
+                        drawn[0].length, drawn[1].length);
+    }
+    text += '\n';
+  }
   return text;
 }
 

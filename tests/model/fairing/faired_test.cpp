@@ -94,6 +94,8 @@ class FairedTest : public QObject {
   void terracesOfABallGo();
   void thinTubesKeepTheirWidth();
   void bordersStay();
+  void largerFormsLeaveNoWavesBesideAnEdge();
+  void smallFormsGoAsAGaussianTakesThem();
 };
 
 void FairedTest::withoutSlicesItIsTheSame() {
@@ -136,6 +138,42 @@ void FairedTest::bordersStay() {
     if (p.z == before->bounds().low.z || p.z == before->bounds().high.z)
       QCOMPARE(glm::distance(after->positions()[v], p), 0.0f);
   }
+}
+
+/// Returns a sheet in the plane z = 0, bent by that function of x.
+static MeshPtr bent(float (*height)(float)) {
+  const MeshPtr flat = test::paraboloid(0.0f, 0.0f, 40.0f, 80);
+  std::vector<glm::vec3> positions(flat->positions().begin(), flat->positions().end());
+  for (glm::vec3& p : positions)
+    p.z = height(p.x);
+  return std::make_shared<const Mesh>(
+      *Mesh::create(positions, {flat->triangles().begin(), flat->triangles().end()}));
+}
+
+void FairedTest::largerFormsLeaveNoWavesBesideAnEdge() {
+  const MeshPtr step = bent([](float x) { return x < 0.3f ? 0.0f : 5.0f; });
+  const MeshPtr soft = withoutSmallForms(*step, 3.0f);
+  float steepest = 0.0f;
+  for (const glm::vec3& p : soft->positions()) {
+    QVERIFY2(p.z > -0.01f && p.z < 5.01f, qPrintable(QString::number(p.z)));
+    if (std::abs(p.y) < 20.0f && std::abs(p.x - 0.3f) < 1.5f)
+      steepest = std::max(steepest, std::abs(p.z - 2.5f));
+  }
+  QVERIFY(steepest < 1.2f);
+}
+
+void FairedTest::smallFormsGoAsAGaussianTakesThem() {
+  constexpr float deviation = 3.0f;
+  const MeshPtr waves = bent([](float x) { return std::sin(0.35f * x); });
+  const MeshPtr soft = withoutSmallForms(*waves, deviation);
+  float highest = 0.0f;
+  for (const glm::vec3& p : soft->positions())
+    if (std::max(std::abs(p.x), std::abs(p.y)) < 22.0f)
+      highest = std::max(highest, p.z);
+  const float wanted = std::exp(-0.5f * std::pow(0.35f * deviation, 2.0f));
+  // A grid's edges are not all alike.
+  QVERIFY2(std::abs(highest - wanted) < 0.12f,
+           qPrintable(QString("%1, not %2").arg(highest).arg(wanted)));
 }
 
 SLINE_TEST(FairedTest)
