@@ -2937,6 +2937,17 @@
         <source>Click on another structure, in the picture or the list: the selected ones are drawn as it is and keep their colours</source>
         <translation>Auf eine andere Struktur klicken, im Bild oder in der Liste: Die gewählten werden gezeichnet wie sie und behalten ihre Farben</translation>
     </message>
+    <message numerus="yes">
+        <source>%n labels point with a dashed line to what is hidden in this picture: %1.</source>
+        <translation>
+            <numerusform>%n Beschriftung zeigt mit gestrichelter Linie auf etwas, das in diesem Bild verdeckt ist: %1.</numerusform>
+            <numerusform>%n Beschriftungen zeigen mit gestrichelter Linie auf etwas, das in diesem Bild verdeckt ist: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a view that shows it, or draw less of what is before it.</source>
+        <translation>Wählen Sie eine Ansicht, die es zeigt, oder zeichnen Sie weniger von dem, was davor liegt.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

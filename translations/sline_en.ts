@@ -108,6 +108,13 @@
             <numerusform>%n sections cut nothing in the file, which holds whole surfaces: %1.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n labels point with a dashed line to what is hidden in this picture: %1.</source>
+        <translation>
+            <numerusform>%n label points with a dashed line to what is hidden in this picture: %1.</numerusform>
+            <numerusform>%n labels point with a dashed line to what is hidden in this picture: %1.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ExportActions</name>

@@ -2937,6 +2937,17 @@
         <source>Click on another structure, in the picture or the list: the selected ones are drawn as it is and keep their colours</source>
         <translation>Klikk på en annen struktur, i bildet eller listen: de valgte tegnes som den og beholder fargene sine</translation>
     </message>
+    <message numerus="yes">
+        <source>%n labels point with a dashed line to what is hidden in this picture: %1.</source>
+        <translation>
+            <numerusform>%n etikett peker med stiplet linje på noe som er skjult i dette bildet: %1.</numerusform>
+            <numerusform>%n etiketter peker med stiplet linje på noe som er skjult i dette bildet: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a view that shows it, or draw less of what is before it.</source>
+        <translation>Velg en visning som viser det, eller tegn mindre av det som ligger foran.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -2937,6 +2937,17 @@
         <source>Click on another structure, in the picture or the list: the selected ones are drawn as it is and keep their colours</source>
         <translation>Op een andere structuur klikken, in de afbeelding of de lijst: de gekozene worden getekend zoals die en houden hun kleuren</translation>
     </message>
+    <message numerus="yes">
+        <source>%n labels point with a dashed line to what is hidden in this picture: %1.</source>
+        <translation>
+            <numerusform>%n label wijst met een streeplijn naar iets dat in dit beeld verborgen is: %1.</numerusform>
+            <numerusform>%n labels wijzen met een streeplijn naar iets dat in dit beeld verborgen is: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a view that shows it, or draw less of what is before it.</source>
+        <translation>Kies een aanzicht dat het toont, of teken minder van wat ervoor ligt.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -14,7 +14,7 @@
 #include "model/geometry/nearest_point.h"
 #include "model/scene/markup.h"
 #include "model/scene_file/scene_file.h"
-#include "render/labels/best_anchor.h"
+#include "render/labels/seen_map.h"
 
 namespace sline::cli {
 
@@ -119,7 +119,6 @@ Result<model::NodeId> structureNamed(const model::Scene& scene, const std::strin
 struct Where {
   const model::Scene& scene;  ///< as the view shows it
   render::Screen screen;
-  model::MeshTrees& trees;
 };
 
 Result<model::Anchor> anchorFor(const Where& where, std::optional<model::NodeId> structure,
@@ -129,7 +128,8 @@ Result<model::Anchor> anchorFor(const Where& where, std::optional<model::NodeId>
     const bool visible = where.scene.resolve(*structure).visible;
     const model::Scene scene =
         visible ? where.scene : model::withOnlyVisible(where.scene, std::array{*structure}).scene;
-    const auto best = render::bestAnchorOn(scene, *structure, where.screen, where.trees);
+    const render::SeenMap map(scene, where.screen);
+    const std::optional<render::SeenPlace> best = map.find(*structure);
     if (!best)
       return usageError(name + " is not within that view",
                         "Give another --view, or a place with --at x,y,z");
@@ -137,7 +137,7 @@ Result<model::Anchor> anchorFor(const Where& where, std::optional<model::NodeId>
       warn(name + " is not visible in that view; nor is its label, until it is");
     else if (best->hidden)
       warn(name + " is hidden by other structures in that view; the label points through them");
-    return model::Anchor(best->point);
+    return map.labelFor(*structure)->anchors.front();
   }
   const Result<glm::vec3> place = parsePoint(at);
   if (!place.ok())
@@ -195,6 +195,8 @@ Result<Annotation> annotationFor(const AnnotateFlags& flags, const Where& where,
       return anchor.error();
     made.anchors.push_back(*anchor);
   }
+  // A place that the user has given stays; any other is found anew for each picture.
+  made.found = flags.at.empty();
   return made;
 }
 
@@ -239,9 +241,8 @@ Result<model::Scene> addAnnotations(const model::Scene& scene, const AnnotateFla
   const auto view = saved ? std::optional(std::size_t(saved - scene.views().data())) : std::nullopt;
   if (flags.onlyInView && !view)
     return usageError("\"" + flags.view + "\" is no saved view", "Name one with --view");
-  model::MeshTrees trees;
   const float height = render::usualHeightMm;
-  const Where where{shown, render::Screen(*camera, {spec.size.aspect() * height, height}), trees};
+  const Where where{shown, render::Screen(*camera, {spec.size.aspect() * height, height})};
   std::vector<std::optional<std::string>> targets(flags.on.begin(), flags.on.end());
   if (targets.empty())
     targets.emplace_back();

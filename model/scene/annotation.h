@@ -53,6 +53,9 @@ struct Annotation {
   std::optional<Colour> colour;              ///< absent: the ink's colour
   bool visible = true;  ///< whether it is shown where a view does not list the annotations to show
   bool locked = false;  ///< true: it cannot be moved by hand
+  /// The program has found its place and finds it anew in each picture that does not show the
+  /// structure there; false: the place was set by hand and stays.
+  bool found = false;
   /// Set when moved by hand: the offset from its place (a distance's middle) to the middle of its
   /// text, to the right and downwards, in heights of the picture; so it scales with the picture
   /// when printed larger.

@@ -114,6 +114,8 @@ Ordered annotationOf(const Annotation& annotation) {
     json["colour"] = colourText(*annotation.colour);
   json["visible"] = annotation.visible;
   json["locked"] = annotation.locked;
+  if (annotation.found)
+    json["found"] = true;
   if (annotation.offset)
     json["offset"] = {jsonNumber(annotation.offset->x), jsonNumber(annotation.offset->y)};
   addUnread(json, annotation.unread);

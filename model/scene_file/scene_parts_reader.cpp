@@ -93,6 +93,8 @@ Annotation SceneJsonReader::annotation(const JsonValue& value) const {
     annotation.visible = visible->flag();
   if (const auto locked = object.take("locked"))
     annotation.locked = locked->flag();
+  if (const auto found = object.take("found"))
+    annotation.found = found->flag();
   if (const auto offset = object.take("offset")) {
     const auto [right, down] = offset->numbers<2>();
     annotation.offset = {right, down};

@@ -6,27 +6,11 @@
 
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
+#include "render/labels/seen_map.h"
 
 namespace sline::render {
 
 namespace {
-
-std::optional<LabelItem> itemOf(const model::Annotation& annotation, const model::Scene& scene,
-                                const Screen& screen, const Sights& sights) {
-  LabelItem item{.id = annotation.id, .kind = annotation.kind};
-  for (const model::Anchor& anchor : annotation.anchors) {
-    if (!sights.shows(anchor))
-      return std::nullopt;
-    const std::optional<glm::vec2> place = screen.place(*scene.placeOf(anchor));
-    if (!place || !screen.inside(*place))
-      return std::nullopt;
-    item.places.push_back(*place);
-    item.hidden = item.hidden || sights.hidden(anchor, screen.sight(*place));
-  }
-  if (annotation.offset)
-    item.offset = screen.size().y * *annotation.offset;
-  return item;
-}
 
 std::optional<float> lengthOf(const model::Annotation& annotation, const model::Scene& scene) {
   if (annotation.kind != model::AnnotationKind::distance)
@@ -34,47 +18,134 @@ std::optional<float> lengthOf(const model::Annotation& annotation, const model::
   return glm::length(*scene.placeOf(annotation.anchors[1]) - *scene.placeOf(annotation.anchors[0]));
 }
 
+/// Finds the labels of one picture.
+class Finder {
+ public:
+  Finder(const model::Scene& scene, const Screen& screen, model::MeshTrees& trees,
+         const LabelsBefore& before)
+      : m_scene(scene), m_screen(screen), m_sights(scene, trees), m_before(before) {}
+
+  LabelsInPicture find(const std::string& language) {
+    int number = 0;
+    for (const model::Annotation& annotation : m_scene.annotations()) {
+      if (!annotation.visible)
+        continue;
+      ++number;
+      if (std::optional<LabelItem> item = itemOf(annotation))
+        m_labels.shown.push_back({*std::move(item), model::writtenIn(annotation, language), number,
+                                  annotation.colour, lengthOf(annotation, m_scene)});
+    }
+    return std::move(m_labels);
+  }
+
+ private:
+  /// Returns the item; where there is none, notes why.
+  std::optional<LabelItem> itemOf(const model::Annotation& annotation) {
+    LabelItem item{.id = annotation.id, .kind = annotation.kind};
+    const auto* point = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
+    const bool one = annotation.kind != model::AnnotationKind::distance && point;
+    if (!(one ? pointAt(item, annotation, *point) : pointAtAll(item, annotation)))
+      return std::nullopt;
+    if (item.hidden)
+      m_labels.unseen.hidden.push_back(annotation.id);
+    if (annotation.offset)
+      item.offset = m_screen.size().y * *annotation.offset;
+    return item;
+  }
+
+  bool pointAtAll(LabelItem& item, const model::Annotation& annotation) {
+    for (const model::Anchor& anchor : annotation.anchors) {
+      if (!m_sights.shows(anchor))
+        return leaveOut(m_labels.unseen.notDrawn, annotation.id);
+      const std::optional<glm::vec2> place = placeOf(anchor);
+      if (!place)
+        return leaveOut(m_labels.unseen.offPicture, annotation.id);
+      item.places.push_back(*place);
+      item.hidden = item.hidden || m_sights.hidden(anchor, m_screen.sight(*place));
+    }
+    return true;
+  }
+
+  bool pointAt(LabelItem& item, const model::Annotation& annotation,
+               const model::SurfacePoint& point) {
+    if (!m_sights.draws(point.structure))
+      return leaveOut(m_labels.unseen.notDrawn, annotation.id);
+    const bool cutAway = !m_sights.shows(point);
+    if (!annotation.found && !cutAway)
+      return stayAt(item, annotation, point);
+    const PlacedLabel* was = m_before.layout ? m_before.layout->find(annotation.id) : nullptr;
+    std::optional<model::Anchor> before = was ? was->found : std::nullopt;
+    if (m_before.hurried && before && m_sights.shows(*before) && placeOf(*before)) {
+      item.found = before;
+      item.places = {*placeOf(*before)};
+      item.hidden = was->hidden || m_sights.hidden(*before, m_screen.sight(item.places.front()));
+      return true;
+    }
+    if (!before && !cutAway)
+      before = point;
+    const std::optional<SeenPlace> place = map().find(point.structure, before);
+    if (!place)
+      return leaveOut(
+          map().draws(point.structure) ? m_labels.unseen.offPicture : m_labels.unseen.notDrawn,
+          annotation.id);
+    item.found = place->anchor;
+    item.places = {place->place};
+    item.hidden = place->hidden;
+    return true;
+  }
+
+  /// Takes a place that was set by hand.
+  bool stayAt(LabelItem& item, const model::Annotation& annotation,
+              const model::SurfacePoint& point) {
+    const std::optional<glm::vec2> place = placeOf(point);
+    if (!place)
+      return leaveOut(m_labels.unseen.offPicture, annotation.id);
+    item.places = {*place};
+    item.hidden = m_before.hurried ? m_sights.hidden(point, m_screen.sight(*place))
+                                   : map().hides(point.structure, *m_scene.placeOf(point));
+    return true;
+  }
+
+  std::optional<glm::vec2> placeOf(const model::Anchor& anchor) const {
+    const std::optional<glm::vec2> place = m_screen.place(*m_scene.placeOf(anchor));
+    return place && m_screen.inside(*place) ? place : std::nullopt;
+  }
+
+  static bool leaveOut(std::vector<model::AnnotationId>& ids, model::AnnotationId id) {
+    ids.push_back(id);
+    return false;
+  }
+
+  /// Made when it is first needed.
+  const SeenMap& map() {
+    if (!m_map)
+      m_map.emplace(m_scene, m_screen);
+    return *m_map;
+  }
+
+  const model::Scene& m_scene;
+  const Screen& m_screen;
+  Sights m_sights;
+  LabelsBefore m_before;
+  std::optional<SeenMap> m_map;
+  LabelsInPicture m_labels;
+};
+
 }  // namespace
 
 std::string plainText(const ShownLabel& label) {
   return model::plainText(label.item.kind, label.text);
 }
 
-std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,
-                                    const std::string& language, model::MeshTrees& trees) {
-  const Sights sights(scene, trees);
-  std::vector<ShownLabel> labels;
-  int number = 0;
-  for (const model::Annotation& annotation : scene.annotations()) {
-    if (!annotation.visible)
-      continue;
-    ++number;
-    if (std::optional<LabelItem> item = itemOf(annotation, scene, screen, sights))
-      labels.push_back({*std::move(item), model::writtenIn(annotation, language), number,
-                        annotation.colour, lengthOf(annotation, scene)});
-  }
-  return labels;
+LabelsInPicture labelsInPicture(const model::Scene& scene, const Screen& screen,
+                                const std::string& language, model::MeshTrees& trees,
+                                const LabelsBefore& before) {
+  return Finder(scene, screen, trees, before).find(language);
 }
 
-UnseenLabels unseenLabels(const model::Scene& scene, const Screen& screen,
-                          model::MeshTrees& trees) {
-  const Sights sights(scene, trees);
-  UnseenLabels unseen;
-  for (const model::Annotation& annotation : scene.annotations()) {
-    if (!annotation.visible)
-      continue;
-    const auto& anchors = annotation.anchors;
-    const auto within = [&](const model::Anchor& anchor) {
-      const std::optional<glm::vec2> place = screen.place(*scene.placeOf(anchor));
-      return place && screen.inside(*place);
-    };
-    if (!std::all_of(anchors.begin(), anchors.end(),
-                     [&](const model::Anchor& anchor) { return sights.shows(anchor); }))
-      unseen.notDrawn.push_back(annotation.id);
-    else if (!std::all_of(anchors.begin(), anchors.end(), within))
-      unseen.offPicture.push_back(annotation.id);
-  }
-  return unseen;
+std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,
+                                    const std::string& language, model::MeshTrees& trees) {
+  return labelsInPicture(scene, screen, language, trees).shown;
 }
 
 }  // namespace sline::render

@@ -15,8 +15,8 @@ namespace sline::render {
 struct ShownLabel {
   LabelItem item;    ///< its box is set by code that knows fonts
   std::string text;  ///< in the language asked for, else the scene's own; a callout's with markup
-  /// Counts from 1, in the order of the scene's annotations, among all that are visible: the same
-  /// from every side.
+  /// Counts from 1, in the order of the scene's annotations, among all that are visible; badges are
+  /// numbered in reading order (label_painter.h).
   int number = 0;
   std::optional<Colour> colour;
   std::optional<float> lengthMm;  ///< of a distance
@@ -25,19 +25,38 @@ struct ShownLabel {
 /// Returns the label's text for places where it cannot have styles.
 std::string plainText(const ShownLabel& label);
 
-/// Returns the shown labels in the order of the scene. An annotation is not shown if it is not
-/// visible (in a scene that shows a saved view, model/edit/views.h, the view decides), if it is on
-/// a structure that is not drawn or on a part that a section takes away, or if it is outside the
-/// picture.
-std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,
-                                    const std::string& language, model::MeshTrees& trees);
-
-/// Holds visible annotations that are not among the shown labels, by the reason; in the order of
-/// the scene.
+/// Holds visible annotations that point at nothing one sees, by the reason; in the order of the
+/// scene.
 struct UnseenLabels {
   std::vector<model::AnnotationId> notDrawn;  ///< their structure is not drawn
   std::vector<model::AnnotationId> offPicture;
+  std::vector<model::AnnotationId> hidden;  ///< shown, but their place is hidden in this picture
 };
-UnseenLabels unseenLabels(const model::Scene& scene, const Screen& screen, model::MeshTrees& trees);
+
+struct LabelsInPicture {
+  std::vector<ShownLabel> shown;  ///< in the order of the scene
+  UnseenLabels unseen;
+};
+
+/// Tells what a picture follows.
+struct LabelsBefore {
+  const LabelLayout* layout = nullptr;  ///< of the picture before
+  /// The camera moves and must not be held up: places that were found stay on their surface, and
+  /// where another structure comes before them they are hidden until the camera rests.
+  bool hurried = false;
+};
+
+/// Finds the labels of a picture. An annotation is not shown if it is not visible (in a scene that
+/// shows a saved view, model/edit/views.h, the view decides), if it is on a structure that is not
+/// drawn or that sections take away, or if it is outside the picture. Labels, callouts and pins are
+/// hidden where their structure is not what one sees (seen_map.h). A place that was found, not set
+/// by hand, or that a section takes away, is found anew; one in the picture before is kept where it
+/// is as good.
+LabelsInPicture labelsInPicture(const model::Scene& scene, const Screen& screen,
+                                const std::string& language, model::MeshTrees& trees,
+                                const LabelsBefore& before = {});
+/// Returns its shown labels.
+std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,
+                                    const std::string& language, model::MeshTrees& trees);
 
 }  // namespace sline::render

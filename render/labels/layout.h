@@ -25,6 +25,8 @@ struct LabelItem {
   std::vector<glm::vec2> places;  ///< millimetres of the output; one place, two for a distance
   bool hidden = false;  ///< something, perhaps its own structure, is in front of the place
   glm::vec2 box{0.0f};  ///< the size that the text needs, with its padding
+  /// Where the place was found for this picture; absent where it was set by hand.
+  std::optional<model::Anchor> found;
   /// Set for a label moved by hand: the way from its place to the box's middle.
   std::optional<glm::vec2> offset;
 };
@@ -60,7 +62,9 @@ struct PlacedLabel {
   LabelBox box;
   Leader leader;  ///< empty where none is needed
   bool hidden = false;
-  glm::vec3 jumpedAt{0.0f};  ///< LabelRequest::towardsEye when it last jumped
+  glm::vec3 jumpedAt{0.0f};            ///< LabelRequest::towardsEye when it last jumped
+  std::optional<model::Anchor> found;  ///< LabelItem::found
+  int number = 0;                      ///< that of its badge, where labels are numbered
   bool operator==(const PlacedLabel&) const = default;
 };
 

@@ -157,6 +157,7 @@ LabelLayout Layouter::answer() const {
     if (in && !(jumped && rests(i))) {
       layout.labels.push_back(*m_placed[i]);
       layout.labels.back().jumpedAt = jumped ? m_request.towardsEye : lastJump(i);
+      layout.labels.back().found = item(i).found;
     } else {
       layout.leftOut.push_back(item(i).id);
       if (lastJump(i) != glm::vec3(0.0f))

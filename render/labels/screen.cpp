@@ -39,6 +39,11 @@ model::Ray Screen::sight(const glm::vec2& place) const {
           .nearest = -std::numeric_limits<float>::infinity()};
 }
 
+float Screen::depthKey(const glm::vec3& p) const {
+  const float depth = -glm::dot(p - m_camera.eye, m_frame.back);
+  return m_camera.projection == model::Projection::perspective ? -1.0f / depth : depth;
+}
+
 bool Screen::inside(const glm::vec2& place) const {
   return place.x >= 0.0f && place.y >= 0.0f && place.x <= m_size.x && place.y <= m_size.y;
 }

@@ -25,6 +25,14 @@ class Screen {
   /// direction is a unit vector.
   model::Ray sight(const glm::vec2& place) const;
   bool inside(const glm::vec2& place) const;
+  /// Returns a number that grows with the distance from the eye's plane and is linear in the
+  /// picture: in perspective −1 / distance, else the distance in millimetres. The point must be in
+  /// front of the eye.
+  float depthKey(const glm::vec3& p) const;
+  /// Returns what weights in the picture are multiplied with to become weights in space.
+  float inverseDepth(float key) const {
+    return m_camera.projection == model::Projection::perspective ? -key : 1.0f;
+  }
 
  private:
   model::Camera m_camera;

@@ -58,12 +58,6 @@ std::optional<Sights::SightHit> Sights::nearest(const model::Ray& ray) const {
   return best;
 }
 
-bool Sights::drawnOver(model::NodeId structure, const model::Ray& ray) const {
-  return std::any_of(m_bodies.begin(), m_bodies.end(), [&](const Body& body) {
-    return body.node->id != structure && meet(body, ray);
-  });
-}
-
 std::vector<model::MeshPtr> Sights::withoutTree() const {
   std::vector<model::MeshPtr> meshes;
   for (const Body& body : m_bodies)

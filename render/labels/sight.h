@@ -26,10 +26,10 @@ class Sights {
   std::optional<SightHit> nearest(const model::Ray& ray) const;
   /// Returns the nearest hit of that structure alone, whether it hides anything or not.
   std::optional<SightHit> nearestOf(model::NodeId structure, const model::Ray& ray) const;
-  /// Tells whether another structure that is drawn is on the ray, whether it hides anything or not.
-  bool drawnOver(model::NodeId structure, const model::Ray& ray) const;
   /// Returns the meshes that lack a tree, for which `hidden` would have to wait.
   std::vector<model::MeshPtr> withoutTree() const;
+  /// Tells whether the structure is drawn, apart from sections.
+  bool draws(model::NodeId structure) const { return find(structure) != nullptr; }
   /// Tells whether the anchor is visible and not taken away by a section.
   bool shows(const model::Anchor& anchor) const;
   /// Tells whether something that hides is in front of the place; `ray` must go through it. Its own

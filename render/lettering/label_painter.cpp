@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "render/lettering/column_widths.h"
 
@@ -158,14 +161,62 @@ void setPlate(LabelPlate& plate, LabelRequest& request, const LabelTurn& turn) {
   plate.layout = layOutLabels(request, turn.before);
 }
 
+/// Numbers labels as one reads them round the figure: the left column from the top down, then what
+/// stands beside its place, then the right column; those without a place come last. In a picture
+/// that follows another one labels keep their numbers.
+void numberInReadingOrder(LabelPlate& plate, const LabelLayout* before) {
+  std::vector<std::size_t> order(plate.labels.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto key = [&](std::size_t i) {
+    const LabelItem& item = plate.labels[i].item;
+    const PlacedLabel* was = before ? before->find(item.id) : nullptr;
+    const PlacedLabel* placed = plate.layout.find(item.id);
+    if (was && was->number > 0)
+      return std::tuple(0, was->number, 0.0f);
+    if (!placed)
+      return std::tuple(2, 0, 0.0f);
+    const bool left =
+        placed->post == LabelPost::left ||
+        (placed->post == LabelPost::byHand && placed->box.middle().x < item.places.front().x);
+    const int column = placed->post == LabelPost::beside ? 1 : left ? 0 : 2;
+    return std::tuple(1, column, placed->box.middle().y);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&key](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::vector<ShownLabel> labels;
+  std::vector<LabelText> texts;
+  for (const std::size_t i : order) {
+    labels.push_back(std::move(plate.labels[i]));
+    const PlacedLabel* was = before ? before->find(labels.back().item.id) : nullptr;
+    const int last = labels.size() > 1 ? labels[labels.size() - 2].number : 0;
+    labels.back().number = was && was->number > 0 ? was->number : last + 1;
+    texts.push_back(std::move(plate.texts[i]));
+    texts.back().lines = {QString::number(labels.back().number)};
+    for (PlacedLabel& placed : plate.layout.labels)
+      if (placed.id == labels.back().item.id)
+        placed.number = labels.back().number;
+  }
+  plate.labels = std::move(labels);
+  plate.texts = std::move(texts);
+}
+
+LabelPlate numbered(LabelPlate plate, const LabelTurn& turn) {
+  if (plate.style.mode == LabelMode::numbers)
+    numberInReadingOrder(plate, turn.before);
+  return plate;
+}
+
 }  // namespace
 
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
                       model::MeshTrees& trees, const LabelTurn& turn) {
+  LabelsInPicture labels =
+      labelsInPicture(scene, screen, style.language, trees, {turn.before, turn.hurried});
   LabelPlate plate{.style = style,
-                   .labels = shownLabels(scene, screen, style.language, trees),
+                   .labels = std::move(labels.shown),
                    .texts = {},
-                   .layout = {}};
+                   .layout = {},
+                   .unseen = std::move(labels.unseen)};
   LabelRequest request{.items = {},
                        .space = {screen.size(), 0.0f, style.edges, style.reserved},
                        .obstacles = {},
@@ -184,9 +235,9 @@ LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const Lab
         std::max(widestTextMm(screen.size().x, style), nearlyHalf * screen.size().x);
     setPlate(wide, request, turn);
     if (wide.layout.leftOut.size() < plate.layout.leftOut.size())
-      return wide;
+      return numbered(std::move(wide), turn);
   }
-  return plate;
+  return numbered(std::move(plate), turn);
 }
 
 Lettering letteringOf(const LabelPlate& plate) {

@@ -16,12 +16,14 @@ struct LabelPlate {
   std::vector<ShownLabel> labels;  ///< with boxes in their items
   std::vector<LabelText> texts;    ///< one per label, in their order
   LabelLayout layout;
+  UnseenLabels unseen;
 };
 
 /// Describes what precedes a picture that is one of many.
 struct LabelTurn {
   const LabelLayout* before = nullptr;  ///< that of the picture before
   bool moving = false;                  ///< as in LabelRequest: true until the camera rests
+  bool hurried = false;                 ///< as in LabelsBefore
 };
 
 /// Lays out the scene's labels on that screen.

@@ -76,8 +76,7 @@ glm::vec3 faceColour(const DrawnStructure& shown, Background background, std::si
   const glm::vec3 paper = paperColour(background);
   if (shown.sections[face].faces == model::CutFaces::off)
     return paper;
-  const float shaded = std::clamp(shown.style.gamma.value() - 3.0f, 0.0f, 1.0f);
-  float filled = lightTint + (1.0f - lightTint) * shaded;
+  float filled = capTint(shown.style.gamma.value());
   const auto colour = [&] { return glm::mix(paper, rgb(shown.style.colour), filled); };
   if (showsPattern(shown, face)) {
     const Colour ink = inkColour(shown.style, background);
@@ -88,6 +87,11 @@ glm::vec3 faceColour(const DrawnStructure& shown, Background background, std::si
 }
 
 }  // namespace
+
+float capTint(float gamma) {
+  const float shaded = std::clamp(gamma - 3.0f, 0.0f, 1.0f);
+  return lightTint + (1.0f - lightTint) * shaded;
+}
 
 bool isCutAway(const DrawnStructure& shown, const model::Box& box) {
   return std::any_of(shown.sections.begin(), shown.sections.end(),

@@ -28,6 +28,9 @@ inline constexpr float outlineLift = 6e-5f;
 /// front of it.
 glm::vec3 capDepth(const DrawnStructure& shown, const PictureView& view, std::size_t face);
 
+/// Returns the share of the structure's colour in its tinted cut faces.
+float capTint(float gamma);
+
 /// Describes how a cut face looks; see cap.frag.glsl.
 struct CapPaint {
   glm::vec4 colour{0.0f};        ///< premultiplied

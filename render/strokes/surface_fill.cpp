@@ -9,10 +9,6 @@ namespace sline::render {
 
 namespace {
 
-constexpr float tintStrength = 0.2f;
-// Two fifths of what lies behind one veil show, a sixth behind two: near and far stay apart.
-constexpr float veilStrength = 0.6f;
-
 /// Returns how much a wash of that kind hides, apart from the style's opacity.
 float washStrength(model::Fill fill) {
   switch (fill) {

@@ -11,6 +11,11 @@
 
 namespace sline::render {
 
+/// How much a tint's colour covers, and how much a veil's paper: two fifths of what lies behind one
+/// veil show, a sixth behind two, so that near and far stay apart.
+inline constexpr float tintStrength = 0.2f;
+inline constexpr float veilStrength = 0.6f;
+
 /// Describes how the surface's pixels look.
 struct SurfaceFill {
   enum class Kind { depthOnly, flat, phong };

@@ -48,6 +48,9 @@ QString fact(const render::ExportNote& note) {
       return tr("%n labels are left out, as nothing is drawn there: %1.", nullptr, count);
     case Kind::labelsOffPage:
       return tr("%n labels point to places beside the picture: %1.", nullptr, count);
+    case Kind::labelsHidden:
+      return tr("%n labels point with a dashed line to what is hidden in this picture: %1.",
+                nullptr, count);
     case Kind::labelsUntranslated:
       return tr("%n labels have no text in the language and stand in the scene's own: %1.", nullptr,
                 count);
@@ -83,6 +86,8 @@ QString remedy(render::ExportNote::Kind kind) {
       return tr("Show the structures, or hide the labels, too.");
     case Kind::labelsOffPage:
       return tr("Choose a view that shows them.");
+    case Kind::labelsHidden:
+      return tr("Choose a view that shows it, or draw less of what is before it.");
     case Kind::labelsUntranslated:
       return tr("Write them in the list of labels, or choose another language.");
     case Kind::cardsWithoutRoom:

@@ -52,6 +52,10 @@ std::string textOf(const render::ExportNote& note) {
     case Kind::labelsOffPage:
       return counted(count, "label points", "labels point") + " to places beside the picture" +
              names + "Choose a view that shows them";
+    case Kind::labelsHidden:
+      return counted(count, "label points", "labels point") +
+             " with a dashed line to what is hidden in this picture" + names +
+             "Choose a view that shows it, or draw less of what is before it";
     case Kind::labelsUntranslated:
       return counted(count, "label has", "labels have") + " no text in " + plain(note.detail) +
              " and " + (count == 1 ? "stands" : "stand") + " in the scene's own language" + names +

@@ -14,6 +14,7 @@ struct ExportNote {
     labelsWithoutRoom,   ///< `names`: their texts
     labelsOfHidden,      ///< on structures that are hidden or cut away there; `names`: their texts
     labelsOffPage,       ///< their places are not within the picture; `names`: their texts
+    labelsHidden,        ///< what they name is not seen where they point; `names`: their texts
     labelsUntranslated,  ///< `names`: texts in the scene's language, `detail`: the one asked for
     cardsWithoutRoom,    ///< labels that no card asks for; `names`: their texts
     marksWithoutRoom,    ///< `names`: those of the items (`Marks`)

@@ -11,7 +11,7 @@
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/figure_plate.h"
-#include "render/labels/best_anchor.h"
+#include "render/labels/seen_map.h"
 
 namespace sline::render {
 
@@ -65,19 +65,19 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const ExportOrder& order) {
   const Screen screen(order.camera, order.page.sizeMm);
-  model::MeshTrees trees;
+  const SeenMap map(order.scene, screen);
   std::vector<Candidate> all;
   for (const model::Node& node : order.scene.nodes()) {
     if (node.isGroup())
       continue;
-    const auto place = bestAnchorOn(order.scene, node.id, screen, trees);
-    if (!place || place->hidden)
+    const std::optional<SeenPlace> place = map.find(node.id);
+    const std::optional<model::Annotation> label = map.labelFor(node.id);
+    if (!place || !label || place->hidden)
       continue;
     Candidate one;
-    one.label.anchors = {place->point};
+    one.label = *label;
     one.label.text = structureName(node.name, order.labels.language);
-    one.x = screen.place(placeOn(*node.mesh, place->point)).value_or(glm::vec2(0.0f)).x -
-            0.5f * order.page.sizeMm.x;
+    one.x = place->place.x - 0.5f * order.page.sizeMm.x;
     one.size = glm::length(node.mesh->bounds().size());
     for (const std::string& word : model::wordsOf(node.name)) {
       const model::Side side = model::sideOfWord(word);

@@ -67,10 +67,15 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const
   style.reserved = plate.marks.boxes;
   const Screen screen(order.camera, order.page.sizeMm);
   plate.labels = labelPlate(order.scene, screen, style, trees, turn);
-  const UnseenLabels unseen = unseenLabels(order.scene, screen, trees);
+  const UnseenLabels& unseen = plate.labels->unseen;
   addLabels(plate.notes, Kind::labelsWithoutRoom, order, plate.labels->layout.leftOut);
   addLabels(plate.notes, Kind::labelsOfHidden, order, unseen.notDrawn);
   addLabels(plate.notes, Kind::labelsOffPage, order, unseen.offPicture);
+  std::vector<model::AnnotationId> hidden;
+  for (const model::AnnotationId id : unseen.hidden)
+    if (plate.labels->layout.find(id))
+      hidden.push_back(id);
+  addLabels(plate.notes, Kind::labelsHidden, order, hidden);
   addUntranslated(plate.notes, order, *plate.labels);
   return plate;
 }

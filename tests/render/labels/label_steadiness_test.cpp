@@ -13,7 +13,7 @@
 #include "model/demo/demo.h"
 #include "model/import/plan/import.h"
 #include "render/labels/anchors.h"
-#include "render/labels/best_anchor.h"
+#include "render/labels/seen_map.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -47,11 +47,12 @@ void label(model::Scene& scene, std::size_t number) {
     if (scene.resolve(id).visible)
       sizes.emplace_back(-glm::length(scene.find(id)->mesh->bounds().size()), id);
   std::sort(sizes.begin(), sizes.end());
-  model::MeshTrees trees;
   const Screen screen(around(scene, 0.0f), paper);
+  const SeenMap map(scene, screen);
   for (std::size_t i = 0; i < sizes.size() && scene.annotations().size() < number; ++i)
-    if (const auto best = bestAnchorOn(scene, sizes[i].second, screen, trees))
-      scene.appendAnnotation({.anchors = {best->point}, .text = scene.find(sizes[i].second)->name});
+    if (const auto best = map.find(sizes[i].second))
+      scene.appendAnnotation(
+          {.anchors = {best->anchor}, .text = scene.find(sizes[i].second)->name});
 }
 
 struct Jumps {

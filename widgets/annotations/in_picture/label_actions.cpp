@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "model/edit/annotations.h"
-#include "render/labels/best_anchor.h"
+#include "render/labels/seen_map.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/annotations/in_picture/picture_labels.h"
 #include "widgets/annotations/label_preferences.h"
@@ -59,12 +59,12 @@ std::vector<model::Annotation> labelsFor(const model::Scene& scene, const NodeId
                                          const render::Screen& screen,
                                          const std::stop_token& stop) {
   std::vector<model::Annotation> found;
-  model::MeshTrees trees;
+  const render::SeenMap map(scene, screen);
   for (const model::NodeId id : structures) {
     if (stop.stop_requested())
       break;
-    if (const auto best = render::bestAnchorOn(scene, id, screen, trees))
-      found.push_back({.anchors = {best->point}});
+    if (auto label = map.labelFor(id))
+      found.push_back(*std::move(label));
   }
   return found;
 }

@@ -201,7 +201,8 @@ LabelSheetPtr LabelDrawer::draw(const model::Scene& scene, const model::Camera& 
       return nullptr;
     const render::Screen screen(camera, wish.size / wish.pixelsPerMm);
     const render::LabelLayout* follows = before(camera, wish);
-    sheet->plate = render::labelPlate(scene, screen, wish.style, m_trees, {follows, wish.moving});
+    sheet->plate =
+        render::labelPlate(scene, screen, wish.style, m_trees, {follows, wish.moving, wish.moving});
     sheet->settled = follows ? m_last->settled : camera;
     if (!sheet->empty())
       paint(*sheet);

@@ -34,8 +34,8 @@ struct LabelSheet {
   QPointF corner;         ///< the image's corner, in the window's pixels
 
   bool empty() const { return plate.layout.labels.empty(); }
-  /// Tells whether some labels were left out only because the camera was moving.
-  bool waits() const { return wish.moving && !plate.layout.waiting.empty(); }
+  /// Tells whether labels were left out, or places not looked for, because the camera was moving.
+  bool waits() const { return wish.moving && !plate.labels.empty(); }
 };
 /// Tells whether the picture has grown or shrunk so much that labels that followed it may stand
 /// anywhere.

@@ -81,6 +81,7 @@ void LabelTool::movePlace(const Pointer& pointer) {
     if (anchor) {
       model::Annotation moved = *annotation;
       moved.anchors[*m_grip->place] = *anchor;
+      moved.found = false;  // a place that was set by hand stays
       show(moved);
     }
     if (m_ending && m_answered == m_asked)

@@ -195,6 +195,7 @@ void PictureLabels::begin(model::Annotation annotation, const QString& offered, 
   const bool lines = annotation.kind == model::AnnotationKind::callout;
   m_new = annotation.id == model::AnnotationId{};
   m_written = std::move(annotation);
+  m_offered = offered;
   m_editor->open(at.toPoint() + QPoint(m_new ? beside : 0, 0),
                  {.text = offered, .lines = lines, .points = m_style.points});
   showMarks();
@@ -213,7 +214,7 @@ void PictureLabels::edit(model::AnnotationId id) {
 void PictureLabels::accept(const QString& text) {
   if (!m_written)
     return;
-  const model::Annotation written = *std::exchange(m_written, std::nullopt);
+  model::Annotation written = *std::exchange(m_written, std::nullopt);
   showMarks();
   Session& session = m_place.session;
   const bool wordless =
@@ -221,6 +222,9 @@ void PictureLabels::accept(const QString& text) {
   if (text.isEmpty() && !wordless)
     return;
   if (m_new) {
+    // Whoever takes the structure's own name means all of it: other views may point elsewhere.
+    written.found = !wordless && text == m_offered &&
+                    std::holds_alternative<model::SurfacePoint>(written.anchors.front());
     add(withFirstText(session, written, typedLanguage(m_style), text));
     return;
   }

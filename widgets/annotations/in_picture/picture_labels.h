@@ -46,7 +46,7 @@ class PictureLabels : public QObject {
   bool arrive();
   /// Tells whether the picture has grown or shrunk so much that labels must be laid out anew.
   bool outgrown() const;
-  /// Tells whether some labels are left out until the camera rests.
+  /// Tells whether some labels are left out, or not looked for anew, until the camera rests.
   bool waits() const;
   /// Returns the share of the picture's width, 0 … 1, that labels beside the anatomy leave as that
   /// camera looks.
@@ -114,6 +114,7 @@ class PictureLabels : public QObject {
   std::vector<model::Anchor> m_begun;          ///< the places of a distance so far
   std::optional<model::Annotation> m_written;  ///< the label for which words are typed
   bool m_new = false;                          ///< it is not in the scene yet
+  QString m_offered;                           ///< the words that were offered for it
 };
 
 }  // namespace sline::widgets

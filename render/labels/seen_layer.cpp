@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/labels/seen_layer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include "model/geometry/sight.h"
+
+namespace sline::render {
+
+namespace {
+
+/// The weights of a triangle's second and third corner.
+struct Weights {
+  float second = 0.0f;
+  float third = 0.0f;
+  float first() const { return 1.0f - second - third; }
+};
+
+/// Returns the weights on the triangle itself of a point with those weights in the picture, whose
+/// corners have those depths (nearer corners count less in perspective).
+Weights inSpace(const Weights& w, const std::array<float, 3>& inverse) {
+  const float sum = w.first() * inverse[0] + w.second * inverse[1] + w.third * inverse[2];
+  return {w.second * inverse[1] / sum, w.third * inverse[2] / sum};
+}
+
+float crossed(const glm::vec2& a, const glm::vec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+std::optional<Weights> weightsAt(const std::array<glm::vec2, 3>& p, const glm::vec2& at) {
+  const float area = crossed(p[1] - p[0], p[2] - p[0]);
+  if (area == 0.0f)
+    return std::nullopt;
+  const Weights w{crossed(at - p[0], p[2] - p[0]) / area, crossed(p[1] - p[0], at - p[0]) / area};
+  constexpr float edge = -1e-4f;
+  return w.second >= edge && w.third >= edge && w.first() >= edge ? std::optional(w) : std::nullopt;
+}
+
+}  // namespace
+
+SeenLayer::SeenLayer(const model::Scene& scene, const model::Node& node,
+                     const model::ResolvedStyle& style)
+    : m_node(&node), m_look(style) {
+  const std::vector<model::Section> sections = scene.sectionsOf(node.id);
+  m_planes = model::planesOf(sections);
+  if (!sections.empty())
+    m_faces = sections.front().faces;
+}
+
+SeenLayer SeenLayer::undrawn() const {
+  SeenLayer layer(*m_node, m_look);
+  layer.m_faces = m_faces;
+  layer.m_planes = m_planes;
+  return layer;
+}
+
+SeenFill SeenLayer::fillOf(const SeenCell& cell) const {
+  switch (cell.what) {
+    case SeenCell::What::surface:
+      return m_look.surface(cell.facing);
+    case SeenCell::What::cutFace:
+      return m_look.cutFace(m_faces);
+    default:
+      return {};
+  }
+}
+
+void SeenLayer::project(const Screen& screen, const SeenGrid& grid) {
+  const auto positions = m_node->mesh->positions();
+  m_corners.resize(positions.size());
+  glm::vec2 low(1e9f);
+  glm::vec2 high(-1e9f);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const std::optional<glm::vec2> place = screen.place(positions[i]);
+    m_corners[i].seen = place.has_value();
+    if (!place)
+      continue;
+    m_corners[i].cell = (*place - grid.corner) / grid.side;
+    m_corners[i].depth = screen.depthKey(positions[i]);
+    low = glm::min(low, m_corners[i].cell);
+    high = glm::max(high, m_corners[i].cell);
+  }
+  m_side = grid.side;
+  constexpr float around = 2.0f;
+  low = glm::clamp(glm::floor(low) - around, glm::vec2(0.0f), glm::vec2(grid.columns, grid.rows));
+  high = glm::clamp(glm::ceil(high) + around, glm::vec2(0.0f), glm::vec2(grid.columns, grid.rows));
+  m_left = int(low.x);
+  m_top = int(low.y);
+  m_columns = std::max(int(high.x) - m_left, 0);
+  m_rows = std::max(int(high.y) - m_top, 0);
+  m_cells.assign(std::size_t(m_columns) * std::size_t(m_rows), SeenCell{});
+}
+
+void SeenLayer::take(int x, int y, const SeenCell& cell) {
+  SeenCell& known = m_cells[index(x, y)];
+  if (known.what == SeenCell::What::nothing || cell.depth < known.depth)
+    known = cell;
+}
+
+void SeenLayer::drawTriangle(const Screen& screen, std::uint32_t triangle) {
+  const model::Mesh& mesh = *m_node->mesh;
+  const model::Triangle& t = mesh.triangles()[triangle];
+  const std::array<const Corner*, 3> c{&m_corners[t[0]], &m_corners[t[1]], &m_corners[t[2]]};
+  if (!c[0]->seen || !c[1]->seen || !c[2]->seen)
+    return;
+  const std::array<glm::vec2, 3> p{c[0]->cell, c[1]->cell, c[2]->cell};
+  const glm::vec2 low = glm::min(glm::min(p[0], p[1]), p[2]);
+  const glm::vec2 high = glm::max(glm::max(p[0], p[1]), p[2]);
+  const int x0 = std::max(int(std::ceil(low.x - 0.5f)), m_left);
+  const int y0 = std::max(int(std::ceil(low.y - 0.5f)), m_top);
+  const int x1 = std::min(int(std::floor(high.x - 0.5f)), m_left + m_columns - 1);
+  const int y1 = std::min(int(std::floor(high.y - 0.5f)), m_top + m_rows - 1);
+  if (x0 > x1 || y0 > y1)
+    return;
+  const glm::vec3& a = mesh.positions()[t[0]];
+  const glm::vec3& b = mesh.positions()[t[1]];
+  const glm::vec3& d = mesh.positions()[t[2]];
+  const glm::vec3 normal = glm::cross(b - a, d - a);
+  const float length = glm::length(normal);
+  const std::array<float, 3> inverse{screen.inverseDepth(c[0]->depth),
+                                     screen.inverseDepth(c[1]->depth),
+                                     screen.inverseDepth(c[2]->depth)};
+  const glm::vec3 towards = model::towardsEye(screen.camera(), a);
+  const float facing = length > 0.0f ? glm::dot(normal, towards) / length : 0.0f;
+  for (int y = y0; y <= y1; ++y)
+    for (int x = x0; x <= x1; ++x) {
+      const auto w = weightsAt(p, glm::vec2(x, y) + 0.5f);
+      if (!w)
+        continue;
+      if (!m_planes.empty()) {
+        const Weights s = inSpace(*w, inverse);
+        if (!model::keptByAll(m_planes, s.first() * a + s.second * b + s.third * d))
+          continue;
+      }
+      take(x, y,
+           {.depth = w->first() * c[0]->depth + w->second * c[1]->depth + w->third * c[2]->depth,
+            .triangle = triangle,
+            .facing = facing,
+            .what = SeenCell::What::surface});
+    }
+}
+
+/// Tells whether the surface is closed but for specks, so that cutting it makes faces.
+bool SeenLayer::isSolid() const {
+  const auto triangles = m_node->mesh->triangles();
+  std::vector<std::uint64_t> edges;
+  edges.reserve(3 * triangles.size());
+  for (const model::Triangle& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint64_t a = t[k];
+      const std::uint64_t b = t[(k + 1) % 3];
+      edges.push_back(std::min(a, b) << 32 | std::max(a, b));
+    }
+  std::sort(edges.begin(), edges.end());
+  std::size_t rims = 0;
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i + 1;
+    while (end < edges.size() && edges[end] == edges[i])
+      ++end;
+    rims += end - i == 1 ? 1 : 0;
+    i = end;
+  }
+  constexpr std::size_t specks = 300;
+  return rims * specks < edges.size();
+}
+
+void SeenLayer::findCutFaces(const Screen& screen, const SeenGrid& grid) {
+  if (m_planes.empty() || !isSolid())
+    return;
+  for (int y = m_top; y < m_top + m_rows; ++y)
+    for (int x = m_left; x < m_left + m_columns; ++x) {
+      SeenCell& cell = m_cells[index(x, y)];
+      if (cell.what != SeenCell::What::surface || cell.facing >= 0.0f)
+        continue;
+      // A ray that sees the surface from within has come through the face of a cut.
+      const model::Ray ray = screen.sight(grid.middle(x, y));
+      const model::KeptSpan kept = model::keptSpan(ray, m_planes);
+      if (!kept.entered || kept.empty())
+        continue;
+      cell.depth = screen.depthKey(ray.origin + float(kept.nearest) * ray.direction);
+      cell.what = SeenCell::What::cutFace;
+      cell.facing = 1.0f;
+    }
+}
+
+/// Surfaces that fall between the middles of cells are seen all the same.
+void SeenLayer::plotSmall(const Screen& screen) {
+  const model::Mesh& mesh = *m_node->mesh;
+  for (std::uint32_t i = 0; i < mesh.triangleCount(); ++i) {
+    const model::SurfacePoint middle{m_node->id, i, {1.0f / 3.0f, 1.0f / 3.0f}};
+    const glm::vec3 at = model::placeOn(mesh, middle);
+    const model::Triangle& t = mesh.triangles()[i];
+    if (!m_corners[t[0]].seen || !m_corners[t[1]].seen || !m_corners[t[2]].seen ||
+        !model::keptByAll(m_planes, at))
+      continue;
+    const glm::vec2 cell =
+        (m_corners[t[0]].cell + m_corners[t[1]].cell + m_corners[t[2]].cell) / 3.0f;
+    const int x = int(std::floor(cell.x));
+    const int y = int(std::floor(cell.y));
+    if (x >= m_left && y >= m_top && x < m_left + m_columns && y < m_top + m_rows)
+      take(x, y,
+           {.depth = screen.depthKey(at),
+            .triangle = i,
+            .facing = 1.0f,
+            .what = SeenCell::What::surface});
+  }
+}
+
+void SeenLayer::findOutlines() {
+  std::vector<std::pair<std::size_t, float>> besides;
+  constexpr std::array<std::array<int, 2>, 4> ways{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+  for (int y = m_top; y < m_top + m_rows; ++y)
+    for (int x = m_left; x < m_left + m_columns; ++x) {
+      SeenCell& cell = m_cells[index(x, y)];
+      const bool here = covers(x, y);
+      for (const auto& [dx, dy] : ways) {
+        const SeenCell& other = at(x + dx, y + dy);
+        const bool there = covers(x + dx, y + dy);
+        if (here)
+          cell.outline = cell.outline || !there || other.depth - cell.depth > m_fold;
+        else if (there)
+          besides.emplace_back(index(x, y), other.depth);
+      }
+      cell.facing = std::abs(cell.facing);
+    }
+  // Ink lies outside the surface.
+  for (const auto& [i, depth] : besides) {
+    SeenCell& cell = m_cells[i];
+    if (cell.what == SeenCell::What::nothing || depth < cell.depth)
+      cell = {.depth = depth,
+              .triangle = 0,
+              .facing = 0.0f,
+              .what = SeenCell::What::beside,
+              .outline = true};
+  }
+}
+
+void SeenLayer::draw(const Screen& screen, const SeenGrid& grid) {
+  const model::Mesh& mesh = *m_node->mesh;
+  m_remains = std::any_of(mesh.positions().begin(), mesh.positions().end(),
+                          [this](const glm::vec3& p) { return model::keptByAll(m_planes, p); });
+  project(screen, grid);
+  if (m_cells.empty() || !m_remains)
+    return;
+  for (std::uint32_t i = 0; i < mesh.triangleCount(); ++i)
+    drawTriangle(screen, i);
+  const auto drawn = std::count_if(m_cells.begin(), m_cells.end(), [](const SeenCell& cell) {
+    return cell.what == SeenCell::What::surface;
+  });
+  constexpr int few = 12;
+  if (drawn < few)
+    plotSmall(screen);
+  const glm::vec3 middle = mesh.bounds().centre();
+  const float fold = 0.04f * glm::length(mesh.bounds().size());
+  const glm::vec3 back = model::cameraFrame(screen.camera()).back;
+  m_fold = std::abs(screen.depthKey(middle - fold * back) - screen.depthKey(middle));
+  findCutFaces(screen, grid);
+  findOutlines();
+}
+
+SeenLayer::Spot SeenLayer::spotAt(const Screen& screen, const SeenGrid& grid, int x, int y) const {
+  const SeenCell& cell = at(x, y);
+  const glm::vec2 place = grid.middle(x, y);
+  const model::Ray ray = screen.sight(place);
+  if (cell.what == SeenCell::What::cutFace) {
+    const model::KeptSpan kept = model::keptSpan(ray, m_planes);
+    return {ray.origin + float(kept.nearest) * ray.direction, place};
+  }
+  const model::Triangle& t = m_node->mesh->triangles()[cell.triangle];
+  const std::array<const Corner*, 3> c{&m_corners[t[0]], &m_corners[t[1]], &m_corners[t[2]]};
+  const auto w = weightsAt({c[0]->cell, c[1]->cell, c[2]->cell}, glm::vec2(x, y) + 0.5f);
+  model::SurfacePoint point{m_node->id, cell.triangle, {1.0f / 3.0f, 1.0f / 3.0f}};
+  if (!w)
+    return {point, screen.place(model::placeOn(*m_node->mesh, point)).value_or(place)};
+  const Weights s = inSpace(*w, {screen.inverseDepth(c[0]->depth), screen.inverseDepth(c[1]->depth),
+                                 screen.inverseDepth(c[2]->depth)});
+  point.weights = {std::max(s.second, 0.0f), std::max(s.third, 0.0f)};
+  const float most = std::max(point.weights[0] + point.weights[1], 1.0f);
+  point.weights = {point.weights[0] / most, point.weights[1] / most};
+  return {point, place};
+}
+
+std::optional<glm::vec2> SeenLayer::outwards(int x, int y) const {
+  glm::vec2 out(0.0f);
+  for (int dy = -3; dy <= 3; ++dy)
+    for (int dx = -3; dx <= 3; ++dx)
+      if (!covers(x + dx, y + dy))
+        out += glm::vec2(dx, dy);
+  if (glm::length(out) < 1.0f)
+    return std::nullopt;
+  out = glm::normalize(out);
+  const auto step = [&](float far) {
+    return std::pair(x + int(std::lround(far * out.x)), y + int(std::lround(far * out.y)));
+  };
+  for (int far = 2; far <= 5; ++far) {
+    const auto [inX, inY] = step(-float(far));
+    const auto [outX, outY] = step(float(far));
+    if (!covers(inX, inY) || at(inX, inY).outline || (far <= 4 && covers(outX, outY)))
+      return std::nullopt;
+  }
+  return out;
+}
+
+glm::vec2 SeenLayer::silhouette(const glm::vec2& from, const glm::vec2& way, float far) const {
+  constexpr int steps = 40;
+  const glm::vec2 low = glm::min(from, from + far * way);
+  const glm::vec2 high = glm::max(from, from + far * way);
+  int last = 0;
+  for (const model::Triangle& t : m_node->mesh->triangles()) {
+    std::array<glm::vec2, 3> p;
+    bool seen = true;
+    for (std::size_t k = 0; k < 3 && seen; ++k) {
+      seen = m_corners[t[k]].seen;
+      p[k] = m_corners[t[k]].cell * m_side;
+    }
+    if (!seen || glm::any(glm::greaterThan(glm::min(glm::min(p[0], p[1]), p[2]), high)) ||
+        glm::any(glm::lessThan(glm::max(glm::max(p[0], p[1]), p[2]), low)))
+      continue;
+    for (int k = last + 1; k <= steps; ++k)
+      if (weightsAt(p, from + far * (float(k) / float(steps)) * way))
+        last = k;
+  }
+  return from + far * (float(last) / float(steps)) * way;
+}
+
+}  // namespace sline::render

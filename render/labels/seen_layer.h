@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws one structure by itself into coarse cells: how near it is in each, with which triangle, and
+// whether its outline passes there. Made on the CPU, so that labels know what a picture shows
+// wherever it is made.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "model/geometry/plane.h"
+#include "model/scene/scene.h"
+#include "render/labels/screen.h"
+#include "render/labels/seen_look.h"
+
+namespace sline::render {
+
+/// The cells of a picture.
+struct SeenGrid {
+  int columns = 1;
+  int rows = 1;
+  float side = 1.0f;       ///< of a cell, millimetres of the output
+  glm::vec2 corner{0.0f};  ///< the upper left one, millimetres of the output
+
+  glm::vec2 middle(int x, int y) const { return corner + side * (glm::vec2(x, y) + 0.5f); }
+};
+
+struct SeenCell {
+  float depth = 0.0f;  ///< as Screen::depthKey has it
+  std::uint32_t triangle = 0;
+  float facing = 1.0f;  ///< cosine between the surface's normal and the line of sight
+  enum class What : std::uint8_t { nothing, surface, cutFace, beside } what = What::nothing;
+  bool outline = false;  ///< the structure's outline runs through it
+};
+
+class SeenLayer {
+ public:
+  SeenLayer(const model::Scene& scene, const model::Node& node, const model::ResolvedStyle& style);
+
+  /// Draws the structure as its sections leave it.
+  void draw(const Screen& screen, const SeenGrid& grid);
+
+  /// Returns the same structure with nothing drawn.
+  SeenLayer undrawn() const;
+
+  const model::Node& node() const { return *m_node; }
+  const SeenLook& look() const { return m_look; }
+  const std::vector<model::Plane>& planes() const { return m_planes; }
+  /// Returns the fill that a cell shows.
+  SeenFill fillOf(const SeenCell& cell) const;
+  /// The cells that may hold something: columns from `left()` on, rows from `top()` on.
+  int left() const { return m_left; }
+  int top() const { return m_top; }
+  int columns() const { return m_columns; }
+  int rows() const { return m_rows; }
+  /// Returns the cell of the whole grid; one with nothing where there is none.
+  const SeenCell& at(int x, int y) const {
+    const bool inside = x >= m_left && y >= m_top && x < m_left + m_columns && y < m_top + m_rows;
+    return inside ? m_cells[index(x, y)] : m_none;
+  }
+  bool covers(int x, int y) const {
+    const SeenCell::What what = at(x, y).what;
+    return what == SeenCell::What::surface || what == SeenCell::What::cutFace;
+  }
+  /// Tells whether anything of it is left by sections, in the picture or not.
+  bool remains() const { return m_remains; }
+  /// Returns the point of the surface that a cell shows, and where the output shows it.
+  struct Spot {
+    model::Anchor anchor;
+    glm::vec2 place{0.0f};
+  };
+  Spot spotAt(const Screen& screen, const SeenGrid& grid, int x, int y) const;
+  /// Returns the unit vector in the picture that leads out of the surface at a cell, if its outline
+  /// there bounds a body and is no thin strip, end or fold of it.
+  std::optional<glm::vec2> outwards(int x, int y) const;
+  /// Returns the last place on the way from a place, which is a unit vector, where the surface is;
+  /// at most `far` from it.
+  glm::vec2 silhouette(const glm::vec2& from, const glm::vec2& way, float far) const;
+
+ private:
+  SeenLayer(const model::Node& node, const SeenLook& look) : m_node(&node), m_look(look) {}
+  struct Corner {
+    glm::vec2 cell{0.0f};
+    float depth = 0.0f;
+    bool seen = false;
+  };
+  std::size_t index(int x, int y) const {
+    return std::size_t(y - m_top) * std::size_t(m_columns) + std::size_t(x - m_left);
+  }
+  void project(const Screen& screen, const SeenGrid& grid);
+  void drawTriangle(const Screen& screen, std::uint32_t triangle);
+  void take(int x, int y, const SeenCell& cell);
+  bool isSolid() const;
+  void findCutFaces(const Screen& screen, const SeenGrid& grid);
+  void findOutlines();
+  void plotSmall(const Screen& screen);
+
+  const model::Node* m_node;
+  SeenLook m_look;
+  model::CutFaces m_faces = model::CutFaces::tissue;
+  std::vector<model::Plane> m_planes;
+  std::vector<Corner> m_corners;
+  int m_left = 0;
+  int m_top = 0;
+  int m_columns = 0;
+  int m_rows = 0;
+  float m_side = 1.0f;
+  float m_fold = 1.0f;  ///< a step in depth that makes an outline
+  bool m_remains = false;
+  std::vector<SeenCell> m_cells;
+  SeenCell m_none;
+};
+
+}  // namespace sline::render

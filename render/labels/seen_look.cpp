@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/labels/seen_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/lines/stages.h"
+#include "render/strokes/section_caps.h"
+#include "render/strokes/surface_fill.h"
+
+namespace sline::render {
+
+namespace {
+/// The shares of a surface that suggestive contours and hatching take on the average.
+constexpr float suggestiveInk = 0.1f;
+constexpr float hatchingInk = 0.2f;
+/// The least shade that is taken to be somewhere near on a shaded surface, as surfaces are rough.
+constexpr float unevenShade = 0.3f;
+}  // namespace
+
+SeenLook::SeenLook(const model::ResolvedStyle& style)
+    : m_fill(style.fill), m_gamma(style.gamma.value()), m_opacity(style.opacity.value()) {
+  const Transitions t = transitions(style.gamma);
+  m_shading = t.shading;
+  m_complete = t.complete;
+  // The eye follows a pen of half the usual width as well as any wider one.
+  m_lines = t.lines * m_opacity * std::min(2.0f * style.penWeight, 1.0f);
+  m_strokes = m_lines * (suggestiveInk * t.suggestive + hatchingInk * t.hatching) +
+              m_opacity * unevenShade * t.shading;
+}
+
+SeenFill SeenLook::surface(float facing) const {
+  SeenFill wash;
+  if (m_fill == model::Fill::paper)
+    wash.cover = m_opacity;
+  else if (m_fill == model::Fill::veil)
+    wash.cover = veilStrength * m_opacity;
+  else if (m_fill == model::Fill::tint)
+    wash = {tintStrength * m_opacity, tintStrength * m_opacity};
+  // As surface.frag.glsl has it, without what the surface's curvature adds.
+  constexpr float quarterTurn = 1.5707963f;
+  const float threshold = quarterTurn * (1.0f - m_shading);
+  const float angle = std::acos(std::clamp(facing, 0.0f, 1.0f));
+  const float byAngle =
+      m_shading > 0.0f
+          ? std::clamp((angle - threshold) / std::max(quarterTurn - threshold, 1e-4f), 0.0f, 1.0f)
+          : 0.0f;
+  const float entered = byAngle * m_shading + (1.0f - byAngle * m_shading) * m_complete;
+  const float shade = entered * m_opacity;
+  return {shade + wash.colour * (1.0f - shade), shade + wash.cover * (1.0f - shade)};
+}
+
+SeenFill SeenLook::cutFace(model::CutFaces faces) const {
+  if (faces == model::CutFaces::off)
+    return {0.0f, m_opacity};
+  return {m_opacity * capTint(m_gamma), m_opacity};
+}
+
+}  // namespace sline::render

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tells how much of a picture's place a structure takes: by its fill, its cut face and its lines
+// (METHOD §7, §10), as far as that follows from its style and from how its surface stands there.
+#pragma once
+
+#include "model/scene/scene.h"
+
+namespace sline::render {
+
+/// How a layer shows at one place, each 0 … 1.
+struct SeenFill {
+  float colour = 0.0f;  ///< the share of its own colour
+  float cover = 0.0f;   ///< how much it hides of what is behind it
+};
+
+class SeenLook {
+ public:
+  explicit SeenLook(const model::ResolvedStyle& style);
+
+  /// Returns the fill where the surface has that cosine between its normal and the line of sight.
+  SeenFill surface(float facing) const;
+  /// Returns the fill of a cut face.
+  SeenFill cutFace(model::CutFaces faces) const;
+  /// The strength of its outlines.
+  float outline() const { return m_lines; }
+  /// Returns the share that suggestive contours, hatching and unevenness of the shade take of a
+  /// place on the surface, which nobody knows before they are drawn: about as much as they do on
+  /// the average.
+  float strokes() const { return m_strokes; }
+
+ private:
+  model::Fill m_fill;
+  float m_gamma;
+  float m_opacity;
+  float m_shading;
+  float m_complete;
+  float m_lines;
+  float m_strokes;
+};
+
+}  // namespace sline::render

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/labels/seen_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "model/base/parallel.h"
+#include "model/scene/resolved_styles.h"
+
+namespace sline::render {
+
+namespace {
+
+/// Cells along the picture's height: two units of output each, as wide as the usual pen.
+constexpr int cellsHigh = 360;
+
+}  // namespace
+
+SeenMap::SeenMap(const model::Scene& scene, const Screen& screen)
+    : m_scene(scene), m_screen(screen) {
+  m_grid.side = screen.size().y / float(cellsHigh);
+  m_grid.rows = cellsHigh;
+  m_grid.columns = std::clamp(int(std::ceil(screen.size().x / m_grid.side)), 1, 8 * cellsHigh);
+  const std::array<model::NodeId, 1> all{model::rootId};
+  for (const model::ResolvedStructure& one : model::resolvedBelow(scene, all))
+    if (one.style.visible && one.style.opacity.value() > 0.0f) {
+      m_index[one.node->id] = std::uint32_t(m_layers.size());
+      m_layers.emplace_back(scene, *one.node, one.style);
+    }
+  parallelFor(m_layers.size(), 1, [&](std::size_t i) { m_layers[i].draw(m_screen, m_grid); });
+  compose();
+}
+
+SeenMap::SeenMap(const SeenMap& other, const SeenGrid& grid, const std::set<std::uint32_t>& layers)
+    : m_scene(other.m_scene), m_screen(other.m_screen), m_grid(grid) {
+  for (const std::uint32_t layer : layers)
+    m_layers.push_back(other.m_layers[layer].undrawn());
+  parallelFor(m_layers.size(), 1, [&](std::size_t i) { m_layers[i].draw(m_screen, m_grid); });
+  compose();
+}
+
+const SeenLayer* SeenMap::layerOf(model::NodeId id) const {
+  const auto found = m_index.find(id);
+  return found == m_index.end() ? nullptr : &m_layers[found->second];
+}
+
+bool SeenMap::draws(model::NodeId structure) const {
+  const SeenLayer* layer = layerOf(structure);
+  return layer && layer->remains();
+}
+
+std::span<const SeenMap::Fragment> SeenMap::fragments(int x, int y) const {
+  if (x < 0 || y < 0 || x >= m_grid.columns || y >= m_grid.rows)
+    return {};
+  const std::size_t cell = std::size_t(y) * std::size_t(m_grid.columns) + std::size_t(x);
+  return std::span(m_fragments).subspan(m_first[cell], m_first[cell + 1] - m_first[cell]);
+}
+
+void SeenMap::compose() {
+  const std::size_t cells = std::size_t(m_grid.columns) * std::size_t(m_grid.rows);
+  m_first.assign(cells + 1, 0);
+  const auto forEach = [this](const auto& body) {
+    for (std::uint32_t i = 0; i < m_layers.size(); ++i)
+      for (int y = m_layers[i].top(); y < m_layers[i].top() + m_layers[i].rows(); ++y)
+        for (int x = m_layers[i].left(); x < m_layers[i].left() + m_layers[i].columns(); ++x)
+          if (const SeenCell& cell = m_layers[i].at(x, y); cell.what != SeenCell::What::nothing)
+            body(i, cell, std::size_t(y) * std::size_t(m_grid.columns) + std::size_t(x));
+  };
+  forEach([this](std::uint32_t, const SeenCell&, std::size_t at) { ++m_first[at + 1]; });
+  for (std::size_t i = 1; i <= cells; ++i)
+    m_first[i] += m_first[i - 1];
+  m_fragments.resize(m_first[cells]);
+  std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
+  forEach([&](std::uint32_t layer, const SeenCell& cell, std::size_t at) {
+    const SeenFill fill = m_layers[layer].fillOf(cell);
+    const SeenLook& look = m_layers[layer].look();
+    m_fragments[next[at]++] = {
+        .layer = layer,
+        .depth = cell.depth,
+        .reach = fill.cover,
+        .colour = fill.colour,
+        .ink = cell.outline ? look.outline() : 0.0f,
+        .strokes = cell.what == SeenCell::What::surface ? look.strokes() : 0.0f};
+  });
+  for (std::size_t i = 0; i < cells; ++i) {
+    const auto begin = m_fragments.begin() + m_first[i];
+    const auto end = m_fragments.begin() + m_first[i + 1];
+    std::sort(begin, end, [](const Fragment& a, const Fragment& b) {
+      return a.depth != b.depth ? a.depth < b.depth : a.layer < b.layer;
+    });
+    float left = 1.0f;
+    for (auto one = begin; one != end; ++one) {
+      const float cover = one->reach;
+      one->reach = left;
+      one->colour *= left;
+      one->ink *= left;
+      one->strokes *= left;
+      left *= 1.0f - cover;
+    }
+  }
+}
+
+SeenMap::Worth SeenMap::worthOf(std::uint32_t layer, int x, int y) const {
+  const SeenLayer& own = m_layers[layer];
+  if (!own.covers(x, y))
+    return Worth::none;
+  constexpr float faint = 0.05f;
+  constexpr float visible = 0.35f;
+  constexpr float clearly = 0.12f;
+  constexpr float ahead = 1.4f;
+  Fragment mine;
+  for (const Fragment& one : fragments(x, y))
+    if (one.layer == layer)
+      mine = one;
+  float others = 0.0f;     // the most that another shows around
+  float before = 0.0f;     // the most colour that lies over it here
+  float beside = 0.0f;     // the most that another shows here
+  float inkAround = 0.0f;  // of others' outlines
+  bool alone = true;       // nothing else is there, seen or not
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      for (const Fragment& one : fragments(x + dx, y + dy)) {
+        if (one.layer == layer)
+          continue;
+        others = std::max(others, one.most());
+        inkAround = std::max(inkAround, one.ink);
+        alone = alone && one.reach < faint;
+        if (dx != 0 || dy != 0)
+          continue;
+        beside = std::max(beside, one.most());
+        if (one.depth < mine.depth)
+          before = std::max(before, one.colour);
+      }
+  const bool filled = mine.colour >= clearly;
+  if (mine.reach >= visible && alone)
+    return Worth::alone;
+  if (filled && mine.colour >= ahead * others)
+    return Worth::most;
+  const float ink = mine.ink;
+  if (ink >= visible && inkAround < 0.5f * ink && before < 0.7f * ink && own.outwards(x, y))
+    return Worth::outline;
+  if (mine.reach >= visible && others < faint)
+    return Worth::ground;
+  return filled && mine.colour > beside ? Worth::slim : Worth::hidden;
+}
+
+bool SeenMap::hides(model::NodeId structure, const glm::vec3& p) const {
+  const SeenLayer* layer = layerOf(structure);
+  const std::optional<glm::vec2> place = m_screen.place(p);
+  if (!layer || !place)
+    return true;
+  const int x = int(std::floor(place->x / m_grid.side));
+  const int y = int(std::floor(place->y / m_grid.side));
+  // A place at the very edge may lie in a cell whose middle is beside the surface.
+  std::optional<std::pair<int, int>> near;
+  for (const auto& [dx, dy] :
+       {std::pair(0, 0), std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)})
+    if (!near && layer->covers(x + dx, y + dy))
+      near = {x + dx, y + dy};
+  if (!near)
+    return true;
+  const std::uint32_t index = m_index.at(structure);
+  const SeenCell& cell = layer->at(near->first, near->second);
+  // Its own nearer parts hide it, too, if they are nearer by more than 1/200 of its size.
+  const float size = glm::length(layer->node().mesh->bounds().size());
+  const model::Ray ray = m_screen.sight(*place);
+  const float slack = 0.005f * size;
+  const glm::vec3 nearer = p - slack * ray.direction;
+  const bool behind = m_screen.place(nearer) && !cell.outline &&
+                      cell.depth < m_screen.depthKey(nearer) - 0.5f * m_grid.side * 1e-6f &&
+                      layer->fillOf(cell).cover > 0.5f;
+  return behind || worthOf(index, near->first, near->second) <= Worth::hidden;
+}
+
+}  // namespace sline::render

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tells what one sees at each place of a picture, and where to point at a structure so that the
+// leader ends on what it names. It follows the rules by which layers become a picture (METHOD §10):
+// each structure's nearest surface lets through what its fill does not cover.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "render/labels/seen_layer.h"
+
+namespace sline::render {
+
+/// A place for a label.
+struct SeenPlace {
+  model::Anchor anchor;   ///< on the structure, or on a cut face, which is a point in space
+  glm::vec2 place{0.0f};  ///< millimetres of the output
+  bool hidden = false;    ///< the structure is not what one sees there
+};
+
+class SeenMap {
+ public:
+  /// Draws the visible structures as the screen shows them.
+  SeenMap(const model::Scene& scene, const Screen& screen);
+
+  /// Tells whether the structure is drawn, in the picture or not, and not wholly cut away.
+  bool draws(model::NodeId structure) const;
+  /// Returns where to point at the structure: on its own fill where nothing else shows, as far as
+  /// possible from where that ends; else on its own fill where that is most of what one sees; else
+  /// on its own outline; else inside it where only the ground shows. Where it shows nowhere the
+  /// place is hidden. A place from before, or one that the user has chosen, is kept where it is as
+  /// good. Nothing is returned where the structure is not in the picture.
+  std::optional<SeenPlace> find(model::NodeId structure,
+                                const std::optional<model::Anchor>& before = {}) const;
+  /// Returns a label that names the structure and has its place found anew in each picture, with
+  /// the best place of this one; nothing where the structure is not in the picture.
+  std::optional<model::Annotation> labelFor(model::NodeId structure) const;
+  /// Tells whether the structure is not what one sees at that place of its surface.
+  bool hides(model::NodeId structure, const glm::vec3& p) const;
+
+ private:
+  /// One layer in one cell.
+  struct Fragment {
+    std::uint32_t layer = 0;
+    float depth = 0.0f;
+    float reach = 0.0f;   ///< how much of it comes through what is before it
+    float colour = 0.0f;  ///< its share of the picture
+    float ink = 0.0f;     ///< that of its outline
+    float strokes = 0.0f;
+    float most() const { return std::max(colour, std::max(ink, strokes)); }
+  };
+  /// What a structure's cell is worth as a place, and what is known of it.
+  enum class Worth : std::uint8_t { none, hidden, slim, ground, outline, most, alone };
+  struct Candidates;
+
+  const SeenLayer* layerOf(model::NodeId id) const;
+  void compose();
+  std::span<const Fragment> fragments(int x, int y) const;
+  Worth worthOf(std::uint32_t layer, int x, int y) const;
+  Candidates candidates(std::uint32_t layer) const;
+  std::optional<SeenPlace> kept(const Candidates& candidates, const model::Anchor& before) const;
+  /// Draws some of another map's layers into finer cells.
+  SeenMap(const SeenMap& other, const SeenGrid& grid, const std::set<std::uint32_t>& layers);
+  /// Returns a place in a narrow part of the structure that cells are too coarse for.
+  std::optional<SeenPlace> slimPlace(const Candidates& candidates) const;
+  /// Returns the place near that one where most of a dot lies on the structure, if it is enough.
+  std::optional<SeenPlace> lookClosely(std::uint32_t layer, const glm::vec2& at) const;
+  std::optional<SeenPlace> outlinePlace(const Candidates& candidates,
+                                        const std::optional<model::Anchor>& before) const;
+
+  const model::Scene& m_scene;
+  Screen m_screen;
+  SeenGrid m_grid;
+  std::vector<SeenLayer> m_layers;  ///< those of visible structures
+  std::map<model::NodeId, std::uint32_t> m_index;
+  std::vector<std::uint32_t> m_first;  ///< of each cell's fragments, and their end
+  std::vector<Fragment> m_fragments;   ///< of each cell from front to back
+};
+
+}  // namespace sline::render

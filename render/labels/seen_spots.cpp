@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: Apache-2.0
+// Chooses among the places where a picture shows a structure.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <set>
+
+#include "render/labels/seen_map.h"
+
+namespace sline::render {
+
+/// Holds what each cell of a structure is worth.
+struct SeenMap::Candidates {
+  std::uint32_t layer = 0;
+  int left = 0;
+  int top = 0;
+  int columns = 0;
+  int rows = 0;
+  std::vector<Worth> worth;
+  std::vector<bool> firm;  ///< faces the eye, and no fold is near
+
+  std::size_t size() const { return worth.size(); }
+  int x(std::size_t i) const { return left + int(i % std::size_t(columns)); }
+  int y(std::size_t i) const { return top + int(i / std::size_t(columns)); }
+  std::optional<std::size_t> indexAt(int atX, int atY) const {
+    if (atX < left || atY < top || atX >= left + columns || atY >= top + rows)
+      return std::nullopt;
+    return std::size_t(atY - top) * std::size_t(columns) + std::size_t(atX - left);
+  }
+};
+
+namespace {
+
+struct Spot {
+  std::size_t cell = 0;
+  float depth = 0.0f;  ///< cells from where cells do not count
+};
+
+/// Returns how far each cell is from one that does not count, with two sweeps (Borgefors: Distance
+/// transformations in digital images, 1986).
+std::vector<float> depths(const std::vector<bool>& counts, int columns, int rows) {
+  std::vector<float> depth(counts.size());
+  constexpr float diagonal = 1.41421356f;
+  const auto at = [columns](int x, int y) {
+    return std::size_t(y) * std::size_t(columns) + std::size_t(x);
+  };
+  const auto relax = [&](int x, int y, int way) {
+    const auto from = [&](int dx, int dy, float cost) {
+      const int nx = x + dx;
+      const int ny = y + dy;
+      const bool inside = nx >= 0 && ny >= 0 && nx < columns && ny < rows;
+      return (inside ? depth[at(nx, ny)] : 0.0f) + cost;
+    };
+    depth[at(x, y)] = std::min({depth[at(x, y)], from(-way, 0, 1.0f), from(0, -way, 1.0f),
+                                from(-way, -way, diagonal), from(way, -way, diagonal)});
+  };
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    depth[i] = counts[i] ? std::numeric_limits<float>::infinity() : 0.0f;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x)
+      relax(x, y, 1);
+  for (int y = rows; y-- > 0;)
+    for (int x = columns; x-- > 0;)
+      relax(x, y, -1);
+  return depth;
+}
+
+/// Returns the deepest cell that counts; of equally deep ones the nearest to the middle of all.
+std::optional<Spot> deepest(const std::vector<bool>& counts, int columns, int rows) {
+  const std::vector<float> depth = depths(counts, columns, rows);
+  const auto place = [columns](std::size_t i) {
+    return glm::vec2(float(i % std::size_t(columns)), float(i / std::size_t(columns)));
+  };
+  glm::vec2 middle(0.0f);
+  float number = 0.0f;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (counts[i]) {
+      middle += place(i);
+      number += 1.0f;
+    }
+  std::optional<Spot> best;
+  float bestWorth = 0.0f;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (!counts[i])
+      continue;
+    const float worth = depth[i] - 0.02f * glm::length(place(i) - middle / number);
+    if (!best || worth > bestWorth) {
+      best = Spot{i, depth[i]};
+      bestWorth = worth;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+SeenMap::Candidates SeenMap::candidates(std::uint32_t layer) const {
+  const SeenLayer& own = m_layers[layer];
+  Candidates all{.layer = layer,
+                 .left = own.left(),
+                 .top = own.top(),
+                 .columns = own.columns(),
+                 .rows = own.rows(),
+                 .worth = {},
+                 .firm = {}};
+  const std::size_t cells = std::size_t(own.columns()) * std::size_t(own.rows());
+  all.worth.resize(cells);
+  all.firm.resize(cells);
+  constexpr float oblique = 0.3f;
+  for (std::size_t i = 0; i < cells; ++i) {
+    const int x = all.x(i);
+    const int y = all.y(i);
+    all.worth[i] = worthOf(layer, x, y);
+    const SeenCell& cell = own.at(x, y);
+    all.firm[i] = own.covers(x, y) && !cell.outline && cell.facing >= oblique;
+  }
+  return all;
+}
+
+std::optional<SeenPlace> SeenMap::kept(const Candidates& all, const model::Anchor& before) const {
+  const std::optional<glm::vec3> p = m_scene.placeOf(before);
+  const std::optional<glm::vec2> place = p ? m_screen.place(*p) : std::nullopt;
+  if (!place || !m_screen.inside(*place))
+    return std::nullopt;
+  const int x = int(std::floor(place->x / m_grid.side));
+  const int y = int(std::floor(place->y / m_grid.side));
+  const std::optional<std::size_t> index = all.indexAt(x, y);
+  const std::optional<Worth> worth = index ? std::optional(all.worth[*index]) : std::nullopt;
+  if (!worth || *worth <= Worth::slim || *worth == Worth::outline)
+    return std::nullopt;
+  // The surface that is seen there is that of the place.
+  const SeenLayer& own = m_layers[all.layer];
+  const float near = 0.03f * glm::length(own.node().mesh->bounds().size());
+  const glm::vec3 seen =
+      m_scene.placeOf(own.spotAt(m_screen, m_grid, x, y).anchor).value_or(glm::vec3(1e9f));
+  const float cellMm = glm::length(seen - *p);
+  const Worth best = *std::max_element(all.worth.begin(), all.worth.end());
+  if (cellMm > near || (*worth < best && *worth < Worth::most))
+    return std::nullopt;
+  return SeenPlace{before, *place, false};
+}
+
+std::optional<SeenPlace> SeenMap::outlinePlace(const Candidates& all,
+                                               const std::optional<model::Anchor>& before) const {
+  const SeenLayer& own = m_layers[all.layer];
+  std::optional<glm::vec2> was;
+  if (before)
+    if (const std::optional<glm::vec3> p = m_scene.placeOf(*before))
+      was = m_screen.place(*p);
+  // The farther others' lines are the better.
+  std::vector<bool> calm(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    calm[i] = true;
+    for (const Fragment& one : fragments(all.x(i), all.y(i)))
+      calm[i] = calm[i] && (one.layer == all.layer || one.most() < 0.08f);
+  }
+  const std::vector<float> room = depths(calm, all.columns, all.rows);
+  std::optional<std::size_t> best;
+  float bestWorth = 0.0f;
+  constexpr float enoughRoom = 8.0f;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all.worth[i] != Worth::outline)
+      continue;
+    const glm::vec2 place = m_grid.middle(all.x(i), all.y(i));
+    const float far = was ? glm::length(place - *was) / m_grid.side : 0.0f;
+    const float worth = std::min(room[i], enoughRoom) - 0.1f * far;
+    if (!best || worth > bestWorth) {
+      best = i;
+      bestWorth = worth;
+    }
+  }
+  if (!best)
+    return std::nullopt;
+  const int x = all.x(*best);
+  const int y = all.y(*best);
+  SeenLayer::Spot spot = own.spotAt(m_screen, m_grid, x, y);
+  // Ink lies outside the surface: the dot goes where the pen has its middle.
+  if (const std::optional<glm::vec2> way = own.outwards(x, y))
+    spot.place = own.silhouette(spot.place, *way, 2.5f * m_grid.side) + 0.3f * m_grid.side * *way;
+  return SeenPlace{spot.anchor, spot.place, false};
+}
+
+std::optional<SeenPlace> SeenMap::slimPlace(const Candidates& all) const {
+  struct Narrow {
+    std::size_t cell;
+    int around;
+  };
+  std::vector<Narrow> narrow;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all.worth[i] != Worth::slim)
+      continue;
+    int around = 0;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        if (const auto index = all.indexAt(all.x(i) + dx, all.y(i) + dy))
+          around += all.worth[*index] == Worth::slim ? 1 : 0;
+    narrow.push_back({i, around});
+  }
+  std::stable_sort(narrow.begin(), narrow.end(),
+                   [](const Narrow& a, const Narrow& b) { return a.around > b.around; });
+  constexpr std::size_t tries = 3;
+  constexpr float apart = 3.0f;  // cells
+  std::vector<glm::vec2> tried;
+  for (const Narrow& one : narrow) {
+    const glm::vec2 cell(all.x(one.cell), all.y(one.cell));
+    if (std::any_of(tried.begin(), tried.end(),
+                    [&](const glm::vec2& t) { return glm::length(t - cell) < apart; }))
+      continue;
+    if (auto place = lookClosely(all.layer, m_grid.middle(int(cell.x), int(cell.y))))
+      return place;
+    tried.push_back(cell);
+    if (tried.size() == tries)
+      break;
+  }
+  return std::nullopt;
+}
+
+std::optional<SeenPlace> SeenMap::lookClosely(std::uint32_t layer, const glm::vec2& at) const {
+  constexpr int across = 32;
+  constexpr float dot = 0.5f;      // millimetres, the dot's radius
+  constexpr float enough = 0.55f;  // of the dot
+  SeenGrid fine{.columns = across, .rows = across, .side = 0.11f};
+  fine.corner = at - 0.5f * float(across) * fine.side;
+  std::set<std::uint32_t> near;
+  const int x0 = int(std::floor(fine.corner.x / m_grid.side)) - 1;
+  const int y0 = int(std::floor(fine.corner.y / m_grid.side)) - 1;
+  const int cells = int(std::ceil(float(across) * fine.side / m_grid.side)) + 2;
+  for (int y = y0; y <= y0 + cells; ++y)
+    for (int x = x0; x <= x0 + cells; ++x)
+      for (const Fragment& one : fragments(x, y))
+        near.insert(one.layer);
+  const SeenMap map(*this, fine, near);
+  const auto own = std::find_if(map.m_layers.begin(), map.m_layers.end(), [&](const SeenLayer& l) {
+    return l.node().id == m_layers[layer].node().id;
+  });
+  if (own == map.m_layers.end())
+    return std::nullopt;
+  const auto index = std::uint32_t(own - map.m_layers.begin());
+  std::vector<bool> mine(std::size_t(across) * std::size_t(across));
+  for (int y = 0; y < across; ++y)
+    for (int x = 0; x < across; ++x) {
+      std::optional<Fragment> most;
+      for (const Fragment& one : map.fragments(x, y))
+        if (!most || one.colour > most->colour)
+          most = one;
+      mine[std::size_t(y * across + x)] = most && most->layer == index && most->colour > 0.1f;
+    }
+  const int reach = int(std::lround(dot / fine.side));
+  std::optional<glm::ivec2> best;
+  float bestShare = enough;
+  for (int y = reach; y < across - reach; ++y)
+    for (int x = reach; x < across - reach; ++x) {
+      if (!mine[std::size_t(y * across + x)])
+        continue;
+      int count = 0;
+      int all = 0;
+      for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; ++dx)
+          if (dx * dx + dy * dy <= reach * reach) {
+            ++all;
+            count += mine[std::size_t((y + dy) * across + x + dx)] ? 1 : 0;
+          }
+      if (float(count) > bestShare * float(all)) {
+        best = glm::ivec2(x, y);
+        bestShare = float(count) / float(all);
+      }
+    }
+  if (!best)
+    return std::nullopt;
+  const SeenLayer::Spot spot = own->spotAt(m_screen, fine, best->x, best->y);
+  return SeenPlace{spot.anchor, spot.place, false};
+}
+
+std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
+                                       const std::optional<model::Anchor>& before) const {
+  const auto index = m_index.find(structure);
+  if (index == m_index.end() || m_layers[index->second].columns() == 0)
+    return std::nullopt;
+  const Candidates all = candidates(index->second);
+  if (before)
+    if (std::optional<SeenPlace> stays = kept(all, *before))
+      return stays;
+  const auto spotOf = [&](auto&& is, bool firm) {
+    std::vector<bool> counts(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      counts[i] = is(all.worth[i]) && (!firm || all.firm[i]);
+    return deepest(counts, all.columns, all.rows);
+  };
+  const auto placed = [&](const Spot& spot, bool hidden) {
+    const SeenLayer::Spot found =
+        m_layers[all.layer].spotAt(m_screen, m_grid, all.x(spot.cell), all.y(spot.cell));
+    return SeenPlace{found.anchor, found.place, hidden};
+  };
+  const auto any = spotOf([](Worth worth) { return worth > Worth::slim; }, false);
+  if (!any) {
+    if (auto slim = slimPlace(all))
+      return slim;
+    const auto hidden = spotOf([](Worth worth) { return worth != Worth::none; }, false);
+    return hidden ? std::optional(placed(*hidden, true)) : std::nullopt;
+  }
+  constexpr float roomForDot = 1.2f;  // millimetres
+  constexpr float mostLost = 0.6f;    // share of the depth where it is seen
+  const float least = std::min(roomForDot / m_grid.side, mostLost * any->depth);
+  for (const float room : {least, 0.0f})
+    for (const Worth worth : {Worth::alone, Worth::most, Worth::outline, Worth::ground}) {
+      if (worth == Worth::outline) {
+        if (auto found = outlinePlace(all, before))
+          return found;
+        continue;
+      }
+      const auto is = [worth](Worth one) { return one >= worth && one != Worth::outline; };
+      for (const bool firm : {true, false})
+        if (const auto spot = spotOf(is, firm); spot && spot->depth >= room)
+          return placed(*spot, false);
+    }
+  return placed(*any, false);
+}
+
+std::optional<model::Annotation> SeenMap::labelFor(model::NodeId structure) const {
+  const std::optional<SeenPlace> place = find(structure);
+  if (!place)
+    return std::nullopt;
+  // A cut face has no triangle to point at; the next picture finds the face again.
+  const auto* point = std::get_if<model::SurfacePoint>(&place->anchor);
+  return model::Annotation{
+      .anchors = {point ? *point : model::SurfacePoint{structure, 0, {1.0f / 3.0f, 1.0f / 3.0f}}},
+      .found = true};
+}
+
+}  // namespace sline::render
