@@ -20,6 +20,7 @@
 #include "render/vectors/vector_drawing.h"
 #include "tests/bench/gamma_drag.h"
 #include "tests/bench/large_tree.h"
+#include "tests/bench/leaders.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/meshing.h"
 #include "tests/bench/opening.h"
@@ -44,6 +45,7 @@ struct Options {
   bool curves = false;
   bool opening = false;
   std::vector<std::string> scales;
+  bench::LeaderCourse leaders;
   bool json = false;
 };
 
@@ -296,6 +298,22 @@ Status runOpening(const Options& options) {
   return Unit{};
 }
 
+/// Prints which leaders do not end on what they name.
+Status runLeaders(const Options& options) {
+  auto context = render::gpu::HeadlessContext::create();
+  if (!context)
+    return context.error();
+  auto picture = render::Picture::create();
+  if (!picture)
+    return picture.error();
+  const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
+  const auto imported = model::importInputs(inputs, {});
+  if (!imported)
+    return imported.error();
+  const auto faults = bench::judgeScene(**picture, imported->scene, options.leaders, std::cout);
+  return faults ? Status(Unit{}) : faults.error();
+}
+
 Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   bench::Report report;
   auto context = render::gpu::HeadlessContext::create();
@@ -326,6 +344,32 @@ Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   return report;
 }
 
+/// Does what was asked for instead of a turn, if anything was.
+std::optional<Status> runInstead(const Options& options, const glm::ivec2& size) {
+  if (options.drags > 0)
+    return runDrags(options, size);
+  if (!options.leaders.foci.empty())
+    return runLeaders(options);
+  if (options.turning > 0 || options.curves || !options.scales.empty())
+    return runLines(options, size);
+  if (options.meshingMm > 0.0f)
+    return runMeshing(options);
+  if (options.opening)
+    return runOpening(options);
+  return std::nullopt;
+}
+
+void addLeaderOptions(CLI::App& app, bench::LeaderCourse& course) {
+  app.add_option("--leaders", course.foci,
+                 "Instead of turning: judge by pictures whether leaders end on what they name, "
+                 "with these in focus (NAME,NAME; may be given again)")
+      ->allow_extra_args(false);
+  app.add_option("--labels", course.labels, "Labels in a picture, at most");
+  app.add_option("--every", course.every, "Looks at every so many of the pictures");
+  app.add_option("--height", course.height, "Of the pictures that are judged");
+  app.add_option("--keep", course.folder, "Where pictures with faults go");
+}
+
 void addOptions(CLI::App& app, Options& options) {
   app.add_option("INPUT", options.inputs, "Meshes, folders, 3D Slicer scenes");
   app.add_option("--frames", options.frames, "Pictures of one full turn")
@@ -353,6 +397,7 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--scales", options.scales,
                  "Instead: the suggestive strokes of these structures without and with the "
                  "picture's scale");
+  addLeaderOptions(app, options.leaders);
   app.add_flag("--json", options.json, "Print JSON");
 }
 }  // namespace
@@ -380,22 +425,8 @@ int main(int argc, char** argv) {
               << '\n';
     return 2;
   }
-  if (options.drags > 0) {
-    const Status dragged = runDrags(options, *size);
-    return dragged ? 0 : fail(dragged.error());
-  }
-  if (options.turning > 0 || options.curves || !options.scales.empty()) {
-    const Status measured = runLines(options, *size);
-    return measured ? 0 : fail(measured.error());
-  }
-  if (options.meshingMm > 0.0f) {
-    const Status measured = runMeshing(options);
-    return measured ? 0 : fail(measured.error());
-  }
-  if (options.opening) {
-    const Status opened = runOpening(options);
-    return opened ? 0 : fail(opened.error());
-  }
+  if (const auto status = runInstead(options, *size))
+    return *status ? 0 : fail(status->error());
   const auto report = run(options, *size);
   if (!report)
     return fail(report.error());
