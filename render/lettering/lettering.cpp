@@ -2,6 +2,8 @@
 #include "render/lettering/lettering.h"
 
 #include <QFontMetricsF>
+#include <QPaintEngine>
+#include <QPainterPathStroker>
 #include <algorithm>
 #include <cmath>
 
@@ -42,8 +44,24 @@ void paintHalo(QPainter& painter, const LetteringItem& item, const Colour& groun
                                                 Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
 }
 
+/// Returns the dashes as areas: of a pen narrower than a pixel, painters of pixels take the pattern
+/// for that of a pen one pixel wide, and dashes stand elsewhere than in vectors.
+QPainterPath dashesOf(const LetteringShape& shape) {
+  QPainterPathStroker stroker;
+  stroker.setWidth(qreal(shape.pen));
+  stroker.setCapStyle(Qt::FlatCap);
+  stroker.setJoinStyle(Qt::RoundJoin);
+  stroker.setDashPattern({qreal(dashPens), qreal(gapPens)});
+  return stroker.createStroke(painterPath(shape.path));
+}
+
 void paintInk(QPainter& painter, const LetteringItem& item, const TextSetter& setText) {
+  const bool pixels = painter.paintEngine()->type() == QPaintEngine::Raster;
   for (const LetteringShape& shape : item.shapes) {
+    if (pixels && shape.dashed && shape.pen > 0.0f && !shape.fill) {
+      painter.fillPath(dashesOf(shape), painterColour(shape.ink));
+      continue;
+    }
     painter.setPen(shape.pen > 0.0f ? pen(shape, shape.ink, shape.pen, false) : QPen(Qt::NoPen));
     painter.setBrush(shape.fill ? QBrush(painterColour(*shape.fill)) : QBrush(Qt::NoBrush));
     painter.drawPath(painterPath(shape.path));

@@ -192,12 +192,16 @@ void AnnotateTest::drawsLabels() {
 }
 
 void AnnotateTest::modes() {
-  QCOMPARE(annotate({"--on", "kidney", "--on", "renal artery", "--on", "renal vein"}).code, 0);
+  // Places at different heights leave no doubt which label is above the other.
+  QCOMPARE(annotate({"--on", "kidney", "--at", "-5,-28,10"}).code, 0);
+  QCOMPARE(annotate({"--on", "renal artery", "--on", "renal vein"}).code, 0);
   const QStringList base{"render", scene(), "-o", path("p.png"), "--size", "400x200"};
+  // Down the left side, then down the right one.
   const Finished numbers = runSline(base + QStringList{"--labels", "numbers"});
-  QCOMPARE(numbers.out, QByteArray("1\tkidney\n2\trenal artery\n3\trenal vein\n"));
-  const Finished exported = runSline(
-      {"export", scene(), "--svg", path("p.svg"), "--size-mm", "80x40", "--labels", "numbers"});
+  QCOMPARE(numbers.out, QByteArray("1\tkidney\n2\trenal vein\n3\trenal artery\n"));
+  // As large as the picture is taken to be, so that labels stand in the same places.
+  const Finished exported = runSline({"export", scene(), "--svg", path("p.svg"), "--size-mm",
+                                      "105.8333x52.9167", "--labels", "numbers"});
   QCOMPARE(exported.out, numbers.out);
   const Finished german = runSline(base + QStringList{"--labels", "numbers", "--language", "de"});
   QVERIFY2(german.out.startsWith("1\tNiere\n"), german.out);

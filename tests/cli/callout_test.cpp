@@ -131,7 +131,7 @@ void CalloutTest::keysAreWithoutMarkers() {
   const Finished render = runSline({"render", path("scene.sline"), "-o", path("numbers.png"),
                                     "--size", "800x400", "--labels", "numbers"});
   QCOMPARE(render.code, 0);
-  QVERIFY2(("\n" + render.out).contains(QByteArray("\n1\t") + plainWords + "\n"), render.out);
+  QVERIFY2(("\n" + render.out).contains(QByteArray("\n2\t") + plainWords + "\n"), render.out);
   if (QStandardPaths::findExecutable("pdftotext").isEmpty())
     SLINE_ABSENT("poppler-utils are not installed");
   QVERIFY(!exported("sheet.pdf", {"--sheet", "teaching"}).isEmpty());

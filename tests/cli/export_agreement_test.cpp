@@ -141,7 +141,10 @@ void ExportAgreementTest::blendsAsOursDoes_data() {
       const auto row = [&](const char* name, const QString& scene) {
         QTest::addRow("%s, %s, %s", name, fill, gamma) << scene << fill << gamma;
       };
-      row("made pelvis", m_folder.filePath("pelvis.sline"));
+      // Without any fill a dozen hatched surfaces of the made pelvis show through each other, more
+      // than vectors of a handy size can tell.
+      if (fill != QLatin1String("none"))
+        row("made pelvis", m_folder.filePath("pelvis.sline"));
       row("pelvis", pelvis);
       row("abdomen", abdomen);
     }

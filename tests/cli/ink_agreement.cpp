@@ -10,6 +10,20 @@ bool isInk(const Pixels& picture, int x, int y) {
   return p[0] + p[1] + p[2] < 3 * 128;
 }
 
+/// Tells whether there is at least half a pixel's ink within 1.5 px: a line as wide as a pixel that
+/// lies between two rows is grey in both, which some programs avoid and others do not.
+bool inkNear(const Pixels& picture, int x, int y) {
+  int ink = 0;
+  // All neighbours are within 1.5 px, and nothing else is.
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (x + dx >= 0 && y + dy >= 0 && x + dx < picture.width && y + dy < picture.height) {
+        const unsigned char* p = picture.at(x + dx, y + dy);
+        ink += 3 * 255 - (p[0] + p[1] + p[2]);
+      }
+  return ink >= 3 * 127;
+}
+
 }  // namespace
 
 Agreement agreement(const Pixels& from, const Pixels& to) {
@@ -20,13 +34,7 @@ Agreement agreement(const Pixels& from, const Pixels& to) {
       if (!isInk(from, x, y))
         continue;
       ++found.ink;
-      bool met = false;
-      // All neighbours are within 1.5 px, and nothing else is.
-      for (int dy = -1; dy <= 1 && !met; ++dy)
-        for (int dx = -1; dx <= 1 && !met; ++dx)
-          met = x + dx >= 0 && y + dy >= 0 && x + dx < to.width && y + dy < to.height &&
-                isInk(to, x + dx, y + dy);
-      near += met;
+      near += inkNear(to, x, y);
     }
   found.share = found.ink > 0 ? double(near) / found.ink : 0.0;
   return found;

@@ -154,11 +154,11 @@ void SheetTest::ownLabels() {
   QCOMPARE(runSline({"annotate", scene, "--label", "Cortex", "--on", "kidney"}).code, 0);
   QCOMPARE(runSline({"annotate", scene, "--label", "Hilum", "--on", "renal vein"}).code, 0);
   QString file = exported({scene, "--sheet", "teaching"});
-  for (const char* word : {"Labels", "1 Cortex", "2 Hilum", "Legend", "kidney"})
+  for (const char* word : {"Labels", "1 Hilum", "2 Cortex", "Legend", "kidney"})
     QVERIFY2(textOf(file, 1).contains(word), word);
   QCOMPARE(pages(file), 3);
   QVERIFY(!textOf(file, 2).contains("Cortex"));
-  QVERIFY(textOf(file, 3).contains("1 Cortex") && textOf(file, 3).contains("2 Hilum"));
+  QVERIFY(textOf(file, 3).contains("1 Hilum") && textOf(file, 3).contains("2 Cortex"));
   file = exported({scene, "--sheet", "teaching", "--labels", "on"});
   QVERIFY(!textOf(file, 1).contains("Labels"));
   QVERIFY(textOf(file, 1).contains("Cortex"));

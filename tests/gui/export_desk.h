@@ -27,6 +27,7 @@ using widgets::ExportDialog;
 inline model::Annotation labelOn(model::NodeId structure, const char* english, const char* german) {
   model::Annotation label;
   label.anchors = {model::SurfacePoint{.structure = structure, .triangle = 5}};
+  label.found = true;
   label.text = english;
   label.texts["de"] = german;
   return label;

@@ -107,10 +107,16 @@ class LabelsPictureTest : public QObject {
   /// A place that is hidden in exports is hidden here, too.
   void hiddenPlacesAreTold() {
     Labels f;
-    f.make(f.liver, {});
+    f.make(f.liver, QStringLiteral("Left lobe"));
     QVERIFY(!f.sheet().plate.labels.front().item.hidden);
     f.key(Qt::Key_P);  // from behind
     QVERIFY(f.sheet().plate.labels.front().item.hidden);
+    // A structure's own name stands for all of it: its place is where the structure shows.
+    f.undo();
+    f.key(Qt::Key_A);
+    f.make(f.liver, {});
+    f.key(Qt::Key_P);
+    QVERIFY(!f.sheet().plate.labels.front().item.hidden);
     // A structure that is not shown has no label.
     f.session.apply("hide", model::withLook(f.session.scene(), {&f.liver, 1}, {.visible = false}));
     QVERIFY(f.settled());
