@@ -89,15 +89,15 @@ Result<VectorDrawing> sampleOf(const ExportOrder& order, const model::Scene& sce
   return drawing;
 }
 
-/// Adds the bean with that style, moved sideways and towards the eye.
-void addBean(model::Scene& scene, const model::Style& style, float aside, float nearer) {
+/// Adds the bean with that style, so many times as large, and then moved.
+void addBean(model::Scene& scene, const model::Style& style, float size = 1.0f,
+             const glm::vec3& by = glm::vec3(0.0f)) {
   std::vector<glm::vec3> positions = beanPositions();
   for (glm::vec3& position : positions)
-    position += glm::vec3(aside, -nearer, 0.0f);
+    position = size * position + by;
   Result<model::Mesh> mesh = model::Mesh::create(std::move(positions), beanTriangles());
-  if (!mesh.ok())
-    return;
-  scene.append({.style = style, .mesh = std::make_shared<const model::Mesh>(std::move(*mesh))});
+  if (mesh.ok())
+    scene.append({.style = style, .mesh = std::make_shared<const model::Mesh>(std::move(*mesh))});
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ Result<std::vector<VectorDrawing>> styleSamples(const ExportOrder& order,
     scene.setKeyLight(order.scene.keyLight());
     model::Style style = model::answersOf(order.scene.resolve(id));
     style.visible = true;
-    addBean(scene, style, 0.0f, 0.0f);
+    addBean(scene, style);
     Result<VectorDrawing> drawing = sampleOf(order, scene);
     if (!drawing.ok())
       return drawing.error();
@@ -121,13 +121,21 @@ Result<std::vector<VectorDrawing>> styleSamples(const ExportOrder& order,
 
 Result<VectorDrawing> hiddenLinesSample(const ExportOrder& order, model::HiddenLines how) {
   constexpr float outline = 1.0f;  // Γ
-  constexpr float aside = 3.0f;
-  constexpr float nearer = 8.0f;
-  model::Scene scene;
+  constexpr float thinPen = 0.6f;
+  constexpr Colour quiet{160, 160, 160};
+  // The one in front is so large that the sample shows no more of it than the edge of its left end,
+  // behind which most of the other one lies.
+  constexpr float size = 6.0f;
+  const glm::vec3 by{17.6f, -40.0f, -5.1f};
   model::Style behind{.gamma = Gamma::clamped(outline), .fill = model::Fill::none};
+  behind.penWeight = thinPen;
   behind.hiddenLines = how;
-  addBean(scene, behind, -0.4f * aside, 0.0f);
-  addBean(scene, {.gamma = Gamma::clamped(outline), .fill = model::Fill::paper}, aside, nearer);
+  model::Style front{.gamma = Gamma::clamped(outline), .fill = model::Fill::paper};
+  front.penWeight = thinPen;
+  front.inkColour = quiet;
+  model::Scene scene;
+  addBean(scene, behind);
+  addBean(scene, front, size, by);
   return sampleOf(order, scene);
 }
 
