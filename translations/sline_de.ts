@@ -2482,10 +2482,6 @@
         <translation>Aussehen beim Öffnen</translation>
     </message>
     <message>
-        <source>Where a file says nothing of how it looks: a plate draws what it is about in detail and everything else as context</source>
-        <translation>Wo eine Datei nichts über ihr Aussehen sagt: Eine Tafel zeichnet, worum es geht, ausführlich und alles andere als Umgebung</translation>
-    </message>
-    <message>
         <source>Plate</source>
         <translation>Tafel</translation>
     </message>
@@ -2947,6 +2943,42 @@
     <message>
         <source>Choose a view that shows it, or draw less of what is before it.</source>
         <translation>Wählen Sie eine Ansicht, die es zeigt, oder zeichnen Sie weniger von dem, was davor liegt.</translation>
+    </message>
+    <message>
+        <source>Where a file says nothing of how it looks: a plate draws what it is about in detail and everything else as context, the other styles in their manner</source>
+        <translation>Wo eine Datei nicht sagt, wie sie aussieht: Eine Tafel zeichnet, worum es geht, genau und alles andere als Kontext, die anderen Stile auf ihre Weise</translation>
+    </message>
+    <message>
+        <source>Hi&amp;dden Outlines</source>
+        <translation>&amp;Verdeckte Umrisse</translation>
+    </message>
+    <message>
+        <source>&amp;Not Drawn</source>
+        <translation>&amp;Nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>Outlines of the selected end where other structures hide them</source>
+        <translation>Umrisse des Ausgewählten enden, wo andere Strukturen sie verdecken</translation>
+    </message>
+    <message>
+        <source>&amp;Thin</source>
+        <translation>&amp;Dünn</translation>
+    </message>
+    <message>
+        <source>Outlines of the selected go on thinly where other structures hide them</source>
+        <translation>Umrisse des Ausgewählten gehen dünn weiter, wo andere Strukturen sie verdecken</translation>
+    </message>
+    <message>
+        <source>&amp;Dashed</source>
+        <translation>&amp;Gestrichelt</translation>
+    </message>
+    <message>
+        <source>Outlines of the selected go on dashed where other structures hide them</source>
+        <translation>Umrisse des Ausgewählten gehen gestrichelt weiter, wo andere Strukturen sie verdecken</translation>
+    </message>
+    <message>
+        <source>Hidden Outlines</source>
+        <translation>Verdeckte Umrisse</translation>
     </message>
 </context>
 <context>
@@ -5078,6 +5110,14 @@ OpenGL: %3</translation>
     <message>
         <source>no longer there</source>
         <translation>nicht mehr da</translation>
+    </message>
+    <message>
+        <source>Drawing Style for What Is Opened Next</source>
+        <translation>Zeichenstil für das, was als Nächstes geöffnet wird</translation>
+    </message>
+    <message>
+        <source>Demos and scene files keep their own</source>
+        <translation>Demos und Szenendateien behalten ihren eigenen</translation>
     </message>
 </context>
 <context>

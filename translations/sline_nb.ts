@@ -2482,10 +2482,6 @@
         <translation>Utseende ved åpning</translation>
     </message>
     <message>
-        <source>Where a file says nothing of how it looks: a plate draws what it is about in detail and everything else as context</source>
-        <translation>Der en fil ikke sier noe om utseendet: En plansje tegner det den handler om i detalj og alt annet som omgivelse</translation>
-    </message>
-    <message>
         <source>Plate</source>
         <translation>Plansje</translation>
     </message>
@@ -2947,6 +2943,42 @@
     <message>
         <source>Choose a view that shows it, or draw less of what is before it.</source>
         <translation>Velg en visning som viser det, eller tegn mindre av det som ligger foran.</translation>
+    </message>
+    <message>
+        <source>Where a file says nothing of how it looks: a plate draws what it is about in detail and everything else as context, the other styles in their manner</source>
+        <translation>Der en fil ikke sier hvordan den ser ut: En plansje tegner det den handler om i detalj og alt annet som kontekst, de andre stilene på sin måte</translation>
+    </message>
+    <message>
+        <source>Hi&amp;dden Outlines</source>
+        <translation>Skjulte &amp;omriss</translation>
+    </message>
+    <message>
+        <source>&amp;Not Drawn</source>
+        <translation>&amp;Ikke tegnet</translation>
+    </message>
+    <message>
+        <source>Outlines of the selected end where other structures hide them</source>
+        <translation>Omrissene av de valgte slutter der andre strukturer skjuler dem</translation>
+    </message>
+    <message>
+        <source>&amp;Thin</source>
+        <translation>&amp;Tynn</translation>
+    </message>
+    <message>
+        <source>Outlines of the selected go on thinly where other structures hide them</source>
+        <translation>Omrissene av de valgte fortsetter tynt der andre strukturer skjuler dem</translation>
+    </message>
+    <message>
+        <source>&amp;Dashed</source>
+        <translation>&amp;Stiplet</translation>
+    </message>
+    <message>
+        <source>Outlines of the selected go on dashed where other structures hide them</source>
+        <translation>Omrissene av de valgte fortsetter stiplet der andre strukturer skjuler dem</translation>
+    </message>
+    <message>
+        <source>Hidden Outlines</source>
+        <translation>Skjulte omriss</translation>
     </message>
 </context>
 <context>
@@ -5078,6 +5110,14 @@ OpenGL: %3</translation>
     <message>
         <source>no longer there</source>
         <translation>ikke der lenger</translation>
+    </message>
+    <message>
+        <source>Drawing Style for What Is Opened Next</source>
+        <translation>Tegnestil for det som åpnes neste gang</translation>
+    </message>
+    <message>
+        <source>Demos and scene files keep their own</source>
+        <translation>Demoer og scenefiler beholder sin egen</translation>
     </message>
 </context>
 <context>

@@ -2482,10 +2482,6 @@
         <translation>Uiterlijk bij openen</translation>
     </message>
     <message>
-        <source>Where a file says nothing of how it looks: a plate draws what it is about in detail and everything else as context</source>
-        <translation>Waar een bestand niets over het uiterlijk zegt: een plaat tekent waar het om gaat in detail en al het andere als omgeving</translation>
-    </message>
-    <message>
         <source>Plate</source>
         <translation>Plaat</translation>
     </message>
@@ -2947,6 +2943,42 @@
     <message>
         <source>Choose a view that shows it, or draw less of what is before it.</source>
         <translation>Kies een aanzicht dat het toont, of teken minder van wat ervoor ligt.</translation>
+    </message>
+    <message>
+        <source>Where a file says nothing of how it looks: a plate draws what it is about in detail and everything else as context, the other styles in their manner</source>
+        <translation>Waar een bestand niet zegt hoe het eruitziet: een plaat tekent waar het om gaat in detail en al het andere als context, de andere stijlen op hun manier</translation>
+    </message>
+    <message>
+        <source>Hi&amp;dden Outlines</source>
+        <translation>Ver&amp;borgen omtrekken</translation>
+    </message>
+    <message>
+        <source>&amp;Not Drawn</source>
+        <translation>&amp;Niet getekend</translation>
+    </message>
+    <message>
+        <source>Outlines of the selected end where other structures hide them</source>
+        <translation>Omtrekken van de selectie houden op waar andere structuren ze verbergen</translation>
+    </message>
+    <message>
+        <source>&amp;Thin</source>
+        <translation>&amp;Dun</translation>
+    </message>
+    <message>
+        <source>Outlines of the selected go on thinly where other structures hide them</source>
+        <translation>Omtrekken van de selectie gaan dun verder waar andere structuren ze verbergen</translation>
+    </message>
+    <message>
+        <source>&amp;Dashed</source>
+        <translation>&amp;Gestreept</translation>
+    </message>
+    <message>
+        <source>Outlines of the selected go on dashed where other structures hide them</source>
+        <translation>Omtrekken van de selectie gaan gestreept verder waar andere structuren ze verbergen</translation>
+    </message>
+    <message>
+        <source>Hidden Outlines</source>
+        <translation>Verborgen omtrekken</translation>
     </message>
 </context>
 <context>
@@ -5078,6 +5110,14 @@ OpenGL: %3</translation>
     <message>
         <source>no longer there</source>
         <translation>niet meer aanwezig</translation>
+    </message>
+    <message>
+        <source>Drawing Style for What Is Opened Next</source>
+        <translation>Tekenstijl voor wat hierna wordt geopend</translation>
+    </message>
+    <message>
+        <source>Demos and scene files keep their own</source>
+        <translation>Demo’s en scènebestanden houden die van henzelf</translation>
     </message>
 </context>
 <context>

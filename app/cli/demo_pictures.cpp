@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Implements `sline demo-pictures FOLDER MODELS`, which `--help` does not list: draws, when the
-// program is built, the pictures of the demos that the start page shows
-// (widgets/start/demo_pictures.h).
+// program is built, the pictures of the demos and of drawing styles that the start page shows
+// (widgets/start/demo_pictures.h, drawing_choice.h).
 #include <filesystem>
 #include <string>
 
 #include "app/cli/command.h"
+#include "app/cli/flags/values.h"
 #include "model/demo/demo.h"
 #include "model/disk/whole_file.h"
+#include "model/look/drawing_styles.h"
+#include "model/scene/resolved_styles.h"
 #include "render/export/encoding/few_colours.h"
 #include "render/picture/card_picture.h"
 #include "render/picture/headless/headless_picture.h"
@@ -24,13 +27,47 @@ struct DemoPictureFlags {
 constexpr int mostColours = 192;
 
 Status writePicture(const render::HeadlessPicture& picture, const model::Scene& scene,
-                    const std::filesystem::path& file) {
-  const render::CardPicture card = render::cardPicture(scene);
+                    const render::CardPicture& card, const std::filesystem::path& file) {
   const Result<render::Image> image =
       picture->render(scene, card.camera, card.settings, card.samples);
   if (!image.ok())
     return image.error();
   return model::writeText(file, render::pngOfFewColours(*image, mostColours));
+}
+
+/// Returns the scene with lines and strokes for a picture that is shown a few fingers wide.
+model::Scene withBroadLines(const model::Scene& scene) {
+  constexpr float broader = 1.8f;
+  constexpr float fewer = 0.35f;
+  const std::vector<model::ResolvedStyle> styles = model::resolveAll(scene);
+  std::vector<model::Node> nodes = scene.nodes();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    nodes[i].style.penWeight = broader * styles[i].penWeight;
+    nodes[i].style.hatchDensity = HatchDensity::clamped(fewer * styles[i].hatchDensity.value());
+  }
+  model::Scene broad = scene;
+  broad.setNodes(std::move(nodes));
+  return broad;
+}
+
+/// Draws one demo in each style.
+Status writeDrawings(const render::HeadlessPicture& picture, const model::Scene& scene,
+                     const std::filesystem::path& folder) {
+  model::FormIndex forms;
+  for (const model::DrawingStyle& style : model::drawingStyles()) {
+    render::CardPicture card = render::cardPicture(scene);
+    const Result<render::Background> background = parseBackground(std::string(style.background));
+    if (!background.ok())
+      return background.error();
+    card.settings.environment.background = *background;
+    const model::Scene drawn =
+        model::withDrawingStyle(scene, style, forms, {.camera = card.camera}).scene;
+    if (const Status written = writePicture(picture, withBroadLines(drawn), card,
+                                            folder / ("drawing-" + std::string(style.id) + ".png"));
+        !written.ok())
+      return written;
+  }
+  return Unit{};
 }
 
 Exit writePictures(const DemoPictureFlags& flags) {
@@ -48,10 +85,15 @@ Exit writePictures(const DemoPictureFlags& flags) {
       const std::filesystem::path file = folder / (model::demoKey(name, sex) + ".png");
       if (std::filesystem::exists(file))  // the same for both
         continue;
-      if (const Status written = writePicture(*picture, model::demo(name, sex, flags.models), file);
+      const model::Scene scene = model::demo(name, sex, flags.models);
+      if (const Status written = writePicture(*picture, scene, render::cardPicture(scene), file);
           !written.ok())
         return complain(written.error(), Exit::failed);
     }
+  const model::Scene scene =
+      model::demo(model::DemoName::abdomen, model::Sex::female, flags.models);
+  if (const Status written = writeDrawings(*picture, scene, folder); !written.ok())
+    return complain(written.error(), Exit::failed);
   return Exit::done;
 }
 

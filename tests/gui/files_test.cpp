@@ -289,7 +289,7 @@ class FilesTest : public QObject {
     QCOMPARE(order, QStringList({"startFiles", "startFolder", "startRecent-0", "startRecent-1",
                                  "startDemo-pelvis-female", "startDemo-pelvis-male",
                                  "startDemo-abdomen-female", "startDemo-abdomen-male",
-                                 "startDemo-kidney-female"}));
+                                 "startDemo-kidney-female", "startDrawing-auto"}));
     QTest::keyClick(&f.control<QWidget>("startRecent-1"), Qt::Key_Return);
     auto& message = f.control<widgets::MessageBar>("messageBar");
     QVERIFY(message.isVisible());

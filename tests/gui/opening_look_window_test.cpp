@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests that a folder dropped on the window becomes a plate, as one step that can be taken back.
+#include <QAbstractButton>
 #include <QtTest>
 
 #include "model/edit/look.h"
+#include "model/look/drawing_styles.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
 #include "widgets/focus/focus_context.h"
@@ -41,6 +43,41 @@ class OpeningLookWindowTest : public QObject {
     QCOMPARE(gammaOf(f, "left kidney"), 2.0f);
     f.session.redo();
     QVERIFY(gammaOf(f, "left kidney") > 4.0f);
+  }
+  /// A style chosen on the start page is the preference; what is opened next is drawn so at once.
+  void inAStyleOfTheStartPage() {
+    WindowFixture f;
+    auto& woodcut = f.control<QAbstractButton>("startDrawing-woodcut");
+    auto& plate = f.control<QAbstractButton>("startDrawing-auto");
+    QVERIFY2(!woodcut.isChecked() && !plate.isChecked(), "plain");
+    QVERIFY(!woodcut.accessibleName().isEmpty() && !woodcut.accessibleDescription().isEmpty());
+    woodcut.click();
+    QCOMPARE(f.window.preferences().choice("picture/openingLook"), QString("woodcut"));
+    QVERIFY(f.drop(m_body.path()) && wait(f));
+    QCOMPARE(f.session.history().count(), 1);
+    QCOMPARE(f.session.history().undoText(), QString("Opening look"));
+    QVERIFY2(!f.session.modified(), "what was chosen is no unsaved work");
+    QCOMPARE(gammaOf(f, "left kidney"), 3.0f);
+    QVERIFY(f.session.scene().resolve(f.session.scene().named("left kidney").front()).inkColour ==
+            Colour({0, 0, 0}));
+    QCOMPARE(f.viewport().background(), render::Background::white);
+    f.window.preferences().set("picture/openingLook", "lecture-hall");
+    QVERIFY(f.control<QAbstractButton>("startDrawing-lecture-hall").isChecked());
+    QVERIFY(f.drop(m_body.path()) && wait(f));
+    QCOMPARE(f.viewport().background(), render::Background::dark);
+    plate.click();
+    QCOMPARE(f.window.preferences().choice("picture/openingLook"), QString("auto"));
+    QCOMPARE(f.window.preferences().choice("picture/background"), QString("white"));
+  }
+  void everyStyleIsOffered() {
+    WindowFixture f;
+    for (const model::DrawingStyle& style : model::drawingStyles()) {
+      const QString id = style.styleOf ? QString::fromStdString(std::string(style.id)) : "auto";
+      QVERIFY2(f.window.preferences().set("picture/openingLook", id), qPrintable(id));
+      const auto& card =
+          f.control<QAbstractButton>(qPrintable(QStringLiteral("startDrawing-") + id));
+      QVERIFY2(card.isChecked(), qPrintable(id));
+    }
   }
   void plainWhereWished() {
     WindowFixture f;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the start page's pictures: drawn by the program or read from scene files, and remembered.
+#include <QApplication>
 #include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
@@ -9,12 +10,14 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "model/look/drawing_styles.h"
 #include "model/scene_file/scene_file.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "widgets/session/recent_files.h"
 #include "widgets/start/demo_pictures.h"
+#include "widgets/start/drawing_choice.h"
 #include "widgets/start/scene_thumbnails.h"
 #include "widgets/start/start_page.h"
 #include "widgets/start/thumbnail_card.h"
@@ -154,6 +157,58 @@ class StartPicturesTest : public QObject {
         dark += picture.pixelColor(x, picture.height() / 2).lightness() < 140;
       QVERIFY2(dark > 4, qPrintable(file));
     }
+  }
+
+  void theBuildHasDrawnStyles() {
+    const QDir folder(QString::fromStdString(widgets::builtDemoPictures().string()));
+    if (!folder.exists())
+      QSKIP("this build draws no demos");
+    for (const model::DrawingStyle& style : model::drawingStyles()) {
+      const QString file =
+          folder.filePath(QStringLiteral("drawing-%1.png").arg(QLatin1String(style.id.data())));
+      QVERIFY2(QFileInfo(file).size() > 0 && QFileInfo(file).size() < 40 * 1024, qPrintable(file));
+      const int corner = QImage(file).pixelColor(2, 2).lightness();
+      QVERIFY2(style.background == "dark" ? corner < 60 : corner > 230, qPrintable(file));
+    }
+  }
+
+  // The cards are radio buttons: one is checked, Tab stops at it, the arrow keys choose.
+  void aDrawingIsChosen() {
+    QImage green(480, 360, QImage::Format_RGB32);
+    green.fill(Qt::green);
+    cache("styles").keep(QStringLiteral("drawing-b"), green);
+    widgets::DrawingChoice choice(cache("styles"));
+    choice.offer({{.id = "a", .picture = "drawing-a", .name = "A", .description = "First"},
+                  {.id = "b", .picture = "drawing-b", .name = "B", .description = "Second"},
+                  {.id = "c", .picture = "drawing-c", .name = "C", .description = "Third"}});
+    choice.resize(700, 200);
+    choice.show();
+    QApplication::setActiveWindow(&choice);
+    QVERIFY(QTest::qWaitForWindowExposed(&choice));
+    const auto card = [&choice](const char* id) {
+      return choice.findChild<widgets::ThumbnailCard*>(QStringLiteral("startDrawing-") + id);
+    };
+    QVERIFY(card("b")->hasPicture() && !card("a")->hasPicture());
+    QCOMPARE(card("b")->accessibleDescription(), QStringLiteral("Second"));
+    QSignalSpy chosen(&choice, &widgets::DrawingChoice::chosen);
+    choice.setChosen(QStringLiteral("none of them"));
+    QVERIFY(!card("a")->isChecked() && !card("b")->isChecked());
+    QVERIFY(card("a")->focusPolicy() & Qt::TabFocus);
+    choice.setChosen(QStringLiteral("b"));
+    QVERIFY(card("b")->isChecked());
+    QVERIFY(card("b")->focusPolicy() & Qt::TabFocus);
+    QVERIFY(!(card("a")->focusPolicy() & Qt::TabFocus));
+    QCOMPARE(chosen.count(), 0);
+    const QImage before = card("a")->grab().toImage();
+    QTest::mouseClick(card("a"), Qt::LeftButton);
+    QCOMPARE(chosen.takeFirst()[0].toString(), QStringLiteral("a"));
+    QVERIFY(card("a")->isChecked() && !card("b")->isChecked());
+    card("c")->setFocus();
+    QVERIFY2(card("a")->grab().toImage() != before, "a mark");
+    card("a")->setFocus();
+    QTest::keyClick(card("a"), Qt::Key_Right);
+    QCOMPARE(chosen.takeFirst()[0].toString(), QStringLiteral("b"));
+    QVERIFY(card("b")->isChecked() && card("b")->hasFocus());
   }
 
   void picturesOfFiles_data() {

@@ -130,6 +130,41 @@ class TreeRowsTest : public QObject {
     QVERIFY(!f.session.scene().find(id(f, "Organs"))->style.colour);
   }
 
+  void hiddenOutlinesByMenu() {
+    WindowFixture f;
+    QVERIFY(openScene(f, madeBody()));
+    const model::Scene before = f.session.scene();
+    const auto how = [&f](const char* name) {
+      return f.session.scene().resolve(id(f, name)).hiddenLines;
+    };
+    const auto checked = [&f](const char* action) {
+      return f.control<QAction>(action).isChecked();
+    };
+    QVERIFY(!f.control<QAction>("hiddenLinesThin").isEnabled());
+    f.session.select({id(f, "bladder")});
+    QVERIFY(checked("hiddenLinesNone"));
+    f.control<QAction>("hiddenLinesThin").trigger();
+    QCOMPARE(how("bladder"), model::HiddenLines::thin);
+    QVERIFY(checked("hiddenLinesThin") && !checked("hiddenLinesNone"));
+    f.session.select({id(f, "Organs")});
+    QVERIFY2(!checked("hiddenLinesThin") && !checked("hiddenLinesNone"), "they differ");
+    f.control<QAction>("hiddenLinesDashed").trigger();
+    for (const char* name : {"left kidney", "right kidney", "bladder"})
+      QCOMPARE(how(name), model::HiddenLines::dashed);
+    QCOMPARE(how("aorta"), model::HiddenLines::none);
+    QVERIFY(checked("hiddenLinesDashed"));
+    QVERIFY(!f.session.scene().find(id(f, "bladder"))->style.hiddenLines);
+    const int steps = f.session.history().count();
+    f.control<QAction>("hiddenLinesDashed").trigger();  // again: nothing changes, nothing unchecks
+    QCOMPARE(f.session.history().count(), steps);
+    QVERIFY(checked("hiddenLinesDashed"));
+    f.session.undo();
+    QCOMPARE(how("bladder"), model::HiddenLines::thin);
+    QCOMPARE(how("left kidney"), model::HiddenLines::none);
+    f.session.undo();
+    QVERIFY(f.session.scene() == before);
+  }
+
   void contextMenuHasWhatCanBeDone() {
     WindowFixture f;
     QVERIFY(openScene(f, madeBody()));
@@ -151,8 +186,9 @@ class TreeRowsTest : public QObject {
     QContextMenuEvent event(QContextMenuEvent::Mouse, at, f.tree().viewport()->mapToGlobal(at));
     QApplication::sendEvent(f.tree().viewport(), &event);
     for (const char* wanted :
-         {"focus", "context", "ghost", "colour", "inheritMenu", "toggle", "isolate", "hideOthers",
-          "showAll", "zoomTo", "rename", "newGroup", "group", "lock", "properties", "remove"})
+         {"focus", "context", "ghost", "colour", "hiddenLinesMenu", "inheritMenu", "toggle",
+          "isolate", "hideOthers", "showAll", "zoomTo", "rename", "newGroup", "group", "lock",
+          "properties", "remove"})
       QVERIFY2(seen.contains(wanted), wanted);
     QVERIFY2(!seen.contains("ungroup"), "no group is selected");
     QCOMPARE(f.session.scene().resolve(id(f, "aorta")).gamma.value(), 0.0f);

@@ -37,6 +37,7 @@ layout() {
   # The pictures that the start page shows at once are drawn where the build is for use.
   if grep -q '^CMAKE_BUILD_TYPE:STRING=Release' "$build/CMakeCache.txt"; then
     [ "$(find "$share/sline/demos" -name '*-v*.png' -size -41k | wc -l)" -eq 5 ] || fail "demos lack pictures"
+    [ "$(find "$share/sline/demos" -name 'drawing-*.png' -size -41k | wc -l)" -eq 7 ] || fail "drawing styles lack pictures"
   fi
   [ -s "$prefix/lib/sline/libsline-pixels.so" ] || fail "the part for TIFF and others is not installed"
   "$sline" --version | grep -q '^sline [0-9]' || fail "the installed program does not start"

@@ -79,16 +79,30 @@ void FocusContext::analyse(const NodeIds& targets, bool fromCamera, const QStrin
   await(question);
 }
 
-void FocusContext::chooseLook(float aspect, std::size_t subject, bool opening) {
+void FocusContext::chooseLook(float aspect, std::size_t subject) {
+  askForLook({.aspect = aspect, .subject = subject});
+}
+
+void FocusContext::openWith(const model::DrawingStyle& style, float aspect) {
+  askForLook({.aspect = aspect, .opening = &style});
+}
+
+void FocusContext::askForLook(const LookQuestion& asked) {
   const std::stop_token stop = freshQuestion();
-  m_subject = subject;
+  m_subject = asked.subject;
   const std::uint64_t question = ++m_asked;
-  inBackground([this, question, aspect, subject, opening, stop, forms = m_forms,
+  inBackground([this, question, asked, stop, forms = m_forms,
                 scene = m_session.sceneBeforePreview()] {
-    auto look = model::openingLook(scene, *forms, {.subject = subject, .aspect = aspect}, stop);
+    auto look =
+        model::openingLook(scene, *forms, {.subject = asked.subject, .aspect = asked.aspect}, stop);
+    if (look && asked.opening && asked.opening->styleOf)
+      look->scene = model::withDrawingStyle(look->scene, *asked.opening, *forms,
+                                            {.camera = look->camera}, stop)
+                        .scene;
     forms->trim();
     const Look answer =
         look ? std::make_shared<const model::OpeningLook>(std::move(*look)) : nullptr;
+    const bool opening = asked.opening != nullptr;
     QMetaObject::invokeMethod(this, [=, this] { takeLook(question, answer, scene, opening); });
   });
   await(question);

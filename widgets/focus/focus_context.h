@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/focus/context.h"
-#include "model/look/opening_look.h"
+#include "model/look/drawing_styles.h"
 #include "widgets/session/session.h"
 
 namespace sline::widgets {
@@ -52,8 +52,11 @@ class FocusContext : public QObject {
 
   /// Chooses a look for the whole scene in the background: the subject of that index among
   /// `model::subjectsOf` in focus, seen from where it shows best (METHOD §12). `aspect` is the
-  /// picture's width / height. For a scene that was just opened the step is part of the opening.
-  void chooseLook(float aspect, std::size_t subject, bool opening);
+  /// picture's width / height.
+  void chooseLook(float aspect, std::size_t subject);
+  /// Does so for a scene that was just opened, in that drawing style: the step is part of the
+  /// opening.
+  void openWith(const model::DrawingStyle& style, float aspect);
   /// Returns the index of the subject that was chosen last.
   std::size_t subject() const { return m_subject; }
   /// Works out in the background what plates of the next subjects would look like, for pictures of
@@ -87,6 +90,12 @@ class FocusContext : public QObject {
     Answer analysis;
   };
   using Look = std::shared_ptr<const model::OpeningLook>;
+  struct LookQuestion {
+    float aspect = 1.0f;
+    std::size_t subject = 0;
+    const model::DrawingStyle* opening = nullptr;  ///< null where nothing was just opened
+  };
+  void askForLook(const LookQuestion& asked);
   void takeLook(std::uint64_t question, const Look& look, const model::Scene& asked, bool opening);
   /// Stops what was asked before.
   std::stop_token freshQuestion();

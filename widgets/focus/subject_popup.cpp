@@ -123,7 +123,7 @@ void SubjectPopup::took(PreviewsOf asker, int id, const QImage& image) {
 }
 
 void SubjectPopup::choose(std::size_t index) {
-  m_focus.chooseLook(aspect(), m_choices[index].subject, false);
+  m_focus.chooseLook(aspect(), m_choices[index].subject);
   close();
 }
 

@@ -63,9 +63,16 @@ std::vector<PreferenceRow> pictureRows() {
        QStringLiteral("paper")},
       {{QStringLiteral("picture/openingLook"), tr("Look of what is opened"),
         tr("Where a file says nothing of how it looks: a plate draws what it is about in detail "
-           "and everything else as context"),
-        ChoiceField{
-            {{QStringLiteral("auto"), tr("Plate")}, {QStringLiteral("plain"), tr("Plain")}}}},
+           "and everything else as context, the other styles in their manner"),
+        // The ids are those of model::drawingStyles, except for the first and the last.
+        ChoiceField{{{QStringLiteral("auto"), tr("Plate")},
+                     {QStringLiteral("even-pen"), tr("Even Pen")},
+                     {QStringLiteral("textbook"), tr("Textbook")},
+                     {QStringLiteral("woodcut"), tr("Woodcut")},
+                     {QStringLiteral("pencil"), tr("Pencil")},
+                     {QStringLiteral("operating-note"), tr("Operating Note")},
+                     {QStringLiteral("lecture-hall"), tr("Lecture Hall")},
+                     {QStringLiteral("plain"), tr("Plain")}}}},
        page,
        QStringLiteral("auto")},
       {{QStringLiteral("picture/cube"), tr("Orientation cube"),

@@ -41,9 +41,11 @@ std::vector<MenuRow> menuRows() {
       row("selectMenu", tr("S&elect"),
           ids("selectAll selectInverse selectSameKind selectOtherSide | selectBox")),
       row("structureMenu", tr("&Structure"),
-          ids("focus context ghost colour >styleMenu >inheritMenu | >selectMenu | toggle isolate "
-              "hideOthers "
-              "showAll zoomTo | rename newGroup group ungroup lock properties | remove")),
+          ids("focus context ghost colour >styleMenu >hiddenLinesMenu >inheritMenu | >selectMenu "
+              "| toggle isolate hideOthers showAll zoomTo | rename newGroup group ungroup lock "
+              "properties | remove")),
+      row("hiddenLinesMenu", tr("Hi&dden Outlines"),
+          ids("hiddenLinesNone hiddenLinesThin hiddenLinesDashed")),
       row("inheritMenu", tr("&Inherit"), ids("inherit inheritColour inheritOpacity | inheritAll")),
       row("styleMenu", tr("St&yle"), ids("copyStyle pasteStyle pasteStyleAlone | makeLike")),
       row("labelMenu", tr("&Labels"),

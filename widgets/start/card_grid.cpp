@@ -9,7 +9,6 @@ namespace sline::widgets {
 
 namespace {
 constexpr int gap = 16;
-constexpr int largestCardWidth = 240;
 }  // namespace
 
 CardGrid::CardGrid(QWidget* parent) : QWidget(parent) {
@@ -39,11 +38,17 @@ void CardGrid::setMostRows(int rows) {
   updateGeometry();
 }
 
+void CardGrid::setCardWidths(const CardWidths& widths) {
+  m_widths = widths;
+  place();
+  updateGeometry();
+}
+
 CardGrid::Arrangement CardGrid::arrangementFor(int width) const {
   Arrangement places;
-  places.columns = std::max(1, (width + gap) / (ThumbnailCard::smallestWidth + gap));
+  places.columns = std::max(1, (width + gap) / (m_widths.least + gap));
   const int each = std::clamp((width - gap * (places.columns - 1)) / places.columns,
-                              std::min(width, ThumbnailCard::smallestWidth), largestCardWidth);
+                              std::min(width, m_widths.least), m_widths.most);
   int height = 0;
   for (const ThumbnailCard* card : m_cards)
     height = std::max(height, card->heightForWidth(each));
@@ -62,12 +67,12 @@ int CardGrid::heightForWidth(int width) const {
 
 QSize CardGrid::sizeHint() const {
   constexpr int usual = 5;
-  const int width = usual * (ThumbnailCard::smallestWidth + gap) - gap;
+  const int width = usual * (m_widths.least + gap) - gap;
   return {width, heightForWidth(width)};
 }
 
 QSize CardGrid::minimumSizeHint() const {
-  return {ThumbnailCard::smallestWidth, heightForWidth(std::max(1, width()))};
+  return {m_widths.least, heightForWidth(std::max(1, width()))};
 }
 
 void CardGrid::resizeEvent(QResizeEvent* event) {

@@ -8,6 +8,12 @@ namespace sline::widgets {
 
 class ThumbnailCard;
 
+/// Says between what widths the cards of a grid stretch, in pixels.
+struct CardWidths {
+  int least = 176;
+  int most = 240;
+};
+
 /// Arranges cards of one size side by side, as many in a row as fit.
 class CardGrid : public QWidget {
   Q_OBJECT
@@ -18,6 +24,7 @@ class CardGrid : public QWidget {
   const std::vector<ThumbnailCard*>& cards() const { return m_cards; }
   /// Limits the rows that are shown; 0 shows all.
   void setMostRows(int rows);
+  void setCardWidths(const CardWidths& widths);
 
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;
@@ -38,6 +45,7 @@ class CardGrid : public QWidget {
 
   std::vector<ThumbnailCard*> m_cards;
   int m_mostRows = 0;
+  CardWidths m_widths;
 };
 
 }  // namespace sline::widgets

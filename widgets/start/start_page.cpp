@@ -59,7 +59,8 @@ StartPage::StartPage(QMainWindow& window, RecentFiles& recent, const PictureFold
       m_messagePlace(new QVBoxLayout),
       m_recentTitle(section(tr("Opened Last"))),
       m_recentCards(new CardGrid),
-      m_demoCards(new CardGrid) {
+      m_demoCards(new CardGrid),
+      m_drawings(new DrawingChoice(PictureCache(folders.built))) {
   setObjectName(QStringLiteral("startPage"));
   setAccessibleName(tr("Start"));
   setAutoFillBackground(true);
@@ -78,6 +79,8 @@ StartPage::StartPage(QMainWindow& window, RecentFiles& recent, const PictureFold
   column->addSpacing(12);
   column->addWidget(section(tr("Demos, Modelled by the Program")));
   column->addWidget(m_demoCards);
+  column->addSpacing(12);
+  column->addWidget(makeDrawings());
   column->addStretch(1);
   auto* centred = new QWidget;
   auto* row = new QHBoxLayout(centred);
@@ -125,6 +128,25 @@ QWidget* StartPage::makeHead() {
   connect(files, &QPushButton::clicked, this, &StartPage::filesWanted);
   connect(folder, &QPushButton::clicked, this, &StartPage::folderWanted);
   return head;
+}
+
+QWidget* StartPage::makeDrawings() {
+  auto* part = new QWidget;
+  auto* layout = new QVBoxLayout(part);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(10);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(12);
+  QLabel* title = section(tr("Drawing Style for What Is Opened Next"));
+  QLabel* hint = text(tr("Demos and scene files keep their own"), 1.0, QFont::Normal);
+  hint->setForegroundRole(QPalette::PlaceholderText);
+  m_drawings->setAccessibleName(title->text());
+  m_drawings->setAccessibleDescription(hint->text());
+  head->addWidget(title);
+  head->addWidget(hint, 1, Qt::AlignBottom);
+  layout->addLayout(head);
+  layout->addWidget(m_drawings);
+  return part;
 }
 
 QWidget* StartPage::makeRecovery() {

@@ -7,6 +7,7 @@
 #include "model/scene_file/autosave.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/start/demo_pictures.h"
+#include "widgets/start/drawing_choice.h"
 #include "widgets/start/scene_thumbnails.h"
 
 class QMainWindow;
@@ -25,8 +26,9 @@ struct PictureFolders {
   std::filesystem::path cache;
 };
 
-/// Shows, while nothing is open, what a crash has left, what was open last, and the demos. It lies
-/// over the whole window below the toolbar; panels keep their places beneath it.
+/// Shows, while nothing is open, what a crash has left, what was open last, the demos, and in which
+/// style what is opened next is drawn. It lies over the whole window below the toolbar; panels keep
+/// their places beneath it.
 class StartPage : public QWidget {
   Q_OBJECT
  public:
@@ -36,6 +38,8 @@ class StartPage : public QWidget {
   void setRecoverable(const std::vector<model::Recoverable>& found);
   /// Sets whether demos are drawn; otherwise their cards show only remembered pictures.
   void setDrawing(bool drawing) { m_drawing = drawing; }
+  /// Returns the styles that it offers, none until they are set.
+  DrawingChoice& drawings() { return *m_drawings; }
   /// Returns a place at its upper edge, for a message.
   QVBoxLayout& messagePlace() { return *m_messagePlace; }
 
@@ -56,6 +60,7 @@ class StartPage : public QWidget {
  private:
   QWidget* makeHead();
   QWidget* makeRecovery();
+  QWidget* makeDrawings();
   void makeDemos();
   void listRecent();
   void cover();
@@ -73,6 +78,7 @@ class StartPage : public QWidget {
   QWidget* m_recentTitle;
   CardGrid* m_recentCards;
   CardGrid* m_demoCards;
+  DrawingChoice* m_drawings;
 };
 
 }  // namespace sline::widgets

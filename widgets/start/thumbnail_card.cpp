@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <array>
 
 #include "widgets/theme/icons.h"
 
@@ -12,6 +13,7 @@ namespace sline::widgets {
 namespace {
 constexpr int padding = 8;
 constexpr double corner = 6.0;
+constexpr int usualWidth = 176;
 
 int pictureHeight(int width) {
   return width * 3 / 4;
@@ -47,7 +49,7 @@ void ThumbnailCard::setFaded(bool faded) {
 }
 
 QSize ThumbnailCard::sizeHint() const {
-  return {smallestWidth, heightForWidth(smallestWidth)};
+  return {usualWidth, heightForWidth(usualWidth)};
 }
 
 int ThumbnailCard::heightForWidth(int width) const {
@@ -58,8 +60,8 @@ int ThumbnailCard::heightForWidth(int width) const {
 void ThumbnailCard::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-  const bool marked = hasFocus() || underMouse() || isDown();
-  const double pen = hasFocus() ? 2.0 : 1.0;
+  const bool marked = hasFocus() || underMouse() || isDown() || isChecked();
+  const double pen = hasFocus() || isChecked() ? 2.0 : 1.0;
   const QRectF frame = QRectF(rect()).adjusted(pen / 2, pen / 2, -pen / 2, -pen / 2);
   QPainterPath shape;
   shape.addRoundedRect(frame, corner, corner);
@@ -75,6 +77,22 @@ void ThumbnailCard::paintEvent(QPaintEvent*) {
     edge.setAlphaF(0.22F);
   painter.setPen(QPen(edge, pen));
   painter.drawPath(shape);
+  if (isChecked())
+    paintCheckMark(painter);
+}
+
+/// Paints a tick in a disc, as colour alone would not tell everybody.
+void ThumbnailCard::paintCheckMark(QPainter& painter) const {
+  constexpr double radius = 9.0;
+  const QPointF middle(width() - padding - radius, padding + radius);
+  painter.setPen(QPen(palette().color(QPalette::Base), 1.5));
+  painter.setBrush(palette().color(QPalette::Highlight));
+  painter.drawEllipse(middle, radius, radius);
+  painter.setPen(QPen(palette().color(QPalette::HighlightedText), 2.0, Qt::SolidLine, Qt::RoundCap,
+                      Qt::RoundJoin));
+  const std::array tick{middle + QPointF(-4.0, 0.2), middle + QPointF(-1.2, 3.2),
+                        middle + QPointF(4.2, -3.0)};
+  painter.drawPolyline(tick.data(), int(tick.size()));
 }
 
 void ThumbnailCard::paintPicture(QPainter& painter, const QRectF& area) {

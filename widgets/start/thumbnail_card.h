@@ -6,13 +6,11 @@
 
 namespace sline::widgets {
 
-/// Shows a picture with a title and a line below it, to be clicked. While there is no picture a
-/// plain drawing takes its place.
+/// Shows a picture with a title and a line below it, to be clicked; where it is checkable, a mark
+/// tells that it is checked. While there is no picture a plain drawing takes its place.
 class ThumbnailCard : public QAbstractButton {
   Q_OBJECT
  public:
-  static constexpr int smallestWidth = 176;
-
   explicit ThumbnailCard(const QString& title, QWidget* parent = nullptr);
   /// Sets the line below the title, shortened in the middle where it is too long.
   void setLine(const QString& line);
@@ -37,6 +35,7 @@ class ThumbnailCard : public QAbstractButton {
  private:
   void paintPicture(QPainter& painter, const QRectF& area);
   void paintTexts(QPainter& painter, const QRect& area);
+  void paintCheckMark(QPainter& painter) const;
 
   QString m_line;
   QString m_standIn;

@@ -28,6 +28,10 @@ std::array<InheritRow, 4> inheritRows() {
            {"inheritAll", model::wholeLook()}}};
 }
 
+/// The actions of hidden outlines, in the order of model::HiddenLines.
+constexpr std::array<const char*, model::hiddenLinesNames.size()> hiddenLinesActions{
+    "hiddenLinesNone", "hiddenLinesThin", "hiddenLinesDashed"};
+
 }  // namespace
 
 StructureActions::StructureActions(Session& session, StructureTree& tree, Viewport& viewport,
@@ -41,6 +45,8 @@ StructureActions::StructureActions(Session& session, StructureTree& tree, Viewpo
   connect(&m_tree.view(), &StructureTreeView::zoomWanted, &m_actions[QStringLiteral("zoomTo")],
           &QAction::trigger);
   m_actions[QStringLiteral("lock")].setCheckable(true);
+  for (const char* id : hiddenLinesActions)
+    m_actions[QLatin1String(id)].setCheckable(true);
   showState();
 }
 
@@ -55,6 +61,11 @@ void StructureActions::connectLooks() {
   };
   on("context", [this] { editSelection(tr("Context"), model::withContext); });
   on("ghost", [this] { ghostNodes(m_session, m_session.selection()); });
+  for (std::size_t i = 0; i < hiddenLinesActions.size(); ++i)
+    on(hiddenLinesActions[i], [this, how = model::HiddenLines(i)] {
+      setHiddenLines(m_session, m_session.selection(), how);
+      showState();  // the action has checked itself, whatever the result
+    });
   for (const InheritRow& row : inheritRows())
     on(row.action, [this, row] { inherit(m_session, m_session.selection(), row.which); });
   on("toggle", [this] { toggleShown(m_session, m_session.selection()); });
@@ -112,6 +123,11 @@ void StructureActions::showState() {
     m_actions[QLatin1String(id)].setEnabled(free);
   for (const InheritRow& row : inheritRows())
     m_actions[QLatin1String(row.action)].setEnabled(free && saysItself(scene, ids, row.which));
+  const std::optional<model::HiddenLines> hidden = any ? hiddenLinesOf(scene, ids) : std::nullopt;
+  for (std::size_t i = 0; i < hiddenLinesActions.size(); ++i) {
+    m_actions[QLatin1String(hiddenLinesActions[i])].setEnabled(free);
+    m_actions[QLatin1String(hiddenLinesActions[i])].setChecked(hidden == model::HiddenLines(i));
+  }
   m_actions[QStringLiteral("ungroup")].setEnabled(
       free && std::any_of(ids.begin(), ids.end(),
                           [&](model::NodeId id) { return scene.find(id)->isGroup(); }));

@@ -8,6 +8,7 @@
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
 #include "model/focus/selection.h"
+#include "model/scene/resolved_styles.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -69,6 +70,26 @@ void showAll(Session& session) {
 
 void ghostNodes(Session& session, const NodeIds& ids) {
   session.apply(tr("Ghost"), model::withGhost(session.scene(), ids));
+}
+
+void setHiddenLines(Session& session, const NodeIds& ids, model::HiddenLines how) {
+  const model::Style look{.hiddenLines = how};
+  session.apply(tr("Hidden Outlines"), model::withLook(session.scene(), ids, look));
+}
+
+std::optional<model::HiddenLines> hiddenLinesOf(const model::Scene& scene, const NodeIds& ids) {
+  const model::NodeSet meant = model::withAllBelow(scene, model::setOf(ids));
+  const std::vector<model::ResolvedStyle> styles = model::resolveAll(scene);
+  std::optional<model::HiddenLines> common;
+  for (std::size_t i = 0; i < styles.size(); ++i) {
+    const model::Node& node = scene.nodes()[i];
+    if (node.isGroup() || !meant.contains(node.id.value))
+      continue;
+    if (common && *common != styles[i].hiddenLines)
+      return std::nullopt;
+    common = styles[i].hiddenLines;
+  }
+  return common;
 }
 
 void inherit(Session& session, const NodeIds& ids, const model::Style& which) {

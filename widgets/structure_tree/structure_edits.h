@@ -17,6 +17,12 @@ void isolate(Session& session, const NodeIds& ids);
 void hideOthers(Session& session, const NodeIds& ids);
 void showAll(Session& session);
 void ghostNodes(Session& session, const NodeIds& ids);
+/// Draws the nodes' outlines that way where other structures hide them; what is in a group follows
+/// it again.
+void setHiddenLines(Session& session, const NodeIds& ids, model::HiddenLines how);
+/// Returns how the outlines of all structures among the nodes, and in groups among them, are drawn
+/// where they are hidden; nothing where they differ or there are none.
+std::optional<model::HiddenLines> hiddenLinesOf(const model::Scene& scene, const NodeIds& ids);
 /// Makes the nodes and all below them inherit again what `which` sets: Γ, colour, opacity or the
 /// whole look.
 void inherit(Session& session, const NodeIds& ids, const model::Style& which);

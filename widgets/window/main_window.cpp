@@ -162,9 +162,8 @@ void MainWindow::connectSession() {
   nameRedo(history.redoText());
 }
 
-void MainWindow::chooseLook(std::size_t subject, bool opening) {
-  const float aspect = float(m_viewport->width()) / float(std::max(m_viewport->height(), 1));
-  m_focus->chooseLook(aspect, subject, opening);
+float MainWindow::pictureAspect() const {
+  return float(m_viewport->width()) / float(std::max(m_viewport->height(), 1));
 }
 
 void MainWindow::connectActions() {
@@ -178,8 +177,8 @@ void MainWindow::connectActions() {
     m_tree->find();
   });
   on("focus", [this] { m_focus->focusOn(m_session.selection()); });
-  on("plate", [this] { chooseLook(0, false); });
-  on("anotherSubject", [this] { chooseLook(m_focus->subject() + 1, false); });
+  on("plate", [this] { m_focus->chooseLook(pictureAspect(), 0); });
+  on("anotherSubject", [this] { m_focus->chooseLook(pictureAspect(), m_focus->subject() + 1); });
   on("subjects", [this] { (new SubjectPopup(m_session, *m_focus, *m_viewport))->open(); });
   on("fit", [this] { m_viewport->fitAll(); });
   on("panels", [this] { m_hiddenPanels.toggle(*this); });

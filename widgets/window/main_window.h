@@ -74,7 +74,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeTools();
   void connectSession();
-  void chooseLook(std::size_t subject, bool opening);
+  float pictureAspect() const;
   void connectActions();
   void connectViews();
   void restore();

@@ -40,6 +40,7 @@
 #include "widgets/window/file_actions.h"
 #include "widgets/window/interface_state.h"
 #include "widgets/window/main_window.h"
+#include "widgets/window/opening_styles.h"
 #include "widgets/window/panel_table.h"
 #include "widgets/window/picture_menu.h"
 #include "widgets/window/picture_preferences.h"
@@ -63,9 +64,11 @@ void MainWindow::makeCentre() {
   connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
   connect(m_focus, &FocusContext::cameraChosen, m_viewport, &Viewport::flyTo);
   connect(&m_session, &Session::opened, this, [this] {
-    if (m_session.opensWithoutLook() &&
-        m_preferences.choice(QStringLiteral("picture/openingLook")) == QLatin1String("auto"))
-      chooseLook(0, true);
+    const model::DrawingStyle* style = openingStyle(m_preferences);
+    if (!style || !m_session.opensWithoutLook())
+      return;
+    prepareBackground(m_preferences, *style);
+    m_focus->openWith(*style, pictureAspect());
   });
   connect(m_message, &MessageBar::covers, m_viewport, &Viewport::setHeadroom);
   auto* centre = new QWidget;
@@ -203,6 +206,7 @@ void MainWindow::makeStart() {
   m_start = new StartPage(*this, m_files->recent(),
                           {builtDemoPictures(), cache.empty() ? cache : cache / "pictures"});
   m_start->setDrawing(m_settings.value(QLatin1String(demoPicturesKey), true).toBool());
+  offerOpeningStyles(m_start->drawings(), m_preferences);
   connect(m_start, &StartPage::filesWanted, &m_actions[QStringLiteral("openFiles")],
           &QAction::trigger);
   connect(m_start, &StartPage::folderWanted, &m_actions[QStringLiteral("openFolder")],
