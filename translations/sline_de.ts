@@ -1045,32 +1045,12 @@
         <translation>Dateien</translation>
     </message>
     <message>
-        <source>Keep unsaved work after</source>
-        <translation>Ungespeichertes sichern nach</translation>
-    </message>
-    <message>
-        <source>How long after a change a copy is kept, which is offered after a crash</source>
-        <translation>Wie lange nach einer Änderung eine Kopie angelegt wird, die nach einem Absturz angeboten wird</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>Never</source>
-        <translation>Nie</translation>
-    </message>
-    <message>
         <source>Its rights do not let it be written to</source>
         <translation>Ihre Rechte erlauben kein Schreiben</translation>
     </message>
     <message>
         <source>A newer version of the program has written it; what is unknown here is not shown</source>
         <translation>Eine neuere Version des Programms hat sie geschrieben; was hier unbekannt ist, wird nicht gezeigt</translation>
-    </message>
-    <message>
-        <source>It was saved after this copy was made</source>
-        <translation>Sie wurde gespeichert, nachdem diese Kopie entstand</translation>
     </message>
     <message>
         <source>Another program has changed it since</source>
@@ -2979,6 +2959,18 @@
     <message>
         <source>Hidden Outlines</source>
         <translation>Verdeckte Umrisse</translation>
+    </message>
+    <message>
+        <source>Keep unsaved work</source>
+        <translation>Nicht gespeicherte Arbeit aufheben</translation>
+    </message>
+    <message>
+        <source>Each change is kept at once, and offered after a crash</source>
+        <translation>Jede Änderung wird sofort aufgehoben und nach einem Absturz angeboten</translation>
+    </message>
+    <message>
+        <source>It was saved after the last of these changes was made</source>
+        <translation>Sie wurde gespeichert, nachdem die letzte dieser Änderungen gemacht war</translation>
     </message>
 </context>
 <context>

@@ -1045,32 +1045,12 @@
         <translation>Filer</translation>
     </message>
     <message>
-        <source>Keep unsaved work after</source>
-        <translation>Ta vare på ulagret arbeid etter</translation>
-    </message>
-    <message>
-        <source>How long after a change a copy is kept, which is offered after a crash</source>
-        <translation>Hvor lenge etter en endring en kopi lagres, som tilbys etter en krasj</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>Never</source>
-        <translation>Aldri</translation>
-    </message>
-    <message>
         <source>Its rights do not let it be written to</source>
         <translation>Rettighetene tillater ikke skriving</translation>
     </message>
     <message>
         <source>A newer version of the program has written it; what is unknown here is not shown</source>
         <translation>En nyere versjon av programmet har skrevet den; det som er ukjent her, vises ikke</translation>
-    </message>
-    <message>
-        <source>It was saved after this copy was made</source>
-        <translation>Den ble lagret etter at denne kopien ble laget</translation>
     </message>
     <message>
         <source>Another program has changed it since</source>
@@ -2979,6 +2959,18 @@
     <message>
         <source>Hidden Outlines</source>
         <translation>Skjulte omriss</translation>
+    </message>
+    <message>
+        <source>Keep unsaved work</source>
+        <translation>Ta vare på ulagret arbeid</translation>
+    </message>
+    <message>
+        <source>Each change is kept at once, and offered after a crash</source>
+        <translation>Hver endring tas vare på med en gang, og tilbys etter et krasj</translation>
+    </message>
+    <message>
+        <source>It was saved after the last of these changes was made</source>
+        <translation>Den ble lagret etter at den siste av disse endringene ble gjort</translation>
     </message>
 </context>
 <context>

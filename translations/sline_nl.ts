@@ -1045,32 +1045,12 @@
         <translation>Bestanden</translation>
     </message>
     <message>
-        <source>Keep unsaved work after</source>
-        <translation>Niet-opgeslagen werk bewaren na</translation>
-    </message>
-    <message>
-        <source>How long after a change a copy is kept, which is offered after a crash</source>
-        <translation>Hoelang na een wijziging een kopie wordt bewaard, die na een crash wordt aangeboden</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>Never</source>
-        <translation>Nooit</translation>
-    </message>
-    <message>
         <source>Its rights do not let it be written to</source>
         <translation>De rechten staan schrijven niet toe</translation>
     </message>
     <message>
         <source>A newer version of the program has written it; what is unknown here is not shown</source>
         <translation>Een nieuwere versie van het programma heeft het geschreven; wat hier onbekend is, wordt niet getoond</translation>
-    </message>
-    <message>
-        <source>It was saved after this copy was made</source>
-        <translation>Het is opgeslagen nadat deze kopie gemaakt is</translation>
     </message>
     <message>
         <source>Another program has changed it since</source>
@@ -2979,6 +2959,18 @@
     <message>
         <source>Hidden Outlines</source>
         <translation>Verborgen omtrekken</translation>
+    </message>
+    <message>
+        <source>Keep unsaved work</source>
+        <translation>Niet-opgeslagen werk bewaren</translation>
+    </message>
+    <message>
+        <source>Each change is kept at once, and offered after a crash</source>
+        <translation>Elke wijziging wordt meteen bewaard en na een crash aangeboden</translation>
+    </message>
+    <message>
+        <source>It was saved after the last of these changes was made</source>
+        <translation>Het is opgeslagen nadat de laatste van deze wijzigingen was gemaakt</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@
 #include "model/import/slicer/bundle.h"
 #include "model/import/slicer/fiducials.h"
 #include "model/import/slicer/mrml_scene.h"
+#include "model/scene_file/journal_content.h"
 #include "model/scene_file/mesh_codec.h"
 #include "model/scene_file/scan_codec.h"
 #include "model/scene_file/scene_file.h"
@@ -199,6 +200,39 @@ std::string scanCodec(std::string_view bytes) {
   return model::encodedVoxels(*voxels) == bytes ? "" : "encoded again it is another scan";
 }
 
+/// Reads a journal's states; what was read is written, and must be read again.
+std::string journal(std::string_view bytes) {
+  const model::JournalContent content = model::journalContent(bytes);
+  if (content.states.empty())
+    return {};
+  if (content.current < content.first || content.current - content.first >= content.states.size())
+    return "it stands where there is no state";
+  static const MeshPtr mesh = std::make_shared<const model::Mesh>(
+      std::move(*model::Mesh::create({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})));
+  model::Bulk bulk;
+  for (const std::string& key : model::keysCalledFor(*content.now().text))
+    bulk[key] = mesh;
+  const Result<model::Scene> scene = model::sceneOfState(*content.now().text, bulk);
+  if (!scene.ok() && scene.error().reason.empty())
+    return "refused without a reason";
+  model::JournalWriter writer;
+  const model::JournalContent again = model::journalContent(model::journalBytes(content, writer));
+  if (again.states.size() != content.states.size() || again.current != content.current)
+    return "written again it is another journal";
+  for (std::size_t i = 0; i < again.states.size(); ++i)
+    if (*again.states[i].text != *content.states[i].text)
+      return "written again a state is another";
+  return {};
+}
+
+/// Reads the meshes and voxels beside a journal.
+std::string bulkStore(std::string_view bytes) {
+  for (const auto& [key, item] : model::bulkFrom(bytes))
+    if (std::visit([](const auto& pointer) { return pointer == nullptr; }, item))
+      return "an item that is none";
+  return {};
+}
+
 /// Checks that the spans of a callout are bytes of its text in order, and that another style for
 /// some of them changes no word. The first byte says where the selection is.
 std::string markup(std::string_view bytes) {
@@ -287,6 +321,8 @@ constexpr Harness table[] = {
     {"markups", fiducials<".mrk.json">},
     {"scene_file", sceneFile},
     {"scene_json", sceneJson},
+    {"journal", journal},
+    {"bulk_store", bulkStore},
     {"mesh_codec", meshCodec},
     {"scan_codec", scanCodec},
     {"markup", markup},

@@ -7,7 +7,7 @@
 #include <QtTest>
 
 #include "model/edit/views.h"
-#include "model/scene_file/autosave.h"
+#include "model/scene_file/journal.h"
 #include "model/scene_file/scene_file.h"
 #include "tests/gui/foreign_window.h"
 #include "tests/gui/window_fixture.h"
@@ -22,11 +22,10 @@ class FilesCrashTest : public QObject {
 
   QTemporaryDir m_folder;
 
-  fs::path copies() const {
-    return (m_folder.path() + QStringLiteral("/state/sline/autosave")).toStdString();
+  fs::path journals() const {
+    return (m_folder.path() + QStringLiteral("/state/sline/journals")).toStdString();
   }
-  /// Starts the program with folders and settings of its own; it writes copies a second after a
-  /// change.
+  /// Starts the program with folders and settings of its own.
   void start(QProcess& program, const QStringList& arguments) const {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char* name : {"state", "config", "cache"})
@@ -42,7 +41,6 @@ class FilesCrashTest : public QObject {
     const QString settings = m_folder.filePath(QStringLiteral("config/Sline"));
     QDir().mkpath(settings);
     QSettings file(settings + QStringLiteral("/Sline.conf"), QSettings::IniFormat);
-    file.setValue(QStringLiteral("files/autosaveSeconds"), 1);
     file.setValue(QStringLiteral("start/demoPictures"), false);
     file.sync();
     program.setProcessEnvironment(environment);
@@ -50,11 +48,11 @@ class FilesCrashTest : public QObject {
   }
   static constexpr int minute = 60'000;
   static bool soon(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, minute); }
-  int copiesThere() const {
+  int journalsThere() const {
     int count = 0;
     std::error_code none;
-    for (const auto& entry : fs::directory_iterator(copies(), none))
-      count += model::isSceneFile(entry.path());
+    for (const auto& entry : fs::directory_iterator(journals(), none))
+      count += entry.path().extension() == ".journal";
     return count;
   }
 
@@ -81,10 +79,11 @@ class FilesCrashTest : public QObject {
     QVERIFY(soon([&] { return window.title().starts_with("body.sline"); }));
     QVERIFY(window.press("k"));  // the key light belongs to the scene
     QVERIFY(soon([&] { return window.title().starts_with("body.sline*"); }));
-    QVERIFY(soon([&] { return copiesThere() == 1; }));
+    QVERIFY(soon([&] { return journalsThere() == 1; }));
+    QTest::qWait(1000);  // what is older than that may not be lost
     QCOMPARE(::kill(pid_t(first.processId()), SIGKILL), 0);
     QVERIFY(first.waitForFinished());
-    const auto found = model::recoverableIn(copies());
+    const auto found = model::recoverableIn(journals());
     QCOMPARE(found.size(), std::size_t(1));
     QVERIFY(found[0].source.file == file);
     QVERIFY(bytesOf(model::readSceneFile(file)->scene) == bytesOf(reader.scene()));
@@ -93,7 +92,7 @@ class FilesCrashTest : public QObject {
     start(second, {});
     QVERIFY(second.waitForStarted());
     ForeignWindow again(second.processId());
-    // Before the page has found the copy a key does nothing, then the button has the focus.
+    // Before the page has found the journal a key does nothing, then the button has the focus.
     const auto recovered = [&] { return again.title().starts_with("body.sline*"); };
     constexpr int patience = 3000;
     for (int i = 0; i < 20 && !recovered(); ++i) {
@@ -101,14 +100,14 @@ class FilesCrashTest : public QObject {
       static_cast<void>(QTest::qWaitFor(recovered, patience));
     }
     QVERIFY(recovered());
-    // The scene is in a copy of its own before the old one goes.
-    QVERIFY(soon([&] { return !fs::exists(found[0].copy) && copiesThere() == 1; }));
+    // The scene is in a journal of its own before the old one goes.
+    QVERIFY(soon([&] { return !fs::exists(found[0].journal) && journalsThere() == 1; }));
     QVERIFY(again.press("s", true));
     QVERIFY(soon([&] {
       return again.title().starts_with("body.sline") && !again.title().starts_with("body.sline*");
     }));
     QVERIFY(bytesOf(model::readSceneFile(file)->scene) == bytesOf(expected));
-    QVERIFY(soon([&] { return copiesThere() == 0; }));
+    QVERIFY(soon([&] { return journalsThere() == 0; }));
     QVERIFY(again.press("q", true));
     QVERIFY(second.waitForFinished(minute));
     QCOMPARE(second.exitStatus(), QProcess::NormalExit);

@@ -308,13 +308,16 @@ class FilesTest : public QObject {
   void whatACrashLeftIsOffered() {
     QFETCH(bool, recover);
     const QTemporaryDir state;
-    const fs::path copies = (state.path() + QStringLiteral("/state/sline/autosave")).toStdString();
+    const fs::path journals =
+        (state.path() + QStringLiteral("/state/sline/journals")).toStdString();
     const fs::path file = state.filePath(QStringLiteral("lost.sline")).toStdString();
     model::Scene scene;
     scene.append({.name = "<b>group</b>", .style = {.fill = model::Fill::paper}});
     {
-      const auto autosave = model::Autosave::begin(copies);
-      QVERIFY(autosave.ok() && autosave->keep({.scene = scene}, {"lost.sline", file}).ok());
+      const auto journal = model::Journal::reserve(journals);
+      QVERIFY(journal.ok());
+      const auto kept = std::make_shared<const model::Scene>(scene);
+      QVERIFY((*journal)->start({"lost.sline", file}, {}, {.scene = kept}).ok());
     }
     Session session;
     QSettings settings(sealed(state.path()), QSettings::IniFormat);
@@ -330,7 +333,7 @@ class FilesTest : public QObject {
     if (!recover) {
       click("forget-0");
       click("forgetCopy");
-      QTRY_VERIFY(model::recoverableIn(copies).empty());
+      QTRY_VERIFY(model::recoverableIn(journals).empty());
       QVERIFY(!window.findChild<QWidget*>(QStringLiteral("recoveryPanel"))->isVisible());
       return;
     }
@@ -342,7 +345,7 @@ class FilesTest : public QObject {
     QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
     QTRY_VERIFY(!window.isWindowModified());
     QVERIFY(bytesOf(onDisk(QString::fromStdString(file.string()))) == bytesOf(scene));
-    QTRY_VERIFY(model::recoverableIn(copies).empty());
+    QTRY_VERIFY(model::recoverableIn(journals).empty());
   }
 };
 

@@ -140,7 +140,6 @@ std::vector<PreferenceRow> navigationRows() {
 }
 
 std::vector<PreferenceRow> fileRows() {
-  constexpr int tenMinutes = 600;
   return {{{QStringLiteral("files/importOptions"), tr("Always show import options"),
             tr("Before meshes are opened: units, smoothing and what is left out"), SwitchField{}},
            tr("Files"),
@@ -151,11 +150,10 @@ std::vector<PreferenceRow> fileRows() {
                          {QStringLiteral("own"), tr("A window of their own")}}}},
            tr("Files"),
            QStringLiteral("running")},
-          {{QStringLiteral("files/autosaveSeconds"), tr("Keep unsaved work after"),
-            tr("How long after a change a copy is kept, which is offered after a crash"),
-            NumberField{.low = 0, .high = tenMinutes, .unit = tr("s"), .lowestText = tr("Never")}},
+          {{QStringLiteral("files/journal"), tr("Keep unsaved work"),
+            tr("Each change is kept at once, and offered after a crash"), SwitchField{}},
            tr("Files"),
-           60}};
+           true}};
 }
 
 }  // namespace

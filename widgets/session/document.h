@@ -31,8 +31,10 @@ struct LoadedDocument {
   /// New meshes for the open scene, instead of a scene.
   std::optional<std::vector<model::NewMesh>> renewed;
   std::optional<DocumentFile> file;  ///< of a scene file
-  bool added = false;                ///< the scene goes below what is open, as an edit of it
-  int reverts = 0;  ///< the opening that returns to the state on disk; 0: a new opening
+  /// The history that a journal has brought back; `scene` is its first state.
+  std::optional<model::Recovered> recovered;
+  bool added = false;  ///< the scene goes below what is open, as an edit of it
+  int reverts = 0;     ///< the opening that returns to the state on disk; 0: a new opening
 };
 
 /// Returns a title for files and folders: "pelvis", or "liver.stl and 3 more".

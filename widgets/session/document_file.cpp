@@ -82,21 +82,23 @@ Result<ReadDocument> readDocument(const fs::path& path,
 
 Result<ReadDocument> readRecovered(const model::Recoverable& found,
                                    std::shared_ptr<const model::FileLock> held) {
-  Result<model::SceneDocument> document = model::recovered(found);
-  if (!document.ok())
-    return document.error();
-  ReadDocument read{.scene = std::move(document->scene), .file = {.copy = found}};
-  read.file.thumbnail = textOrNone(std::move(document->thumbnail));
-  if (!document->others.empty())
+  Result<model::Recovered> recovered = model::recovered(found);
+  if (!recovered.ok())
+    return recovered.error();
+  ReadDocument read{.scene = recovered->states.front().scene, .file = {.left = found}};
+  read.file.thumbnail = textOrNone(std::move(recovered->rest.thumbnail));
+  if (!recovered->rest.others.empty())
     read.file.others =
-        std::make_shared<const std::vector<model::ZipMember>>(std::move(document->others));
+        std::make_shared<const std::vector<model::ZipMember>>(std::move(recovered->rest.others));
+  read.recovered = std::move(*recovered);
   if (found.source.file.empty())
     return read;
   read.file.path = found.source.file;
   lock(read.file, std::move(held));
   read.file.stamp = stampOf(read.file.path);
   if (read.file.writable == Writable::yes && read.file.stamp && read.file.stamp->when > found.when)
-    deny(read.file, Writable::changedOnDisk, tr("It was saved after this copy was made"));
+    deny(read.file, Writable::changedOnDisk,
+         tr("It was saved after the last of these changes was made"));
   return read;
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "model/scene_file/autosave.h"
+#include "model/scene_file/journal.h"
 #include "model/scene_file/scene_file.h"
 
 namespace sline::widgets {
@@ -43,14 +43,16 @@ struct DocumentFile {
   std::shared_ptr<const std::string> thumbnail;  ///< PNG; null for none
   /// The scene as it came in or was saved last; absent if no file has it (it was recovered).
   std::optional<model::Scene> saved;
-  std::optional<FileStamp> stamp;          ///< of the file as it was read or written last
-  std::optional<model::Recoverable> copy;  ///< the copy of unsaved work from which it was recovered
+  std::optional<FileStamp> stamp;               ///< of the file as it was read or written last
+  std::optional<model::Recoverable> left;       ///< the journal from which it was recovered
   std::shared_ptr<const model::FileLock> lock;  ///< held while the document is open
 };
 
 struct ReadDocument {
   model::Scene scene;
   DocumentFile file;
+  /// What a journal has brought back; `scene` is its first state.
+  std::optional<model::Recovered> recovered;
 };
 
 /// Reads a scene file and locks it, or says why it cannot be saved again. `held` is a lock that the
@@ -58,8 +60,8 @@ struct ReadDocument {
 Result<ReadDocument> readDocument(const std::filesystem::path& path,
                                   std::shared_ptr<const model::FileLock> held);
 
-/// Reads a copy of unsaved work; its file is the one that it is a copy of, which is locked as in
-/// `readDocument`.
+/// Reads a journal of unsaved work; its file is the one that was being edited, which is locked as
+/// in `readDocument`.
 Result<ReadDocument> readRecovered(const model::Recoverable& found,
                                    std::shared_ptr<const model::FileLock> held);
 

@@ -152,6 +152,10 @@ void Session::activateAnnotation(std::optional<model::AnnotationId> id) {
 }
 
 void Session::set(Document document) {
+  if (m_restoring) {
+    m_document = std::move(document);
+    return;
+  }
   if (document == m_document)
     return;
   const Document before = std::exchange(m_document, std::move(document));

@@ -92,7 +92,8 @@ class Session : public QObject {
   std::vector<std::filesystem::path> sources() const;
   /// Opens an empty scene.
   void openEmpty(const QString& title);
-  /// Opens a copy that a crash left; it differs from its file until it is saved.
+  /// Opens what a journal has kept of a crash, with its history; it differs from its file until it
+  /// is saved.
   void openRecovered(const model::Recoverable& found);
   /// Reads the document's file again, as an undo step.
   void revert();
@@ -127,6 +128,8 @@ class Session : public QObject {
   void set(Document document);
   void push(const QString& name, Document after, const QString& series);
   void open(const LoadedDocument& loaded);
+  /// Makes the history that a journal has brought back the document's, and goes to where it stood.
+  void restore(const model::Recovered& recovered);
   void renew(const LoadedDocument& loaded);
   void add(const LoadedDocument& loaded);
   void goBack(const LoadedDocument& loaded);
@@ -147,6 +150,7 @@ class Session : public QObject {
   std::optional<model::AnnotationId> m_activeAnnotation;
   SceneJob* m_job = nullptr;
   bool m_modified = false;
+  bool m_restoring = false;  ///< steps are put in place, of which nobody needs to hear
   int m_openings = 0;
   /// The sources by Document::opening, so that they are right after undo, too.
   std::map<int, std::vector<std::filesystem::path>> m_sources;

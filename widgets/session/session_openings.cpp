@@ -18,7 +18,8 @@ Result<LoadedDocument> loadedDocument(Result<ReadDocument> read, const QString& 
   return LoadedDocument{.scene = std::move(read->scene),
                         .title = title,
                         .remarks = {},
-                        .file = std::move(read->file)};
+                        .file = std::move(read->file),
+                        .recovered = std::move(read->recovered)};
 }
 
 QStringList remarksOf(const model::Reloaded& reloaded) {
@@ -126,15 +127,35 @@ void Session::open(const LoadedDocument& loaded) {
   cancelPreview();
   m_sources[m_openings + 1] = loaded.paths;
   DocumentFile file = loaded.file.value_or(DocumentFile());
-  Document document{.scene = solid(loaded.scene), .title = loaded.title};
-  if (!file.copy)
+  // What was being edited comes back as it was.
+  Document document{.scene = loaded.recovered ? loaded.scene : solid(loaded.scene),
+                    .title = loaded.title};
+  if (!file.left)
     file.saved = document.scene;
   if (model::hasNoLook(loaded.scene))
     m_withoutLook.insert(m_openings + 1);
   addOpening(std::move(document), std::move(file));
+  if (loaded.recovered)
+    restore(*loaded.recovered);
   emit opened(loaded.paths);
   if (!loaded.remarks.isEmpty())
     emit remarked(loaded.remarks);
+}
+
+void Session::restore(const model::Recovered& recovered) {
+  const Document first = m_document;
+  m_restoring = true;
+  const int begin = m_history.index();
+  for (std::size_t i = 1; i < recovered.states.size(); ++i) {
+    Document after = m_document;
+    after.scene = recovered.states[i].scene;
+    push(QString::fromStdString(recovered.states[i].name), std::move(after), {});
+  }
+  m_history.setIndex(begin + int(recovered.current));
+  m_restoring = false;
+  Document now = std::exchange(m_document, first);
+  set(std::move(now));
+  select(recovered.selection);
 }
 
 void Session::add(const LoadedDocument& loaded) {

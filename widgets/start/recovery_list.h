@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "model/scene_file/autosave.h"
+#include "model/scene_file/journal.h"
 
 class QVBoxLayout;
 

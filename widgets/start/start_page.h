@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "model/scene_file/autosave.h"
+#include "model/scene_file/journal.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/start/demo_pictures.h"
 #include "widgets/start/drawing_choice.h"

@@ -24,7 +24,7 @@ namespace sline::widgets {
 
 namespace {
 
-constexpr const char* autosaveKey = "files/autosaveSeconds";
+constexpr const char* journalKey = "files/journal";
 
 }  // namespace
 
@@ -39,7 +39,7 @@ FileActions::FileActions(const Context& context, QMainWindow& window)
       m_window(window),
       m_recent(context.settings),
       m_saver(context.session),
-      m_autosaver(context.session, model::userAutosaveFolder()) {
+      m_journaler(context.session, model::userJournalFolder()) {
   connectActions();
   connectSaver();
   connect(&m_session, &Session::fileChanged, this, &FileActions::fileChange);
@@ -51,13 +51,13 @@ FileActions::FileActions(const Context& context, QMainWindow& window)
               m_recent.add(textOf(paths.front()));
           });
   const auto follow = [this] {
-    m_autosaver.setInterval(std::chrono::seconds(m_preferences.number(QLatin1String(autosaveKey))));
+    m_journaler.setEnabled(m_preferences.isOn(QLatin1String(journalKey)));
   };
   connect(&m_preferences, &Preferences::changed, this, follow);
-  connect(&m_autosaver, &Autosaver::failed, &m_message, &MessageBar::showError);
+  connect(&m_journaler, &Journaler::failed, &m_message, &MessageBar::showError);
   follow();
   fileChange();
-  m_seeker.add([this, folder = m_autosaver.folder()](const std::stop_token&) {
+  m_seeker.add([this, folder = m_journaler.folder()](const std::stop_token&) {
     return [this, found = model::recoverableIn(folder)] {
       m_recoverable = found;
       m_actions[QStringLiteral("recover")].setEnabled(!found.empty());
@@ -169,7 +169,7 @@ void FileActions::openDemo(const DemoScene& demo) {
 void FileActions::recover(const model::Recoverable& found) {
   whenSafe([this, found] {
     m_session.openRecovered(found);
-    std::erase_if(m_recoverable, [&](const auto& each) { return each.copy == found.copy; });
+    std::erase_if(m_recoverable, [&](const auto& each) { return each.journal == found.journal; });
     m_actions[QStringLiteral("recover")].setEnabled(!m_recoverable.empty());
     emit recoverableChanged();
   });
@@ -180,7 +180,7 @@ void FileActions::forget(const model::Recoverable& found) {
     model::forget(found);
     return BackgroundQueue::Sequel();
   });
-  std::erase_if(m_recoverable, [&](const auto& each) { return each.copy == found.copy; });
+  std::erase_if(m_recoverable, [&](const auto& each) { return each.journal == found.journal; });
   m_actions[QStringLiteral("recover")].setEnabled(!m_recoverable.empty());
   emit recoverableChanged();
 }
@@ -210,7 +210,7 @@ void FileActions::whenSafe(const std::function<void()>& then) {
                                  },
                              .discard =
                                  [this, then] {
-                                   m_autosaver.discard();
+                                   m_journaler.discard();
                                    then();
                                  }});
 }
@@ -301,7 +301,7 @@ bool FileActions::mayClose() {
 }
 
 void FileActions::letGo() {
-  m_autosaver.discard();
+  m_journaler.discard();
 }
 
 }  // namespace sline::widgets

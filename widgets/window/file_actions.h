@@ -5,8 +5,8 @@
 #include <QPointer>
 #include <functional>
 
-#include "model/scene_file/autosave.h"
-#include "widgets/session/autosaver.h"
+#include "model/scene_file/journal.h"
+#include "widgets/session/journaler.h"
 #include "widgets/session/recent_files.h"
 #include "widgets/session/scene_saver.h"
 #include "widgets/session/session.h"
@@ -55,7 +55,7 @@ class FileActions : public QObject {
   void openRecent(const QString& path);
   void openDemo(const DemoScene& demo);
   void recover(const model::Recoverable& found);
-  /// Removes the copy for good.
+  /// Removes the journal for good.
   void forget(const model::Recoverable& found);
   /// Calls the function now, or once unsaved changes were saved or discarded, or never.
   void whenSafe(const std::function<void()>& then);
@@ -66,7 +66,7 @@ class FileActions : public QObject {
 
   /// Returns false where a question or a save must come first; the window is closed afterwards.
   bool mayClose();
-  /// Discards the copy of unsaved work, because the window closes.
+  /// Discards the journal of unsaved work, because the window closes.
   void letGo();
 
  signals:
@@ -93,7 +93,7 @@ class FileActions : public QObject {
   QMainWindow& m_window;
   RecentFiles m_recent;
   SceneSaver m_saver;
-  Autosaver m_autosaver;
+  Journaler m_journaler;
   BackgroundQueue m_seeker;
   std::vector<model::Recoverable> m_recoverable;
   PathsHandler m_dropHandler;

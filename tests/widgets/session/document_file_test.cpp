@@ -9,7 +9,6 @@
 #include "model/edit/look.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
-#include "widgets/session/autosaver.h"
 #include "widgets/session/recent_files.h"
 #include "widgets/session/scene_saver.h"
 
@@ -291,45 +290,20 @@ class DocumentFileTest : public QObject {
     QCOMPARE(again->others[0].bytes, std::string("mine"));
   }
 
-  void copiesAreKeptAndLetGo() {
-    const fs::path folder = file("copies");
-    const fs::path path = file("copied.sline");
-    Session session;
-    Autosaver autosaver(session, folder);
-    autosaver.setInterval(std::chrono::milliseconds(50));
-    QSignalSpy kept(&autosaver, &Autosaver::kept);
-    const auto copies = [&] {
-      int count = 0;
-      std::error_code none;
-      for (const auto& entry : fs::directory_iterator(folder, none))
-        count += model::isSceneFile(entry.path());
-      return count;
-    };
-    QVERIFY(openMade(session));
-    QVERIFY(save(session, path));
-    QVERIFY(gamma(session, 4.0f));
-    QTRY_COMPARE(kept.count(), 1);
-    QCOMPARE(copies(), 1);
-    QVERIFY(model::recoverableIn(folder).empty());
-    session.undo();  // nothing to lose any more
-    QTRY_COMPARE(copies(), 0);
-    session.redo();
-    QTRY_COMPARE(copies(), 1);
-    QVERIFY(save(session, path));
-    QTRY_COMPARE(copies(), 0);
-  }
-
   void recoveredIsUnsaved() {
     const fs::path folder = file("left");
     const fs::path path = file("lost.sline");
     model::Scene scene = balls();
     {
-      const auto autosave = model::Autosave::begin(folder);
-      QVERIFY(autosave.ok() && autosave->keep({.scene = scene}, {"lost.sline", path}).ok());
+      const auto journal = model::Journal::reserve(folder);
+      QVERIFY(journal.ok());
+      QVERIFY((*journal)
+                  ->start({"lost.sline", path}, {},
+                          {.scene = std::make_shared<const model::Scene>(scene)})
+                  .ok());
+      QVERIFY((*journal)->writeMeshes(std::chrono::minutes(1)).ok());
     }
     Session session;
-    Autosaver autosaver(session, folder);
-    QSignalSpy kept(&autosaver, &Autosaver::kept);
     const auto found = model::recoverableIn(folder);
     QCOMPARE(found.size(), std::size_t(1));
     session.openRecovered(found[0]);
@@ -337,8 +311,6 @@ class DocumentFileTest : public QObject {
     QVERIFY(same(session.scene(), scene));
     QVERIFY(session.modified());
     QVERIFY(session.file().path == path);
-    QTRY_COMPARE(kept.count(), 1);  // at once: it is in a copy of its own before the old one goes
-    QVERIFY(!fs::exists(found[0].copy));
     QVERIFY(save(session, path));
     QVERIFY(!session.modified());
     QVERIFY(same(onDisk(path), scene));

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/scene_file/journal.h"
+
+#include <algorithm>
+
+#include "model/base/letters.h"
+#include "model/disk/cache_folder.h"
+#include "model/disk/process.h"
+#include "model/disk/whole_file.h"
+#include "model/scene_file/journal_records.h"
+#include "model/scene_file/journal_succession.h"
+
+namespace sline::model {
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr std::string_view journalExtension = ".journal";
+constexpr std::string_view pictureMember = "thumbnail.png";
+constexpr std::string_view successionMember = "recovery/succession";
+constexpr std::size_t largestJournal = std::size_t(16) << 30;
+/// A journal is written anew, with the nearest states alone, when it has grown by so much, or its
+/// states' texts would take that much to read.
+constexpr std::uint64_t mostGrowth = std::uint64_t(16) << 20;
+constexpr std::uint64_t mostNotedText = std::uint64_t(128) << 20;
+constexpr std::size_t keptText = std::size_t(64) << 20;
+/// A journal that begins has its meshes first, if that does not keep the first edit waiting.
+constexpr std::chrono::milliseconds meshesFirst(400);
+/// Reading a state takes some milliseconds.
+constexpr std::size_t mostStepsBack = 300;
+
+fs::path meshesOf(const fs::path& journal) {
+  fs::path file = journal;
+  return file.replace_extension(".meshes");
+}
+
+bool isJournal(const fs::path& file) {
+  return lowerExtension(file) == journalExtension;
+}
+
+void removeFiles(const fs::path& journal) {
+  std::error_code ignored;
+  fs::remove(journal, ignored);
+  fs::remove(meshesOf(journal), ignored);
+}
+
+/// Removes what programs that were killed without unsaved work have left.
+void removeOrphans(const fs::path& folder) {
+  std::vector<fs::path> orphans;
+  std::error_code fault;
+  for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+       entry.increment(fault)) {
+    fs::path journal = entry->path();
+    if (lowerExtension(journal) != ".meshes")
+      continue;
+    journal.replace_extension(journalExtension);
+    std::error_code none;
+    if (!fs::exists(journal, none) && !FileLock::held(journal))
+      orphans.push_back(entry->path());
+  }
+  for (const fs::path& orphan : orphans)
+    fs::remove(orphan, fault);
+}
+
+std::vector<ZipMember> membersOf(const SceneDocument& rest) {
+  std::vector<ZipMember> members = rest.others;
+  if (!rest.thumbnail.empty())
+    members.push_back({std::string(pictureMember), rest.thumbnail});
+  return members;
+}
+
+SceneDocument restOf(std::vector<ZipMember> members) {
+  SceneDocument rest;
+  for (ZipMember& member : members) {
+    if (member.name == successionMember)
+      continue;
+    if (member.name == pictureMember)
+      rest.thumbnail = std::move(member.bytes);
+    else
+      rest.others.push_back(std::move(member));
+  }
+  return rest;
+}
+
+/// Tells whether the journal from which this one goes on is still there.
+bool isPreceded(const JournalContent& content) {
+  std::error_code none;
+  return std::any_of(content.members.begin(), content.members.end(), [&](const ZipMember& member) {
+    return member.name == successionMember && fs::exists(member.bytes, none);
+  });
+}
+
+/// Returns the meshes of the journal and, where a state calls for others, of the scene file.
+Bulk bulkFor(const fs::path& journal, const JournalContent& content) {
+  const Result<std::string> bytes = readText(meshesOf(journal), largestJournal);
+  Bulk bulk = bytes.ok() ? bulkFrom(*bytes) : Bulk();
+  const auto known = [&bulk](const std::string& key) { return bulk.contains(key); };
+  const std::vector<std::string> keys = keysCalledFor(*content.now().text);
+  if (std::all_of(keys.begin(), keys.end(), known) || content.source.file.empty())
+    return bulk;
+  if (const Result<SceneDocument> saved = readSceneFile(content.source.file); saved.ok())
+    bulk.merge(bulkOf(saved->scene));
+  return bulk;
+}
+}  // namespace
+
+fs::path userJournalFolder() {
+  const fs::path state = userStateFolder();
+  return state.empty() ? state : state / "journals";
+}
+
+Result<std::unique_ptr<Journal>> Journal::reserve(const fs::path& folder) {
+  std::error_code ignored;  // if the folder is still missing, the lock reports the error
+  fs::create_directories(folder, ignored);
+  removeOrphans(folder);
+  for (int number = 1;; ++number) {
+    const fs::path file = folder / (std::to_string(processNumber()) + "-" + std::to_string(number) +
+                                    std::string(journalExtension));
+    // A journal of this name was left by an earlier process of the same number.
+    if (fs::exists(file, ignored) || FileLock::held(file))
+      continue;
+    Result<FileLock> lock = FileLock::acquire(file);
+    if (!lock.ok())
+      return lock.error();
+    return std::unique_ptr<Journal>(new Journal(std::move(*lock)));
+  }
+}
+
+Journal::~Journal() {
+  if (!started())
+    removeFiles(file());
+}
+
+Status Journal::start(const JournalSource& source, const SceneDocument& rest,
+                      const JournalStep& state) {
+  m_states.reset();
+  if (!m_bulk) {
+    Result<BulkStore> bulk = BulkStore::create(meshesOf(file()));
+    if (!bulk.ok())
+      return bulk.error();
+    m_bulk.emplace(std::move(*bulk));
+  }
+  JournalContent content{.source = source,
+                         .members = membersOf(rest),
+                         .states = {{state.name, std::make_shared<const std::string>(
+                                                     stateText(*state.scene, m_keys))}},
+                         .first = state.place,
+                         .current = state.place,
+                         .selection = {}};
+  for (const auto& [key, item] : m_keys.takeFresh())
+    m_bulk->want(key, item);
+  if (Status written = m_bulk->write(meshesFirst); !written.ok())
+    return written;
+  Result<std::unique_ptr<AppendedFile>> made = AppendedFile::create(file());
+  if (!made.ok())
+    return made.error();
+  if (Status added = (*made)->add(journalBytes(content, m_writer)); !added.ok()) {
+    std::error_code ignored;
+    fs::remove(file(), ignored);
+    return added;
+  }
+  m_states = std::move(*made);
+  m_begun = m_states->size();
+  m_text = content.now().text->size();
+  return Unit{};
+}
+
+Status Journal::note(const JournalStep& step) {
+  const JournalState state{step.name,
+                           std::make_shared<const std::string>(stateText(*step.scene, m_keys))};
+  for (const auto& [key, item] : m_keys.takeFresh())
+    m_bulk->want(key, item);
+  if (Status added = m_states->add(m_writer.state(step.place, step.count, state)); !added.ok())
+    return added;
+  m_writer.wrote(state);
+  m_text += state.text->size();
+  if (m_states->size() - m_begun > mostGrowth || m_text > mostNotedText)
+    shorten();
+  return Unit{};
+}
+
+Status Journal::note(const JournalSource& source) {
+  return m_states->add(m_writer.source(source));
+}
+
+Status Journal::note(const std::vector<NodeId>& selection) {
+  return m_states->add(m_writer.selection(selection));
+}
+
+/// Writes the journal anew beside itself and puts it in its place. Where that fails it only goes on
+/// growing, and is as good as before.
+void Journal::shorten() {
+  m_begun = m_states->size();
+  m_text = 0;
+  const Result<std::string> bytes = readText(file(), largestJournal);
+  if (!bytes.ok())
+    return;
+  JournalContent content = journalContent(*bytes);
+  if (content.states.empty())
+    return;
+  dropFarStates(content, keptText);
+  JournalWriter writer;
+  if (!writeText(file(), journalBytes(content, writer)).ok())
+    return;
+  // The old file is no longer in the folder: without the new one nothing can be kept.
+  Result<std::unique_ptr<AppendedFile>> again = AppendedFile::goOn(file());
+  if (!again.ok())
+    return;
+  m_states = std::move(*again);
+  m_writer = writer;
+  m_begun = m_states->size();
+}
+
+Status Journal::writeMeshes(std::chrono::milliseconds atMost) {
+  return m_bulk ? m_bulk->write(atMost) : Status(Unit{});
+}
+
+Status Journal::sync() {
+  if (m_states)
+    if (Status synced = m_states->sync(); !synced.ok())
+      return synced;
+  return m_bulk ? m_bulk->sync() : Status(Unit{});
+}
+
+void Journal::discard() {
+  m_states.reset();
+  std::error_code ignored;
+  fs::remove(file(), ignored);
+}
+
+void Journal::discardAll() {
+  discard();
+  m_bulk.reset();
+  m_keys = {};
+  removeFiles(file());
+}
+
+std::vector<Recoverable> recoverableIn(const fs::path& folder) {
+  std::vector<Recoverable> all;
+  std::error_code fault;
+  for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+       entry.increment(fault)) {
+    const fs::path file = entry->path();
+    std::error_code gone;
+    const fs::file_time_type when = fs::last_write_time(file, gone);
+    // An empty one was killed before it had anything.
+    if (gone || !isJournal(file) || FileLock::held(file) || fs::file_size(file, gone) == 0)
+      continue;
+    const Result<std::string> bytes = readText(file, largestJournal);
+    const JournalContent content = bytes.ok() ? journalContent(*bytes) : JournalContent();
+    if (!isPreceded(content))
+      all.push_back({file, content.source, when});
+  }
+  std::sort(all.begin(), all.end(), [](const Recoverable& a, const Recoverable& b) {
+    return a.when != b.when ? a.when > b.when : a.journal < b.journal;
+  });
+  return all;
+}
+
+Result<Recovered> recovered(const Recoverable& found) {
+  const Result<std::string> bytes = readText(found.journal, largestJournal);
+  if (!bytes.ok())
+    return bytes.error();
+  JournalContent content = journalContent(*bytes);
+  Error damaged{.file = found.journal.string(),
+                .reason = "it was damaged, and holds no state of the scene that is whole",
+                .remedy = "Open the scene file as it was saved last"};
+  if (content.states.empty())
+    return damaged;
+  const Bulk bulk = bulkFor(found.journal, content);
+  Recovered back;
+  // From the newest state whose meshes are there, back and then forth as far as it goes.
+  std::size_t at = content.current - content.first;
+  std::optional<Result<Scene>> scene;
+  for (;; --at) {
+    scene = sceneOfState(*content.states[at].text, bulk);
+    if (scene->ok() || at == 0)
+      break;
+    damaged.reason += ": " + scene->error().reason;
+  }
+  if (!scene->ok())
+    return damaged;
+  back.states.push_back({content.states[at].name, std::move(**scene)});
+  for (std::size_t i = at; i-- > 0 && back.current < mostStepsBack; ++back.current) {
+    Result<Scene> before = sceneOfState(*content.states[i].text, bulk);
+    if (!before.ok())
+      break;
+    back.states.push_back({content.states[i].name, std::move(*before)});
+  }
+  std::reverse(back.states.begin(), back.states.end());
+  for (std::size_t i = at + 1; i < content.states.size(); ++i) {
+    Result<Scene> after = sceneOfState(*content.states[i].text, bulk);
+    if (!after.ok())
+      break;
+    back.states.push_back({content.states[i].name, std::move(*after)});
+  }
+  back.rest = restOf(std::move(content.members));
+  back.selection = std::move(content.selection);
+  return back;
+}
+
+ZipMember successionOf(const Recoverable& left) {
+  return {std::string(successionMember), left.journal.string()};
+}
+
+void forget(const Recoverable& found) {
+  const Result<FileLock> lock = FileLock::acquire(found.journal);
+  if (lock.ok())
+    removeFiles(found.journal);
+}
+
+}  // namespace sline::model
