@@ -72,6 +72,11 @@ Result<FileLock> FileLock::acquire(const fs::path& named) {
           .remedy = "Save it under another name or in another folder"};
     FileLock lock(file, descriptor);
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+      // A holder lets nobody share it; who only looks whether it is held is gone in a moment.
+      if (flock(descriptor, LOCK_SH | LOCK_NB) == 0) {
+        close(std::exchange(lock.m_descriptor, -1));
+        continue;
+      }
       const std::string holder = holderOf(descriptor);
       close(std::exchange(lock.m_descriptor, -1));  // only the holder may remove the file
       return Error{.file = named.string(),

@@ -8,7 +8,9 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <atomic>
 #include <csignal>
+#include <thread>
 
 #include "model/disk/whole_file.h"
 #include "model/scene_file/scene_file.h"
@@ -50,6 +52,7 @@ class FileLockTest : public QObject {
  private slots:
   void oneWriter();
   void lockGoesWithItsProcess();
+  void lookingDoesNotHold();
   void linksLeadToOneLock();
   void savingLeavesNothingBeside();
   void fullDiskLeavesTheOldFile();
@@ -85,6 +88,26 @@ void FileLockTest::lockGoesWithItsProcess() {
   QVERIFY(!FileLock::held(file));
   QVERIFY(FileLock::acquire(file).ok());
   QCOMPARE(filesIn(folder), QStringList());
+}
+
+void FileLockTest::lookingDoesNotHold() {
+  const QTemporaryDir folder;
+  const fs::path file = folder.filePath("a.sline").toStdString();
+  // A lock file stays, so that there is something to look at between two holders.
+  QVERIFY(writeText(FileLock::besides(file), "").ok());
+  std::atomic<bool> done = false;
+  std::thread looking([&] {
+    while (!done)
+      static_cast<void>(FileLock::held(file));
+  });
+  int refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    refused += FileLock::acquire(file).ok() ? 0 : 1;
+    static_cast<void>(writeText(FileLock::besides(file), ""));
+  }
+  done = true;
+  looking.join();
+  QCOMPARE(refused, 0);
 }
 
 void FileLockTest::linksLeadToOneLock() {
