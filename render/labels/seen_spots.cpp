@@ -303,6 +303,11 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
   constexpr float roomForDot = 1.2f;  // millimetres
   constexpr float mostLost = 0.6f;    // share of the depth where it is seen
   const float least = std::min(roomForDot / m_grid.side, mostLost * any->depth);
+  // A corner that lies beyond everything else is no place for a structure that is seen at large.
+  constexpr float cornerShare = 0.4f;
+  const auto isPlain = [](Worth worth) { return worth >= Worth::most && worth != Worth::outline; };
+  const auto plain = spotOf(isPlain, false);
+  const float ownRoom = plain ? cornerShare * plain->depth : 0.0f;
   for (const float room : {least, 0.0f})
     for (const Worth worth : {Worth::alone, Worth::most, Worth::outline, Worth::ground}) {
       if (worth == Worth::outline) {
@@ -311,8 +316,9 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
         continue;
       }
       const auto is = [worth](Worth one) { return one >= worth && one != Worth::outline; };
+      const float enough = worth == Worth::alone ? std::max(room, ownRoom) : room;
       for (const bool firm : {true, false})
-        if (const auto spot = spotOf(is, firm); spot && spot->depth >= room)
+        if (const auto spot = spotOf(is, firm); spot && spot->depth >= enough)
           return placed(*spot, false);
     }
   return placed(*any, false);
