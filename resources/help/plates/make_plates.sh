@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Draws the pictures of plates.md anew, from scenes that ship with the program:
-#   make_plates.sh SLINE [TRACHEA.glb [PELVIS HEART.glb]]
-# SLINE is the built program. With the trachea, the folder of a male pelvis and the female heart of
-# the Human Reference Atlas (plates.md says where they are published) the endoscopic view and what
-# opens as a plate are drawn too.
+#   make_plates.sh SLINE [ANATOMY]
+# SLINE is the built program. ANATOMY is a folder with anatomy that others publish (plates.md says
+# where), as files, folders or links; what is missing there is not drawn anew:
+#   trachea.glb heart.glb pelvis  Human Reference Atlas: trachea, heart, folder of a male pelvis
+#   abdomen                       abdominal atlas: folder with its scene, as atlas.mrml, and meshes
+#   bodyparts                     BodyParts3D: folder of a pelvis
+#   labels.nii.gz                 labels of a CT by TotalSegmentator, with labels_names.tsv
+#   kinase.pdb                    entry 2SRC of the Protein Data Bank
 set -euo pipefail
 
 sline=$(realpath "${1:?usage: make_plates.sh SLINE [TRACHEA.glb [PELVIS HEART.glb]]}")
-trachea=${2:+$(realpath "$2")}
-pelvis_folder=${3:+$(realpath "$3")}
-heart=${4:+$(realpath "$4")}
+anatomy=$(realpath "${2:-/nonexistent}")
 cd "$(dirname "$0")"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -84,11 +86,11 @@ row gamma_kidney kidney "left kidney" anterior
 row gamma_stomach abdomen stomach anterior
 row gamma_hip_bone pelvis "left hip bone" left
 
-if [ -n "$trachea" ]; then
+if [ -e "$anatomy/trachea.glb" ]; then
   # Strokes alone let the cartilages behind the wall show as on tracing paper.
-  "$sline" render "$trachea" -o "$scratch/trachea_3.png" --camera trachea_camera.json \
+  "$sline" render "$anatomy/trachea.glb" -o "$scratch/trachea_3.png" --camera trachea_camera.json \
     --size 800x800 --gamma 3 --fill veil
-  "$sline" render "$trachea" -o "$scratch/trachea_4.5.png" --camera trachea_camera.json \
+  "$sline" render "$anatomy/trachea.glb" -o "$scratch/trachea_4.5.png" --camera trachea_camera.json \
     --size 800x800 --gamma 4.5
   for gamma in 3 4.5; do
     keep "$scratch/trachea_$gamma.png" "trachea_gamma_$gamma.png"
@@ -96,12 +98,15 @@ if [ -n "$trachea" ]; then
 fi
 
 opening() { # NAME INPUT: plain and as it opens, side by side
-  "$sline" render "$2" --look plain --size 560x560 -o "$scratch/$1_plain.png"
-  "$sline" render "$2" --size 560x560 -o "$scratch/$1_plate.png"
+  [ -e "$anatomy/$2" ] || return 0
+  "$sline" render "$anatomy/$2" --look plain --size 560x560 -o "$scratch/$1_plain.png"
+  "$sline" render "$anatomy/$2" --size 560x560 -o "$scratch/$1_plate.png"
   oiiotool "$scratch/$1_plain.png" "$scratch/$1_plate.png" --mosaic 2x1 -o "$scratch/$1.png"
   keep "$scratch/$1.png" "opening_$1.png"
 }
-if [ -n "$heart" ]; then
-  opening pelvis "$pelvis_folder"
-  opening heart "$heart"
-fi
+opening abdomen abdomen/atlas.mrml
+opening labels labels.nii.gz
+opening bodyparts bodyparts
+opening pelvis pelvis
+opening heart heart.glb
+opening kinase kinase.pdb
