@@ -44,6 +44,28 @@ class OpeningLookWindowTest : public QObject {
     f.session.redo();
     QVERIFY(gammaOf(f, "left kidney") > 4.0f);
   }
+  /// Whatever room panels take while the look is chosen, all of the subject is in the picture.
+  void framedForThePictureAsItIs() {
+    WindowFixture f;
+    f.window.preferences().set("picture/openingLook", "auto");
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(QTest::qWaitFor([&f] { return f.window.focus().busy(); }, 60000));
+    const float before = float(f.viewport().width()) / float(f.viewport().height());
+    f.window.resize(f.window.width() - 350, f.window.height());
+    QVERIFY(wait(f));
+    const float aspect = float(f.viewport().width()) / float(f.viewport().height());
+    QVERIFY2(aspect < 0.8f * before, "the picture has become narrower");
+    model::Box box;
+    for (const model::NodeId id : f.window.focus().state().targets)
+      box.add(f.session.scene().visibleBounds(id));
+    const model::Camera& camera = f.viewport().camera();
+    const glm::mat4 toPicture =
+        model::projectionMatrix(camera, box, aspect) * model::viewMatrix(camera);
+    for (const glm::vec3& corner : box.corners()) {
+      const glm::vec4 clip = toPicture * glm::vec4(corner, 1.0f);
+      QVERIFY(std::abs(clip.x) < 0.98f * clip.w && std::abs(clip.y) < 0.98f * clip.w);
+    }
+  }
   /// A style chosen on the start page is the preference; what is opened next is drawn so at once.
   void inAStyleOfTheStartPage() {
     WindowFixture f;

@@ -169,7 +169,7 @@ void FocusContext::takeLook(std::uint64_t question, const Look& look, const mode
       m_session.apply(tr("Plate"), std::move(edited));
   }
   remember(look->analysis);
-  emit cameraChosen(look->camera);
+  emit lookChosen(*look);
   emit changed();
 }
 

@@ -76,8 +76,8 @@ class FocusContext : public QObject {
   /// Tells that the focus, its surroundings or the amount has changed.
   void changed();
   void busyChanged(bool busy);
-  /// Tells where the chosen look is seen from.
-  void cameraChosen(const sline::model::Camera& camera);
+  /// Tells the look that was chosen, which is to be framed.
+  void lookChosen(const sline::model::OpeningLook& look);
   /// Tells the look of a plate of the subject with that index.
   void subjectOffered(std::size_t subject,
                       const std::shared_ptr<const sline::model::OpeningLook>& look);

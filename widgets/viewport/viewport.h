@@ -61,6 +61,8 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void fitAll();
   /// Does the same as `fitAll`, but for what is visible at or below the nodes.
   void fitTo(const NodeIds& ids);
+  /// Returns the aspect of the part of the picture that labels leave to the anatomy.
+  float aspectBesideLabels(const model::Camera& camera) const;
 
   render::Background background() const { return m_background; }
   /// Returns what surrounds the anatomy in this picture.
@@ -175,8 +177,6 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   float aspect() const { return size2().x / size2().y; }
   /// Redraws the labels, which give way to marks that have moved.
   void labelsGiveWay();
-  /// Returns the aspect of the part of the picture that labels leave to the anatomy.
-  float aspectBesideLabels(const model::Camera& camera) const;
 
   Session& m_session;
   QString m_driver;

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "model/disk/cache_folder.h"
+#include "model/look/opening_look.h"
 #include "widgets/annotations/in_picture/label_actions.h"
 #include "widgets/export/export_actions.h"
 #include "widgets/focus/focus_context.h"
@@ -62,7 +63,10 @@ void MainWindow::makeCentre() {
   m_focus = new FocusContext(
       m_session, [this] { return m_viewport->camera(); }, this);
   connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
-  connect(m_focus, &FocusContext::cameraChosen, m_viewport, &Viewport::flyTo);
+  // The picture's shape may have changed since the look was asked for, as while panels fill.
+  connect(m_focus, &FocusContext::lookChosen, m_viewport, [this](const model::OpeningLook& look) {
+    m_viewport->flyTo(model::framedCamera(look, m_viewport->aspectBesideLabels(look.camera)));
+  });
   connect(&m_session, &Session::opened, this, [this] {
     const model::DrawingStyle* style = openingStyle(m_preferences);
     if (!style || !m_session.opensWithoutLook())
