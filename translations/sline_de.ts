@@ -190,10 +190,6 @@
         <translation>Höhe des Films</translation>
     </message>
     <message>
-        <source>The page&apos;s shape gives the width</source>
-        <translation>Die Form der Seite gibt die Breite</translation>
-    </message>
-    <message>
         <source>px</source>
         <translation>px</translation>
     </message>
@@ -416,6 +412,70 @@
     <message>
         <source>Without colours, with a grey profile</source>
         <translation>Ohne Farben, mit Grauprofil</translation>
+    </message>
+    <message>
+        <source>1280 × 720, HD</source>
+        <translation>1280 × 720, HD</translation>
+    </message>
+    <message>
+        <source>1920 × 1080, Full HD</source>
+        <translation>1920 × 1080, Full HD</translation>
+    </message>
+    <message>
+        <source>1080 × 1080, square</source>
+        <translation>1080 × 1080, quadratisch</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>Eine andere Größe</translation>
+    </message>
+    <message>
+        <source>The page&apos;s shape</source>
+        <translation>Die Form der Seite</translation>
+    </message>
+    <message>
+        <source>Width and height in pixels</source>
+        <translation>Breite und Höhe in Pixeln</translation>
+    </message>
+    <message>
+        <source>Width of the film</source>
+        <translation>Breite des Films</translation>
+    </message>
+    <message>
+        <source>Of another size</source>
+        <translation>Bei einer anderen Größe</translation>
+    </message>
+    <message>
+        <source>Of another size, or of the page&apos;s shape</source>
+        <translation>Bei einer anderen Größe oder der Form der Seite</translation>
+    </message>
+    <message>
+        <source>On sheets alone</source>
+        <translation>Nur auf Blättern</translation>
+    </message>
+    <message>
+        <source>All structures</source>
+        <translation>Alle Strukturen</translation>
+    </message>
+    <message>
+        <source>Those with a label</source>
+        <translation>Die mit Beschriftung</translation>
+    </message>
+    <message>
+        <source>Those in focus</source>
+        <translation>Die im Fokus</translation>
+    </message>
+    <message>
+        <source>Colours and names, in the picture&apos;s corner or on the sheet</source>
+        <translation>Farben und Namen, in der Ecke des Bildes oder auf dem Blatt</translation>
+    </message>
+    <message>
+        <source>Size of the film</source>
+        <translation>Größe des Films</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
     </message>
 </context>
 <context>
@@ -2022,22 +2082,6 @@
         <translation>%1, %2 bei %3 dpi.</translation>
     </message>
     <message>
-        <source>Less than 1 MB.</source>
-        <translation>Weniger als 1 MB.</translation>
-    </message>
-    <message>
-        <source>A few MB.</source>
-        <translation>Einige MB.</translation>
-    </message>
-    <message>
-        <source>Tens of MB.</source>
-        <translation>Einige zehn MB.</translation>
-    </message>
-    <message>
-        <source>Hundreds of MB.</source>
-        <translation>Einige hundert MB.</translation>
-    </message>
-    <message>
         <source>Names of structures, groups and views are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
         <translation>Namen von Strukturen, Gruppen und Ansichten stehen in der Datei, wie die Szene sie hat. Keine Pfade, Benutzernamen, Daten oder Patientenangaben.</translation>
     </message>
@@ -2284,10 +2328,6 @@
     <message>
         <source>Take the chosen label away (Del in the picture)</source>
         <translation>Die gewählte Beschriftung wegnehmen (Entf im Bild)</translation>
-    </message>
-    <message>
-        <source>%1 seconds, %2 pixels high, %3 pictures a second.</source>
-        <translation>%1 Sekunden, %2 Pixel hoch, %3 Bilder je Sekunde.</translation>
     </message>
     <message>
         <source>Author and rights are in the file as you typed them.</source>
@@ -2972,6 +3012,41 @@
         <source>It was saved after the last of these changes was made</source>
         <translation>Sie wurde gespeichert, nachdem die letzte dieser Änderungen gemacht war</translation>
     </message>
+    <message>
+        <source>%1 seconds, %2 × %3 pixels, %4 pictures a second.</source>
+        <translation>%1 Sekunden, %2 × %3 Pixel, %4 Bilder je Sekunde.</translation>
+    </message>
+    <message>
+        <source>Its size is being measured.</source>
+        <translation>Die Größe wird gemessen.</translation>
+    </message>
+    <message>
+        <source>About %1.</source>
+        <translation>Etwa %1.</translation>
+    </message>
+    <message>
+        <source>About %1 each.</source>
+        <translation>Je etwa %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures found no room in the legend: %1.</source>
+        <translation>
+            <numerusform>%n Struktur fand keinen Platz in der Legende: %1.</numerusform>
+            <numerusform>%n Strukturen fanden keinen Platz in der Legende: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The legend is empty: nothing that is shown has a label, or is in focus.</source>
+        <translation>Die Legende ist leer: Nichts Gezeigtes hat eine Beschriftung oder ist im Fokus.</translation>
+    </message>
+    <message>
+        <source>Take a larger page or smaller letters, or list fewer.</source>
+        <translation>Nimm eine größere Seite oder kleinere Buchstaben, oder nenne weniger.</translation>
+    </message>
+    <message>
+        <source>Let it list all structures.</source>
+        <translation>Lass sie alle Strukturen nennen.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -3016,10 +3091,6 @@ OpenGL: %3</translation>
         <translation>Nr.</translation>
     </message>
     <message>
-        <source>Says</source>
-        <translation>Sagt</translation>
-    </message>
-    <message>
         <source>Kind</source>
         <translation>Art</translation>
     </message>
@@ -3046,6 +3117,10 @@ OpenGL: %3</translation>
     <message>
         <source>Hide Label</source>
         <translation>Beschriftung verbergen</translation>
+    </message>
+    <message>
+        <source>Says (%1)</source>
+        <translation>Text (%1)</translation>
     </message>
 </context>
 <context>
@@ -3357,6 +3432,10 @@ OpenGL: %3</translation>
         <source>In the file&apos;s details</source>
         <translation>In den Angaben der Datei</translation>
     </message>
+    <message>
+        <source>Language: %1</source>
+        <translation>Sprache: %1</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ExportPreview</name>
@@ -3423,16 +3502,16 @@ OpenGL: %3</translation>
 <context>
     <name>sline::widgets::FilePager</name>
     <message>
-        <source>Preview of the file before</source>
-        <translation>Vorschau der vorigen Datei</translation>
-    </message>
-    <message>
-        <source>Preview of the next file</source>
-        <translation>Vorschau der nächsten Datei</translation>
-    </message>
-    <message>
         <source>%1 (%2 of %3)</source>
         <translation>%1 (%2 von %3)</translation>
+    </message>
+    <message>
+        <source>Preview of what comes before</source>
+        <translation>Vorschau auf das Vorige</translation>
+    </message>
+    <message>
+        <source>Preview of what comes next</source>
+        <translation>Vorschau auf das Nächste</translation>
     </message>
 </context>
 <context>

@@ -115,6 +115,13 @@
             <numerusform>%n labels point with a dashed line to what is hidden in this picture: %1.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n structures found no room in the legend: %1.</source>
+        <translation>
+            <numerusform>%n structure found no room in the legend: %1.</numerusform>
+            <numerusform>%n structures found no room in the legend: %1.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ExportActions</name>

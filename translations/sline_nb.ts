@@ -190,10 +190,6 @@
         <translation>Filmens høyde</translation>
     </message>
     <message>
-        <source>The page&apos;s shape gives the width</source>
-        <translation>Sidens form gir bredden</translation>
-    </message>
-    <message>
         <source>px</source>
         <translation>px</translation>
     </message>
@@ -416,6 +412,70 @@
     <message>
         <source>Without colours, with a grey profile</source>
         <translation>Uten farger, med gråprofil</translation>
+    </message>
+    <message>
+        <source>1280 × 720, HD</source>
+        <translation>1280 × 720, HD</translation>
+    </message>
+    <message>
+        <source>1920 × 1080, Full HD</source>
+        <translation>1920 × 1080, Full HD</translation>
+    </message>
+    <message>
+        <source>1080 × 1080, square</source>
+        <translation>1080 × 1080, kvadratisk</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>En annen størrelse</translation>
+    </message>
+    <message>
+        <source>The page&apos;s shape</source>
+        <translation>Sidens form</translation>
+    </message>
+    <message>
+        <source>Width and height in pixels</source>
+        <translation>Bredde og høyde i piksler</translation>
+    </message>
+    <message>
+        <source>Width of the film</source>
+        <translation>Filmens bredde</translation>
+    </message>
+    <message>
+        <source>Of another size</source>
+        <translation>Ved en annen størrelse</translation>
+    </message>
+    <message>
+        <source>Of another size, or of the page&apos;s shape</source>
+        <translation>Ved en annen størrelse eller sidens form</translation>
+    </message>
+    <message>
+        <source>On sheets alone</source>
+        <translation>Bare på ark</translation>
+    </message>
+    <message>
+        <source>All structures</source>
+        <translation>Alle strukturer</translation>
+    </message>
+    <message>
+        <source>Those with a label</source>
+        <translation>De med etikett</translation>
+    </message>
+    <message>
+        <source>Those in focus</source>
+        <translation>De i fokus</translation>
+    </message>
+    <message>
+        <source>Colours and names, in the picture&apos;s corner or on the sheet</source>
+        <translation>Farger og navn, i hjørnet av bildet eller på arket</translation>
+    </message>
+    <message>
+        <source>Size of the film</source>
+        <translation>Filmens størrelse</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Tegnforklaring</translation>
     </message>
 </context>
 <context>
@@ -2022,22 +2082,6 @@
         <translation>%1, %2 ved %3 dpi.</translation>
     </message>
     <message>
-        <source>Less than 1 MB.</source>
-        <translation>Mindre enn 1 MB.</translation>
-    </message>
-    <message>
-        <source>A few MB.</source>
-        <translation>Noen få MB.</translation>
-    </message>
-    <message>
-        <source>Tens of MB.</source>
-        <translation>Titalls MB.</translation>
-    </message>
-    <message>
-        <source>Hundreds of MB.</source>
-        <translation>Hundretalls MB.</translation>
-    </message>
-    <message>
         <source>Names of structures, groups and views are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
         <translation>Navn på strukturer, grupper og visninger står i filen slik scenen har dem. Ingen stier, brukernavn, datoer eller pasientdata.</translation>
     </message>
@@ -2284,10 +2328,6 @@
     <message>
         <source>Take the chosen label away (Del in the picture)</source>
         <translation>Ta bort den valgte etiketten (Del i bildet)</translation>
-    </message>
-    <message>
-        <source>%1 seconds, %2 pixels high, %3 pictures a second.</source>
-        <translation>%1 sekunder, %2 piksler høyt, %3 bilder i sekundet.</translation>
     </message>
     <message>
         <source>Author and rights are in the file as you typed them.</source>
@@ -2972,6 +3012,41 @@
         <source>It was saved after the last of these changes was made</source>
         <translation>Den ble lagret etter at den siste av disse endringene ble gjort</translation>
     </message>
+    <message>
+        <source>%1 seconds, %2 × %3 pixels, %4 pictures a second.</source>
+        <translation>%1 sekunder, %2 × %3 piksler, %4 bilder i sekundet.</translation>
+    </message>
+    <message>
+        <source>Its size is being measured.</source>
+        <translation>Størrelsen måles.</translation>
+    </message>
+    <message>
+        <source>About %1.</source>
+        <translation>Omtrent %1.</translation>
+    </message>
+    <message>
+        <source>About %1 each.</source>
+        <translation>Omtrent %1 hver.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures found no room in the legend: %1.</source>
+        <translation>
+            <numerusform>%n struktur fikk ikke plass i tegnforklaringen: %1.</numerusform>
+            <numerusform>%n strukturer fikk ikke plass i tegnforklaringen: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The legend is empty: nothing that is shown has a label, or is in focus.</source>
+        <translation>Tegnforklaringen er tom: ingenting av det som vises har en etikett eller er i fokus.</translation>
+    </message>
+    <message>
+        <source>Take a larger page or smaller letters, or list fewer.</source>
+        <translation>Ta en større side eller mindre bokstaver, eller nevn færre.</translation>
+    </message>
+    <message>
+        <source>Let it list all structures.</source>
+        <translation>La den nevne alle strukturer.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -3016,10 +3091,6 @@ OpenGL: %3</translation>
         <translation>Nr.</translation>
     </message>
     <message>
-        <source>Says</source>
-        <translation>Sier</translation>
-    </message>
-    <message>
         <source>Kind</source>
         <translation>Slag</translation>
     </message>
@@ -3046,6 +3117,10 @@ OpenGL: %3</translation>
     <message>
         <source>Hide Label</source>
         <translation>Skjul etiketten</translation>
+    </message>
+    <message>
+        <source>Says (%1)</source>
+        <translation>Tekst (%1)</translation>
     </message>
 </context>
 <context>
@@ -3357,6 +3432,10 @@ OpenGL: %3</translation>
         <source>In the file&apos;s details</source>
         <translation>I filens opplysninger</translation>
     </message>
+    <message>
+        <source>Language: %1</source>
+        <translation>Språk: %1</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ExportPreview</name>
@@ -3423,16 +3502,16 @@ OpenGL: %3</translation>
 <context>
     <name>sline::widgets::FilePager</name>
     <message>
-        <source>Preview of the file before</source>
-        <translation>Forhåndsvisning av forrige fil</translation>
-    </message>
-    <message>
-        <source>Preview of the next file</source>
-        <translation>Forhåndsvisning av neste fil</translation>
-    </message>
-    <message>
         <source>%1 (%2 of %3)</source>
         <translation>%1 (%2 av %3)</translation>
+    </message>
+    <message>
+        <source>Preview of what comes before</source>
+        <translation>Forhåndsvisning av det forrige</translation>
+    </message>
+    <message>
+        <source>Preview of what comes next</source>
+        <translation>Forhåndsvisning av det neste</translation>
     </message>
 </context>
 <context>

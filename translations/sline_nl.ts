@@ -190,10 +190,6 @@
         <translation>Hoogte van de film</translation>
     </message>
     <message>
-        <source>The page&apos;s shape gives the width</source>
-        <translation>De vorm van de pagina geeft de breedte</translation>
-    </message>
-    <message>
         <source>px</source>
         <translation>px</translation>
     </message>
@@ -416,6 +412,70 @@
     <message>
         <source>Without colours, with a grey profile</source>
         <translation>Zonder kleuren, met grijsprofiel</translation>
+    </message>
+    <message>
+        <source>1280 × 720, HD</source>
+        <translation>1280 × 720, HD</translation>
+    </message>
+    <message>
+        <source>1920 × 1080, Full HD</source>
+        <translation>1920 × 1080, Full HD</translation>
+    </message>
+    <message>
+        <source>1080 × 1080, square</source>
+        <translation>1080 × 1080, vierkant</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>Een andere grootte</translation>
+    </message>
+    <message>
+        <source>The page&apos;s shape</source>
+        <translation>De vorm van de pagina</translation>
+    </message>
+    <message>
+        <source>Width and height in pixels</source>
+        <translation>Breedte en hoogte in pixels</translation>
+    </message>
+    <message>
+        <source>Width of the film</source>
+        <translation>Breedte van de film</translation>
+    </message>
+    <message>
+        <source>Of another size</source>
+        <translation>Bij een andere grootte</translation>
+    </message>
+    <message>
+        <source>Of another size, or of the page&apos;s shape</source>
+        <translation>Bij een andere grootte of de vorm van de pagina</translation>
+    </message>
+    <message>
+        <source>On sheets alone</source>
+        <translation>Alleen op bladen</translation>
+    </message>
+    <message>
+        <source>All structures</source>
+        <translation>Alle structuren</translation>
+    </message>
+    <message>
+        <source>Those with a label</source>
+        <translation>Die met een label</translation>
+    </message>
+    <message>
+        <source>Those in focus</source>
+        <translation>Die in focus</translation>
+    </message>
+    <message>
+        <source>Colours and names, in the picture&apos;s corner or on the sheet</source>
+        <translation>Kleuren en namen, in de hoek van het beeld of op het blad</translation>
+    </message>
+    <message>
+        <source>Size of the film</source>
+        <translation>Grootte van de film</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legenda</translation>
     </message>
 </context>
 <context>
@@ -2022,22 +2082,6 @@
         <translation>%1, %2 bij %3 dpi.</translation>
     </message>
     <message>
-        <source>Less than 1 MB.</source>
-        <translation>Minder dan 1 MB.</translation>
-    </message>
-    <message>
-        <source>A few MB.</source>
-        <translation>Enkele MB.</translation>
-    </message>
-    <message>
-        <source>Tens of MB.</source>
-        <translation>Tientallen MB.</translation>
-    </message>
-    <message>
-        <source>Hundreds of MB.</source>
-        <translation>Honderden MB.</translation>
-    </message>
-    <message>
         <source>Names of structures, groups and views are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
         <translation>Namen van structuren, groepen en aanzichten staan in het bestand zoals de scène ze heeft. Geen paden, gebruikersnamen, datums of patiëntgegevens.</translation>
     </message>
@@ -2284,10 +2328,6 @@
     <message>
         <source>Take the chosen label away (Del in the picture)</source>
         <translation>Het gekozen label weghalen (Del in het beeld)</translation>
-    </message>
-    <message>
-        <source>%1 seconds, %2 pixels high, %3 pictures a second.</source>
-        <translation>%1 seconden, %2 pixels hoog, %3 beelden per seconde.</translation>
     </message>
     <message>
         <source>Author and rights are in the file as you typed them.</source>
@@ -2972,6 +3012,41 @@
         <source>It was saved after the last of these changes was made</source>
         <translation>Het is opgeslagen nadat de laatste van deze wijzigingen was gemaakt</translation>
     </message>
+    <message>
+        <source>%1 seconds, %2 × %3 pixels, %4 pictures a second.</source>
+        <translation>%1 seconden, %2 × %3 pixels, %4 beelden per seconde.</translation>
+    </message>
+    <message>
+        <source>Its size is being measured.</source>
+        <translation>De grootte wordt gemeten.</translation>
+    </message>
+    <message>
+        <source>About %1.</source>
+        <translation>Ongeveer %1.</translation>
+    </message>
+    <message>
+        <source>About %1 each.</source>
+        <translation>Elk ongeveer %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures found no room in the legend: %1.</source>
+        <translation>
+            <numerusform>%n structuur vond geen plaats in de legenda: %1.</numerusform>
+            <numerusform>%n structuren vonden geen plaats in de legenda: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The legend is empty: nothing that is shown has a label, or is in focus.</source>
+        <translation>De legenda is leeg: niets van wat getoond wordt heeft een label of is in focus.</translation>
+    </message>
+    <message>
+        <source>Take a larger page or smaller letters, or list fewer.</source>
+        <translation>Neem een grotere pagina of kleinere letters, of noem er minder.</translation>
+    </message>
+    <message>
+        <source>Let it list all structures.</source>
+        <translation>Laat haar alle structuren noemen.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -3016,10 +3091,6 @@ OpenGL: %3</translation>
         <translation>Nr.</translation>
     </message>
     <message>
-        <source>Says</source>
-        <translation>Zegt</translation>
-    </message>
-    <message>
         <source>Kind</source>
         <translation>Soort</translation>
     </message>
@@ -3046,6 +3117,10 @@ OpenGL: %3</translation>
     <message>
         <source>Hide Label</source>
         <translation>Label verbergen</translation>
+    </message>
+    <message>
+        <source>Says (%1)</source>
+        <translation>Tekst (%1)</translation>
     </message>
 </context>
 <context>
@@ -3357,6 +3432,10 @@ OpenGL: %3</translation>
         <source>In the file&apos;s details</source>
         <translation>In de gegevens van het bestand</translation>
     </message>
+    <message>
+        <source>Language: %1</source>
+        <translation>Taal: %1</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ExportPreview</name>
@@ -3423,16 +3502,16 @@ OpenGL: %3</translation>
 <context>
     <name>sline::widgets::FilePager</name>
     <message>
-        <source>Preview of the file before</source>
-        <translation>Voorbeeld van het vorige bestand</translation>
-    </message>
-    <message>
-        <source>Preview of the next file</source>
-        <translation>Voorbeeld van het volgende bestand</translation>
-    </message>
-    <message>
         <source>%1 (%2 of %3)</source>
         <translation>%1 (%2 van %3)</translation>
+    </message>
+    <message>
+        <source>Preview of what comes before</source>
+        <translation>Voorbeeld van het vorige</translation>
+    </message>
+    <message>
+        <source>Preview of what comes next</source>
+        <translation>Voorbeeld van het volgende</translation>
     </message>
 </context>
 <context>

@@ -67,6 +67,26 @@ Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureSpec& spec,
   return job;
 }
 
+bool areFilms(const render::ExportFormat& format) {
+  return format.has(render::motionOption);
+}
+
+/// Returns the order as films have it: on a page of their shape, with the camera fitted to that.
+Result<render::ExportOrder> onScreen(render::ExportOrder job, PictureSpec spec,
+                                     const render::Typesetting& typesetting) {
+  const glm::vec2 page = render::filmPageMm(job);
+  if (page == job.page.sizeMm)
+    return job;
+  job.page.sizeMm = page;
+  spec.labels.sides = render::sidesOfPlate(job, typesetting);
+  spec.size = {int(std::lround(100.0f * page.x)), int(std::lround(100.0f * page.y))};
+  const Result<model::Camera> camera = cameraFor(job.scene, spec);
+  if (!camera.ok())
+    return camera.error();
+  job.camera = *camera;
+  return job;
+}
+
 /// Holds what the flags say before a scene is read.
 struct ParsedExport {
   model::ImportOptions import;
@@ -86,8 +106,9 @@ Status checkOptions(const ExportFlags& flags, const render::ExportOrder& job) {
   return Unit{};
 }
 
-Result<ParsedExport> parseExport(const ExportFlags& flags) {
+Result<ParsedExport> parseExport(const ExportFlags& typed) {
   ParsedExport wish;
+  ExportFlags flags = typed;
   const Result<model::ImportOptions> import = importOptions(flags.input);
   if (!import.ok())
     return import.error();
@@ -96,21 +117,25 @@ Result<ParsedExport> parseExport(const ExportFlags& flags) {
   if (!page.ok())
     return page.error();
   wish.job.page = *page;
-  if (const Status fine = flags.options.applyTo(wish.job); !fine.ok())
+  TypedOptions options = flags.options;
+  completeFilmSize(options, flags.page.sizeMm != PageFlags().sizeMm || !flags.page.sizePx.empty());
+  if (const Status fine = options.applyTo(wish.job); !fine.ok())
     return fine.error();
   if (const Status fine = checkOptions(flags, wish.job); !fine.ok())
     return fine.error();
   // Reduced to what files can hold.
   wish.job.credit = {render::plainLine(wish.job.credit.author),
                      render::plainLine(wish.job.credit.copyright)};
+  // Without a word about labels a sheet has those of its kind.
+  if (wish.job.of<render::SheetOptions>().kind != render::SheetKind::none)
+    flags.picture.labels.mode = render::LabelMode::off;
   const Result<PictureSpec> spec = parsePictureFlags(flags, *page);
   if (!spec.ok())
     return spec.error();
   wish.spec = *spec;
   wish.job.environment = spec->environment;
   wish.job.pureInk = spec->blackAndWhite;
-  wish.job.labels = spec->labels.style;
-  wish.job.marks = spec->labels.marks;
+  spec->labels.writeTo(wish.job);
   return wish;
 }
 
@@ -138,12 +163,19 @@ void tellOfSheet(const render::ExportOrder& job,
   const auto rounded = [](float mm) { return std::to_string(std::lround(mm)); };
   for (const auto& [kind, target] : targets)
     if (const render::ExportFormat* format = render::exportFormat(kind);
-        !format->has(render::sheetOption) && format->page != render::PageUse::none)
+        !format->has(render::sheetOption) && format->page != render::PageUse::none &&
+        !(areFilms(*format) && render::filmPageMm(job) != job.page.sizeMm))
       tell(target + " is of the sheet's figure: " + rounded(job.page.sizeMm.x) + " by " +
            rounded(job.page.sizeMm.y) + " mm");
 }
 
-Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::string>& targets,
+/// Holds the order of pictures and that of films, which have a shape of their own.
+struct Orders {
+  render::ExportOrder pictures;
+  render::ExportOrder films;
+};
+
+Exit writeAll(const Orders& orders, const std::map<std::string, std::string>& targets,
               Progress& progress, const Warn& tellWarning) {
   const Interruption interruption;
   for (const render::ExportFormat& format : render::exportFormats()) {
@@ -155,6 +187,7 @@ Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::s
       progress.show(share, what);
       return !interruption.wanted();
     };
+    const render::ExportOrder& job = areFilms(format) ? orders.films : orders.pictures;
     const Status written = format.write(job, target->second, {show, &notes});
     progress.wipe();
     if (!written.ok())
@@ -205,7 +238,10 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   if (!job.ok())
     return complain(job.error(), Exit::wrongUse);
   tellOfSheet(*job, flags.targets);
-  const Exit written = writeAll(*job, flags.targets, progress, tellWarning);
+  const Result<render::ExportOrder> film = onScreen(*job, wish->spec, **typesetting);
+  if (!film.ok())
+    return complain(film.error(), Exit::wrongUse);
+  const Exit written = writeAll({*job, *film}, flags.targets, progress, tellWarning);
   if (written == Exit::done && job->labels.mode == render::LabelMode::numbers)
     printKey(render::reportOfPlate(*job, **typesetting));
   return written;
@@ -261,6 +297,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   addLookOption(command, flags.picture);
   addAppearanceOptions(command, flags.picture);
   flags.picture.labels.marks = "on";
+  flags.picture.labels.mode = render::LabelMode::on;
   declareLabels(command, flags.picture.labels);
   addSectionOptions(command, flags.picture.sections);
   declareFilm(command, flags.film);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -49,6 +50,8 @@ class ExportTest : public QObject {
   void badTargets_data();
   void badTargets();
   void tellsNothingElse();
+  void legends_data();
+  void legends();
   void films();
   void surfacesAndCards();
 
@@ -141,7 +144,8 @@ void ExportTest::labelsAndMarks() {
   const QString name = "<b>Nephros</b> & \"νεφρός\"";
   QCOMPARE(runSline({"annotate", scene, "--label", name, "--on", "kidney"}).code, 0);
   const QString file = m_folder.filePath("labelled.svg");
-  QCOMPARE(runSline({"export", scene, "--svg", file, "--labels", "on"}).code, 0);
+  // Texts need no flag, as in the window.
+  QCOMPARE(runSline({"export", scene, "--svg", file}).code, 0);
   QXmlStreamReader reader(contents(file));
   QStringList texts;
   while (!reader.atEnd())
@@ -157,9 +161,10 @@ void ExportTest::labelsAndMarks() {
     QVERIFY2(texts.contains(mark), mark);
   QVERIFY(labels(contents(file)).contains("Labels"));
   QVERIFY(contents(file).contains("font-family=\"DejaVu Sans,"));
-  QCOMPARE(runSline({"export", scene, "--svg", file, "--marks", "off"}).code, 0);
+  const QStringList bare{"export", scene, "--svg", file, "--labels", "off", "--marks"};
+  QCOMPARE(runSline(bare + QStringList{"off"}).code, 0);
   QVERIFY(!contents(file).contains("<text"));
-  QCOMPARE(runSline({"export", scene, "--svg", file, "--marks", "sides,scale"}).code, 0);
+  QCOMPARE(runSline(bare + QStringList{"sides,scale"}).code, 0);
   QCOMPARE(contents(file).count("<text"), 5);
 }
 
@@ -283,6 +288,40 @@ void ExportTest::tellsNothingElse() {
   QCOMPARE(contents(again), svg);
 }
 
+void ExportTest::legends_data() {
+  QTest::addColumn<QStringList>("flags");
+  QTest::addColumn<QStringList>("listed");
+  QTest::newRow("none said") << QStringList{} << QStringList{};
+  QTest::newRow("none") << QStringList{"--legend", "none"} << QStringList{};
+  QTest::newRow("all") << QStringList{"--legend", "all"}
+                       << QStringList{"kidney", "renal artery", "renal vein"};
+  QTest::newRow("labelled") << QStringList{"--legend", "labelled"} << QStringList{"renal vein"};
+  QTest::newRow("focus") << QStringList{"--legend", "focus", "--focus", "kidney"}
+                         << QStringList{"kidney"};
+  QTest::newRow("in German") << QStringList{"--legend", "labelled", "--language", "de"}
+                             << QStringList{"renal vein"};
+}
+
+void ExportTest::legends() {
+  QFETCH(QStringList, flags);
+  QFETCH(QStringList, listed);
+  const QString scene = m_folder.filePath("legend.sline");
+  QFile::remove(scene);
+  QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
+  QCOMPARE(runSline({"annotate", scene, "--label", "the vein", "--on", "renal vein"}).code, 0);
+  const QString file = m_folder.filePath("legend.svg");
+  const Finished finished = runSline(QStringList{"export", scene, "--svg", file} + flags);
+  QVERIFY2(finished.code == 0, finished.err.constData());
+  const QByteArray svg = contents(file);
+  QStringList found;
+  for (const char* name : {"kidney", "renal artery", "renal vein"})
+    if (svg.contains(QByteArray("legend: ") + name + '"'))
+      found << name;
+  QCOMPARE(found, listed);
+  if (flags.contains("de"))
+    QVERIFY(svg.contains("Nierenvene"));
+}
+
 void ExportTest::films() {
   const QStringList small{"--film-height", "36", "--seconds", "0.2", "--fps", "10"};
   const QStringList flags = QStringList{"export", m_sample} + small;
@@ -307,6 +346,20 @@ void ExportTest::films() {
     QCOMPARE(finished.code, 2);
     QVERIFY2(finished.err.contains(says), finished.err.constData());
   }
+  // Pixels are as they were asked for, whatever the page beside them is.
+  for (const auto& [size, pixels] :
+       {std::pair("square", QSize(1080, 1080)), std::pair("64x36", QSize(64, 36)),
+        std::pair("1280x720", QSize(1280, 720)), std::pair("1920x1080", QSize(1920, 1080))}) {
+    const QString folder = m_folder.filePath(QString("size ") + size);
+    const Finished sized = runSline({"export", m_sample, "--frames", folder, "--film-size", size,
+                                     "--size-mm", "50x80", "--seconds", "0.1", "--fps", "10"});
+    QVERIFY2(sized.code == 0, sized.err.constData());
+    QCOMPARE(QImage(QDir(folder).filePath(QDir(folder).entryList(QDir::Files).first())).size(),
+             pixels);
+  }
+  const Finished unsized = runSline(flags + QStringList{"--video", webp, "--film-size", "huge"});
+  QCOMPARE(unsized.code, 2);
+  QVERIFY2(unsized.err.contains("--film-size huge is unknown"), unsized.err.constData());
   const Finished tour = runSline(flags + QStringList{"--video", webp, "--motion", "tour"});
   QCOMPARE(tour.code, 1);
   QVERIFY2(tour.err.contains("no saved views"), tour.err.constData());

@@ -176,6 +176,19 @@ void SheetTest::legendListsWhatIsVisible() {
   QVERIFY(!text.contains("kidney"));
   QCOMPARE(text.count("renal"), 2);
   QVERIFY(!text.contains("Hidden outline"));
+  // Or what was asked for.
+  const QStringList sheet{m_sample, "--sheet", "figure"};
+  const QString focus =
+      textOf(exported(sheet + QStringList{"--legend", "focus", "--focus", "kidney"}), 1);
+  QVERIFY(focus.contains("kidney") && !focus.contains("renal"));
+  QVERIFY(!textOf(exported(sheet + QStringList{"--legend", "none"}), 1).contains("Legend"));
+  // On a sheet for teaching each number finds its name, whatever the legend leaves out.
+  const QString numbers = textOf(
+      exported({m_sample, "--sheet", "teaching", "--legend", "focus", "--focus", "kidney"}), 1);
+  QVERIFY2(numbers.contains("Labels") && numbers.contains("renal vein"), qPrintable(numbers));
+  const QString labelled =
+      textOf(exported({m_sample, "--sheet", "teaching", "--legend", "labelled"}), 1);
+  QVERIFY2(labelled.contains("Legend") && labelled.contains("renal vein"), qPrintable(labelled));
 }
 
 // A reader learns what dashes and thin lines mean, each once; not where no visible structure has

@@ -45,6 +45,7 @@ struct ExportDesk : WindowFixture {
     // Films are short.
     settings.setValue(QStringLiteral("export/options/seconds"), 1);
     settings.setValue(QStringLiteral("export/options/framesPerSecond"), 5);
+    settings.setValue(QStringLiteral("export/options/filmFormat"), QStringLiteral("page"));
     settings.setValue(QStringLiteral("export/options/filmHeight"), 90);
     open(fineness);
   }

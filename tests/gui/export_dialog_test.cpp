@@ -6,6 +6,7 @@
 #include <QSet>
 
 #include "render/export/formats/export_formats.h"
+#include "render/export/motion/film_options.h"
 #include "tests/gui/export_desk.h"
 #include "tests/gui/file_contents.h"
 #include "tests/support/suite.h"
@@ -110,12 +111,16 @@ class ExportDialogTest : public QObject {
     widgets::ExportDraft draft;
     draft.kind = QStringLiteral("mp4");
     draft.target = QStringLiteral("/nowhere/a.mp4");
-    for (const glm::vec2 size : {glm::vec2(841.0f, 594.0f), glm::vec2(60.0f, 85.0f)}) {
-      draft.order.page.sizeMm = size;
-      const glm::vec2 page = widgets::exportFiles(draft, {}).front().order.page.sizeMm;
-      QCOMPARE(std::min(page.x, page.y), 106.0f);
-      QVERIFY(std::abs(page.x / page.y - size.x / size.y) < 1e-4f);
-    }
+    for (const glm::vec2 size : {glm::vec2(841.0f, 594.0f), glm::vec2(60.0f, 85.0f)})
+      for (const auto& [format, aspect] : {std::pair(render::FilmFormat::page, size.x / size.y),
+                                           std::pair(render::FilmFormat::hd, 16.0f / 9.0f),
+                                           std::pair(render::FilmFormat::square, 1.0f)}) {
+        draft.order.page.sizeMm = size;
+        draft.order.of<render::FilmOptions>().format = format;
+        const glm::vec2 page = widgets::exportFiles(draft, {}).front().order.page.sizeMm;
+        QCOMPARE(std::min(page.x, page.y), 106.0f);
+        QVERIFY(std::abs(page.x / page.y - aspect) < 1e-4f);
+      }
   }
 
   void textThatNoSheetHasIsTold() {

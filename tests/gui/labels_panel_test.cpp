@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QMenu>
 #include <QStatusBar>
 #include <QToolButton>
@@ -53,6 +54,46 @@ class LabelsPanelTest : public QObject {
     QCOMPARE(f.said(1, 0), QStringLiteral("1"));
     f.undo();
     QCOMPARE(f.shownLines(), QStringList({"liver", "bladder"}));
+  }
+
+  /// Wherever words are typed stands the language that they are for.
+  void fieldsSayTheLanguage() {
+    LabelsPanelFixture f;
+    f.window.preferences().set("language/structures", "de");
+    f.make(f.liver, {});
+    f.open();
+    f.choose(0);
+    const auto* said = f.words().findChild<QLabel*>(QStringLiteral("labelLanguage"));
+    const auto heading = [&f] {
+      return f.list().model()->headerData(1, Qt::Horizontal).toString();
+    };
+    QVERIFY(said && said->isVisible());
+    QCOMPARE(said->text(), QStringLiteral("German"));
+    QCOMPARE(heading(), QStringLiteral("Says (German)"));
+    f.words().setFocus();
+    f.words().selectAll();
+    QTest::keyClicks(&f.words(), QStringLiteral("Leberlein"));
+    QCOMPARE(f.only().texts.at("de"), std::string("Leberlein"));
+    QCOMPARE(f.only().text, std::string("liver"));
+    // No word reaches under it.
+    QVERIFY(f.words().viewport()->geometry().right() < said->geometry().left());
+    f.window.preferences().set("labels/language", "la");
+    QCOMPARE(said->text(), QStringLiteral("Latin"));
+    QCOMPARE(heading(), QStringLiteral("Says (Latin)"));
+    f.window.preferences().set("labels/language", "scene");
+    QCOMPARE(said->text(), QStringLiteral("The scene's own"));
+    QTest::keyClicks(&f.words(), QStringLiteral("s"));
+    QCOMPARE(f.only().texts.at("de"), std::string("Leberlein"));
+    // So it is where the label stands.
+    f.window.preferences().set("labels/language", "de");
+    QVERIFY(f.settled());
+    QTest::mouseDClick(&f.viewport(), Qt::LeftButton, {}, f.textAt(f.only().id));
+    QVERIFY(f.typing());
+    const auto* there = f.editor().findChild<QLabel*>(QStringLiteral("labelLanguage"));
+    QVERIFY(there->isVisible());
+    QCOMPARE(there->text(), QStringLiteral("German"));
+    QVERIFY(f.editor().viewport()->geometry().right() < there->geometry().left());
+    QTest::keyClick(&f.editor(), Qt::Key_Escape);
   }
 
   void wordsAreWrittenHere() {

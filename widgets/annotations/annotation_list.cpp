@@ -6,6 +6,7 @@
 
 #include "model/edit/annotations.h"
 #include "widgets/annotations/annotation_texts.h"
+#include "widgets/session/names_by_language.h"
 
 namespace sline::widgets {
 
@@ -26,6 +27,7 @@ void AnnotationList::setLanguage(const std::string& tag) {
   if (tag == m_language)
     return;
   m_language = tag;
+  emit headerDataChanged(Qt::Horizontal, text, text);
   allChanged();
 }
 
@@ -83,7 +85,7 @@ QVariant AnnotationList::headerData(int section, Qt::Orientation orientation, in
     case number:
       return tr("No.");
     case text:
-      return tr("Says");
+      return tr("Says (%1)").arg(languageName(QString::fromStdString(m_language)));
     case kind:
       return tr("Kind");
     default:

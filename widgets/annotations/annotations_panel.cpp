@@ -19,6 +19,7 @@
 #include "widgets/annotations/label_field.h"
 #include "widgets/annotations/label_preferences.h"
 #include "widgets/annotations/label_views.h"
+#include "widgets/session/names_by_language.h"
 
 namespace sline::widgets {
 
@@ -208,6 +209,7 @@ void AnnotationsPanel::showActive() {
   if (!annotation) {
     m_text->clear();
     m_text->setToolTip({});
+    m_text->setLanguage({});
     m_text->setFixedHeight(heightOf(2));
     m_text->setPlaceholderText(tr("Choose a label"));
     return;
@@ -223,6 +225,7 @@ void AnnotationsPanel::showActive() {
   m_text->setFixedHeight(heightOf(callout ? 5 : 2));
   m_text->setToolTip(callout ? LabelField::markupHint() : QString());
   m_text->setPlaceholderText(plainWordsIn(*annotation, tag));
+  m_text->setLanguage(languageName(QString::fromStdString(tag)));
   if (m_text->toPlainText() != text)
     m_text->setPlainText(text);
   showChoices(*annotation);

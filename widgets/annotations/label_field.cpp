@@ -2,6 +2,7 @@
 #include "widgets/annotations/label_field.h"
 
 #include <QKeyEvent>
+#include <QLabel>
 #include <QMimeData>
 #include <QTextDocumentFragment>
 #include <algorithm>
@@ -32,6 +33,41 @@ QString shortcut(QKeySequence::StandardKey key) {
 }
 
 }  // namespace
+
+LabelField::LabelField(QWidget* parent) : QPlainTextEdit(parent), m_language(new QLabel(this)) {
+  m_language->setObjectName(QStringLiteral("labelLanguage"));
+  m_language->setTextFormat(Qt::PlainText);
+  m_language->setAttribute(Qt::WA_TransparentForMouseEvents);
+  m_language->setEnabled(false);  // it is quieter than the words
+  m_language->hide();
+}
+
+void LabelField::setLanguage(const QString& name) {
+  m_language->setText(name);
+  m_language->adjustSize();
+  m_language->setVisible(!name.isEmpty());
+  setAccessibleDescription(name);
+  setViewportMargins(0, 0, languageWidth(), 0);
+  placeLanguage();
+}
+
+int LabelField::languageWidth() const {
+  constexpr int air = 8;
+  return m_language->text().isEmpty() ? 0 : m_language->sizeHint().width() + air;
+}
+
+void LabelField::resizeEvent(QResizeEvent* event) {
+  QPlainTextEdit::resizeEvent(event);
+  placeLanguage();
+}
+
+void LabelField::placeLanguage() {
+  constexpr int edge = 3;
+  const QSize size = m_language->sizeHint();
+  m_language->setGeometry(width() - frameWidth() - edge - size.width(),
+                          height() - frameWidth() - edge - size.height(), size.width(),
+                          size.height());
+}
 
 QString LabelField::markupHint() {
   return tr("**bold** (%1), *italic* (%2); lines that begin with “- ” are a list")

@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <QUrl>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/export/export_job.h"
 #include "widgets/export/export_texts.h"
@@ -90,11 +91,22 @@ ExportSource ExportActions::source() const {
           .camera = m_viewport.camera(),
           .aspect = float(m_viewport.width()) / float(std::max(1, m_viewport.height())),
           .keyLight = m_viewport.keyLight(),
-          .title = m_session.title()};
+          .title = m_session.title(),
+          .seen = seen()};
+}
+
+render::ExportOrder ExportActions::seen() const {
+  render::ExportOrder order;
+  order.environment = m_viewport.environment();
+  order.labels = m_viewport.labels().style();
+  order.marks.scaleBar = m_viewport.marks().scaleBar;
+  return order;
 }
 
 void ExportActions::copyPicture() {
-  m_copier->copy(source(), rememberedDraft(m_settings).order);
+  ExportDraft draft = rememberedDraft(m_settings, {});
+  follow(draft, draft.order, seen());
+  m_copier->copy(source(), draft.order);
 }
 
 void ExportActions::showProof() {
@@ -119,10 +131,13 @@ void ExportActions::showProof() {
 
 void ExportActions::prepareDraft() {
   const int opening = m_session.document().opening;
-  if (m_prepared == opening)
+  const render::ExportOrder before = std::exchange(m_seen, seen());
+  if (m_prepared == opening) {
+    follow(m_draft, before, m_seen);
     return;
+  }
   m_prepared = opening;
-  m_draft = rememberedDraft(m_settings);
+  m_draft = rememberedDraft(m_settings, m_seen);
   if (!m_settings.contains(QLatin1String(widthKey))) {
     // The first export gets a common paper, turned like the picture in the window.
     const std::vector<PagePreset> papers = pagePresets();
@@ -150,7 +165,7 @@ void ExportActions::showDialog() {
   m_dialog = new ExportDialog(m_draft, source(), m_viewport, &m_window);
   m_dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(m_dialog, &ExportDialog::exportWanted, this, &ExportActions::begin);
-  connect(m_dialog, &QDialog::finished, this, [this] { remember(m_draft, m_settings); });
+  connect(m_dialog, &QDialog::finished, this, [this] { remember(m_draft, m_seen, m_settings); });
   m_dialog->open();
 }
 

@@ -52,9 +52,12 @@ class ExportActions : public QObject {
   void connectActions();
   void showState();
   void showDialog();
-  /// Prepares the draft as last chosen; for another document it gets a name of its own.
+  /// Prepares the draft as last chosen, or as the window shows it; for another document it gets a
+  /// name of its own.
   void prepareDraft();
   ExportSource source() const;
+  /// Returns what the window shows beside the scene.
+  render::ExportOrder seen() const;
   void copyPicture();
   void showProof();
   void begin(const QString& kind, const std::vector<ExportFile>& files);
@@ -70,6 +73,7 @@ class ExportActions : public QObject {
   Viewport& m_viewport;
   QMainWindow& m_window;
   ExportDraft m_draft;
+  render::ExportOrder m_seen;     ///< what the window showed when the draft was prepared
   std::optional<int> m_prepared;  ///< the opening that the draft belongs to
   QPointer<ExportDialog> m_dialog;
   PictureCopier* m_copier;

@@ -20,6 +20,7 @@
 #include "widgets/export/file_pager.h"
 #include "widgets/export/option_form.h"
 #include "widgets/export/page_panel.h"
+#include "widgets/export/size_gauge.h"
 
 namespace sline::widgets {
 
@@ -181,7 +182,17 @@ void ExportDialog::connectControls() {
     refresh();
   });
   connect(m_preview, &ExportPreview::drawn, this, &ExportDialog::showDoubt);
+  connect(m_preview, &ExportPreview::drawn, this, &ExportDialog::showPager);
+  connect(m_preview, &ExportPreview::drawn, this, [this] {
+    m_gauge->measure(m_draft.kind, shown(), m_preview->picture());
+    showSummary();
+  });
+  connect(m_gauge, &SizeGauge::measured, this, &ExportDialog::showSummary);
   connect(m_pager, &FilePager::turned, this, [this] {
+    if (m_files.size() < 2) {
+      m_preview->turnTo(m_pager->index());
+      return;
+    }
     m_preview->show(shown());
     showDoubt();
   });

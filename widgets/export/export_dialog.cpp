@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QVBoxLayout>
@@ -19,7 +20,10 @@
 #include "widgets/export/file_pager.h"
 #include "widgets/export/option_form.h"
 #include "widgets/export/page_panel.h"
+#include "widgets/export/size_gauge.h"
 #include "widgets/export/target_problems.h"
+#include "widgets/session/names_by_language.h"
+#include "widgets/text/path_text.h"
 
 namespace sline::widgets {
 
@@ -63,6 +67,7 @@ ExportDialog::ExportDialog(ExportDraft& draft, ExportSource source, Viewport& vi
       m_filled(new QCheckBox(tr("&Fill the page with what is shown"))),
       m_page(new PagePanel(draft)),
       m_preview(new ExportPreview(viewport)),
+      m_gauge(new SizeGauge(parent)),
       m_pager(new FilePager),
       m_summary(plainLabel("exportSummary")),
       m_doubt(plainLabel("exportDoubt")),
@@ -92,6 +97,8 @@ ExportDialog::~ExportDialog() {
   // Hiding takes the focus from a field, which accepts its text then; afterwards that would be too
   // late.
   hide();
+  m_gauge->disconnect(this);
+  m_gauge->retire();
 }
 
 void ExportDialog::chooseKind() {
@@ -121,18 +128,44 @@ QString ExportDialog::target() const {
 }
 
 const ExportFile& ExportDialog::shown() const {
-  return m_files[m_pager->index()];
+  return m_files[m_files.size() > 1 ? m_pager->index() : 0];
 }
 
 void ExportDialog::refresh() {
   ExportDraft whole = m_draft;
   whole.target = target();
   m_files = exportFiles(whole, m_source);
-  m_page->setEnabled(!isSheet(m_draft));
-  m_pager->setFiles(targetsOf(m_files));
+  m_page->setEnabled(!hasOwnPage(m_draft));
+  showPager();
   m_preview->show(shown());
-  m_summary->setText(exportSummary(m_draft, m_files).join(QLatin1Char('\n')));
+  sayLanguage();
+  showSummary();
   showDoubt();
+}
+
+void ExportDialog::showSummary() {
+  m_summary->setText(exportSummary(m_draft, m_files, m_gauge->bytes(m_draft.kind, shown()))
+                         .join(QLatin1Char('\n')));
+}
+
+void ExportDialog::showPager() {
+  QStringList names;
+  if (m_files.size() > 1)
+    for (const ExportFile& file : m_files)
+      names << textOf(file.target.filename());
+  else if (isSheet(m_draft))
+    names.fill(tr("Page"), qsizetype(m_preview->pages()));
+  m_pager->setNames(names);
+  m_preview->turnTo(m_files.size() > 1 ? 0 : m_pager->index());
+}
+
+void ExportDialog::sayLanguage() {
+  const QString language = languageName(QString::fromStdString(m_draft.order.labels.language));
+  const QString text = tr("Language: %1").arg(language);
+  if (auto* title = findChild<QLineEdit*>(QStringLiteral("export-sheetTitle")))
+    title->setPlaceholderText(text);
+  if (auto* words = findChild<QPlainTextEdit*>(QStringLiteral("export-sheetText")))
+    words->setPlaceholderText(text);
 }
 
 void ExportDialog::showDoubt() {

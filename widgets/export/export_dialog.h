@@ -18,6 +18,7 @@ namespace sline::widgets {
 class ExportPreview;
 class FilePager;
 class PagePanel;
+class SizeGauge;
 class OptionForm;
 class Viewport;
 
@@ -32,6 +33,7 @@ class ExportDialog : public QDialog {
   ~ExportDialog() override;
 
   const ExportPreview& preview() const { return *m_preview; }
+  const SizeGauge& gauge() const { return *m_gauge; }
 
  signals:
   /// Tells that the dialog has closed itself; existing files of the same names may be replaced.
@@ -51,6 +53,11 @@ class ExportDialog : public QDialog {
   void browse();
   /// Returns the file that the preview shows.
   const ExportFile& shown() const;
+  /// Offers the files, or the pages of a sheet, one by one.
+  void showPager();
+  void showSummary();
+  /// Tells in the fields of texts which language goes with them.
+  void sayLanguage();
   /// Shows everything that follows from the draft.
   void refresh();
   /// Shows what the user should know beforehand: what prevents the export, or else what the files
@@ -78,6 +85,7 @@ class ExportDialog : public QDialog {
   std::vector<QWidget*> m_subjectWidgets;
   QLabel* m_pageHeading = nullptr;
   ExportPreview* m_preview;
+  SizeGauge* m_gauge;  ///< outlives the dialog while it measures
   FilePager* m_pager;
   QLabel* m_summary;
   QLabel* m_doubt;

@@ -4,7 +4,9 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "render/vectors/vector_drawing.h"
 #include "widgets/export/option_fields.h"
@@ -22,6 +24,17 @@ const render::ExportFormat& traitsOf(const QString& kind) {
 
 QString keyOf(const char* name) {
   return QStringLiteral("export/") + QLatin1String(name);
+}
+
+/// Tells whether the window, too, shows what the option is about.
+bool windowShows(const render::ExportOption& option) {
+  static constexpr std::array<std::string_view, 5> ids{"background", "labels", "language",
+                                                       "labelSize", "scaleBar"};
+  return std::find(ids.begin(), ids.end(), option.id) != ids.end();
+}
+
+QString seenKey(const render::ExportOption& option) {
+  return keyOf("seen/") + QLatin1String(option.id);
 }
 
 /// Returns the number under that key if it lies within the limits, otherwise the standard.
@@ -55,7 +68,7 @@ bool holdsNames(const QString& kind) {
   return traitsOf(kind).names;
 }
 
-ExportDraft rememberedDraft(const QSettings& settings) {
+ExportDraft rememberedDraft(const QSettings& settings, const render::ExportOrder& seen) {
   ExportDraft draft;
   draft.kind = settings.value(keyOf("kind")).toString();
   if (!formatOf(draft.kind))
@@ -71,14 +84,24 @@ ExportDraft rememberedDraft(const QSettings& settings) {
   page.sizeMm.x = numberIn(settings, "width", page.sizeMm.x, render::pageLimitsMm);
   page.sizeMm.y = numberIn(settings, "height", page.sizeMm.y, render::pageLimitsMm);
   page.dpi = numberIn(settings, "dpi", page.dpi, render::dpiLimits);
-  draft.order.labels.mode = render::LabelMode::on;
-  for (const render::ExportOption* option : render::exportOptions())
-    if (option->kept)
+  for (const render::ExportOption* option : render::exportOptions()) {
+    if (windowShows(*option))
+      option->field.write(draft.order, option->field.read(seen));
+    const bool still = !windowShows(*option) || settings.value(seenKey(*option)).toString() ==
+                                                    valueIn(seen, *option).toString();
+    if (option->kept && still)
       setValue(draft.order, *option, settings.value(keyOf("options/") + QLatin1String(option->id)));
+  }
   return draft;
 }
 
-void remember(const ExportDraft& draft, QSettings& settings) {
+void follow(ExportDraft& draft, const render::ExportOrder& before, const render::ExportOrder& now) {
+  for (const render::ExportOption* option : render::exportOptions())
+    if (windowShows(*option) && option->field.read(before) != option->field.read(now))
+      option->field.write(draft.order, option->field.read(now));
+}
+
+void remember(const ExportDraft& draft, const render::ExportOrder& seen, QSettings& settings) {
   const render::ExportPage& page = draft.order.page;
   settings.setValue(keyOf("kind"), draft.kind);
   settings.setValue(keyOf("subject"), draft.subject == ExportSubject::savedViews
@@ -97,6 +120,8 @@ void remember(const ExportDraft& draft, QSettings& settings) {
       settings.setValue(key, valueIn(draft.order, *option));
     else
       settings.remove(key);
+    if (option->kept && windowShows(*option))
+      settings.setValue(seenKey(*option), valueIn(seen, *option).toString());
   }
   if (!draft.target.isEmpty())
     settings.setValue(keyOf("folder"), QFileInfo(draft.target).path());

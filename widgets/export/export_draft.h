@@ -38,9 +38,13 @@ render::PageUse pageUseOf(const QString& kind);
 bool holdsNames(const QString& kind);
 
 /// Returns what was chosen last; values never chosen, or no longer allowed, are those of a new
-/// draft.
-ExportDraft rememberedDraft(const QSettings& settings);
-void remember(const ExportDraft& draft, QSettings& settings);
+/// draft. What the window shows, too – `seen`: its ground, labels and marks – is as there; another
+/// choice holds for as long as the window shows what it showed then.
+ExportDraft rememberedDraft(const QSettings& settings, const render::ExportOrder& seen);
+/// Keeps the draft that was made of such a window.
+void remember(const ExportDraft& draft, const render::ExportOrder& seen, QSettings& settings);
+/// Takes over what the window shows otherwise than before.
+void follow(ExportDraft& draft, const render::ExportOrder& before, const render::ExportOrder& now);
 
 /// Returns the target with the kind's ending in place of another kind's; a name without an ending
 /// gets it.

@@ -9,8 +9,10 @@
 #include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "model/scene/visible_structures.h"
+#include "render/export/motion/film_options.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
+#include "widgets/session/names_by_language.h"
 #include "widgets/text/path_text.h"
 
 namespace sline::widgets {
@@ -40,7 +42,7 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   }
   order.labels.onDark = order.environment.background == render::Background::dark;
   if (pageUseOf(draft.kind) == render::PageUse::shape)
-    order.page.sizeMm = filmPage(order.page.sizeMm);
+    order.page.sizeMm = filmPage(render::filmPageMm(order));
   if (isSheet(draft))
     order.page.sizeMm = render::sheetFigureMm(order);
   const float aspect = order.page.sizeMm.x / order.page.sizeMm.y;
@@ -87,6 +89,12 @@ model::Camera reframed(model::Camera camera, float before, float aspect) {
   return camera;
 }
 
+bool hasOwnPage(const ExportDraft& draft) {
+  return isSheet(draft) ||
+         (pageUseOf(draft.kind) == render::PageUse::shape &&
+          draft.order.of<render::FilmOptions>().format != render::FilmFormat::page);
+}
+
 bool isSheet(const ExportDraft& draft) {
   const render::ExportFormat* kind = formatOf(draft.kind);
   return kind && kind->has(render::sheetOption) &&
@@ -131,7 +139,7 @@ render::ExportOrder readyOrder(const ExportFile& file) {
 }
 
 QStringList labelLanguages(const model::Scene& scene) {
-  QStringList languages;
+  QStringList languages = knownLanguages();
   for (const model::Annotation& annotation : scene.annotations())
     for (const auto& [tag, text] : annotation.texts)
       if (const QString language = QString::fromStdString(tag); !languages.contains(language))

@@ -15,7 +15,8 @@ struct ExportSource {
   model::Camera camera;
   float aspect = 1.0f;  ///< of the picture in the window, width / height
   bool keyLight = false;
-  QString title;  ///< of the document
+  QString title;             ///< of the document
+  render::ExportOrder seen;  ///< how the window shows it: its ground, labels and marks
 };
 
 struct ExportFile {
@@ -40,6 +41,10 @@ model::Camera reframed(model::Camera camera, float before, float aspect);
 /// Tells whether the draft is a PDF with the sheet's paper size instead of the page's.
 bool isSheet(const ExportDraft& draft);
 
+/// Tells whether the page that the draft was given is not that of its files: sheets have their
+/// paper's, films their pictures' size.
+bool hasOwnPage(const ExportDraft& draft);
+
 /// Returns one file, or one for each saved view with its name appended to the target's: "pelvis -
 /// Front.svg". No two files have the same name, whatever the views are called.
 std::vector<ExportFile> exportFiles(const ExportDraft& draft, const ExportSource& source);
@@ -48,7 +53,7 @@ std::vector<ExportFile> exportFiles(const ExportDraft& draft, const ExportSource
 /// so it must not run on the window's thread.
 render::ExportOrder readyOrder(const ExportFile& file);
 
-/// Returns the languages in which labels have texts.
+/// Returns the languages in which labels have texts, or in which structures have names.
 QStringList labelLanguages(const model::Scene& scene);
 
 }  // namespace sline::widgets

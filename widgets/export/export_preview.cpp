@@ -2,6 +2,7 @@
 #include "widgets/export/export_preview.h"
 
 #include <QPainter>
+#include <cmath>
 
 #include "widgets/export/finished_page.h"
 
@@ -44,12 +45,21 @@ void ExportPreview::show(const ExportFile& file) {
 QRect ExportPreview::pageRect() const {
   if (!m_file)
     return {};
-  const glm::vec2 size = m_file->order.page.sizeMm;
+  const glm::vec2 size = paperMm(m_file->order);
   const QRectF room = QRectF(rect()).adjusted(margin, margin, -margin, -margin);
   const qreal scale = std::min(room.width() / qreal(size.x), room.height() / qreal(size.y));
   QRectF page(0.0, 0.0, scale * qreal(size.x), scale * qreal(size.y));
   page.moveCenter(room.center());
   return page.toRect();
+}
+
+QSize ExportPreview::pixels() const {
+  return (QSizeF(pageRect().size()) * devicePixelRatioF()).toSize();
+}
+
+void ExportPreview::turnTo(std::size_t page) {
+  m_page = page;
+  update();
 }
 
 void ExportPreview::ask() {
@@ -68,7 +78,10 @@ void ExportPreview::draw(int number, const render::ExportOrder& order) {
   if (number != m_wanted || !m_viewport)
     return;
   m_drawn = order;
-  const QSize page = (QSizeF(pageRect().size()) * devicePixelRatioF()).toSize();
+  // A sheet's figure is a part of its paper.
+  const glm::vec2 share = order.page.sizeMm / paperMm(order);
+  const QSize page(int(std::lround(float(pixels().width()) * share.x)),
+                   int(std::lround(float(pixels().height()) * share.y)));
   PreviewRequest request{.previews = {}, .asker = PreviewsOf::exported};
   request.previews.push_back(
       {.id = number,
@@ -84,12 +97,15 @@ void ExportPreview::draw(int number, const render::ExportOrder& order) {
 void ExportPreview::took(PreviewsOf asker, int number, const QImage& image) {
   if (asker != PreviewsOf::exported || number != m_wanted)
     return;
-  m_queue.add([this, number, image, order = m_drawn](const std::stop_token&) {
-    return BackgroundQueue::Sequel([this, number, page = finishedPage(image, order)] {
+  m_queue.add([this, number, image, order = m_drawn,
+               width = pixels().width()](const std::stop_token& stop) {
+    if (stop.stop_requested())
+      return BackgroundQueue::Sequel();
+    return BackgroundQueue::Sequel([this, number, all = finishedPages(image, order, width)] {
       if (number != m_wanted)
         return;
-      m_picture = page.image;
-      m_notes = page.notes;
+      m_pages = all.images;
+      m_notes = all.notes;
       m_shown = number;
       update();
       emit drawn();
@@ -117,15 +133,15 @@ void ExportPreview::paintEvent(QPaintEvent*) {
     painter.fillRect(page, QBrush(QColor(222, 222, 222), Qt::Dense4Pattern));
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  if (!m_picture.isNull()) {
+  if (const QImage picture = this->picture(); !picture.isNull()) {
     // Until the new picture is there the old one takes its place, undistorted.
-    QSize size = m_picture.size().scaled(page.size(), Qt::KeepAspectRatio);
+    QSize size = picture.size().scaled(page.size(), Qt::KeepAspectRatio);
     if (upToDate())
       size = page.size();
     QRect place(QPoint(), size);
     place.moveCenter(page.center());
     painter.setOpacity(upToDate() ? 1.0 : 0.4);
-    painter.drawImage(place, m_picture);
+    painter.drawImage(place, picture);
   }
   painter.setOpacity(1.0);
   painter.setPen(palette().color(QPalette::Dark));

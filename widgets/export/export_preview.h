@@ -5,7 +5,9 @@
 #include <QPointer>
 #include <QTimer>
 #include <QWidget>
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "widgets/export/export_files.h"
 #include "widgets/session/background_queue.h"
@@ -26,7 +28,12 @@ class ExportPreview : public QWidget {
   void show(const ExportFile& file);
   /// Tells whether the preview shows what was asked for last.
   bool upToDate() const { return m_shown == m_wanted; }
-  const QImage& picture() const { return m_picture; }
+  /// Returns the page that is shown; a null image before the first is there.
+  QImage picture() const { return m_pages.empty() ? QImage() : m_pages[page()]; }
+  /// Returns how many pages the file has; 1 before they are known.
+  std::size_t pages() const { return std::max<std::size_t>(m_pages.size(), 1); }
+  /// Shows that page, or the last one where there are fewer.
+  void turnTo(std::size_t page);
   /// Returns the notes on the page that is shown.
   const render::ExportNotes& notes() const { return m_notes; }
   QSize sizeHint() const override { return {400, 400}; }
@@ -40,7 +47,10 @@ class ExportPreview : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  std::size_t page() const { return std::min(m_page, m_pages.size() - 1); }
   QRect pageRect() const;
+  /// Returns the pixels of the page on screen.
+  QSize pixels() const;
   void ask();
   void draw(int number, const render::ExportOrder& order);
   void took(PreviewsOf asker, int number, const QImage& image);
@@ -51,7 +61,8 @@ class ExportPreview : public QWidget {
   render::ExportOrder m_drawn;  ///< the order that the renderer was given
   int m_wanted = 0;             ///< counts the requests
   int m_shown = 0;
-  QImage m_picture;
+  std::vector<QImage> m_pages;
+  std::size_t m_page = 0;
   render::ExportNotes m_notes;
   BackgroundQueue m_queue;
 };

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "widgets/export/note_texts.h"
-#include "widgets/export/option_fields.h"
+#include "widgets/session/names_by_language.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -18,13 +18,6 @@ namespace {
 
 QString numberText(qlonglong number) {
   return QLocale().toString(number);
-}
-
-std::size_t shownTriangles(const model::Scene& scene) {
-  std::size_t triangles = 0;
-  for (const model::VisibleStructure& structure : model::visibleStructures(scene))
-    triangles += structure.node->mesh->triangleCount();
-  return triangles;
 }
 
 int shownStructures(const model::Scene& scene) {
@@ -64,30 +57,27 @@ QString labelText(const std::vector<ExportFile>& files) {
 QString sizeText(const ExportDraft& draft) {
   const render::ExportPage& page = draft.order.page;
   const render::FilmOptions& film = draft.order.of<render::FilmOptions>();
-  if (pageUseOf(draft.kind) == render::PageUse::shape)
-    return tr("%1 seconds, %2 pixels high, %3 pictures a second.")
-        .arg(QLocale().toString(film.seconds, 'g', 4), numberText(film.height),
+  if (pageUseOf(draft.kind) == render::PageUse::shape) {
+    const glm::ivec2 size = render::filmSize(draft.order);
+    return tr("%1 seconds, %2 × %3 pixels, %4 pictures a second.")
+        .arg(QLocale().toString(film.seconds, 'g', 4), numberText(size.x), numberText(size.y),
              numberText(film.framesPerSecond));
+  }
   if (pageUseOf(draft.kind) == render::PageUse::drawing)
     return tr("%1, as lines and shapes of any sharpness.").arg(millimetresText(page));
   return tr("%1, %2 at %3 dpi.")
       .arg(millimetresText(page), pixelsText(page), numberText(std::lround(page.dpi)));
 }
 
-QString weightText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
-  const render::ExportFormat& format = *formatOf(draft.kind);
-  if (format.bytesPerPixel == 0.0 && format.bytesPerTriangle == 0.0)
+QString weightText(const std::vector<ExportFile>& files, std::optional<double> bytes) {
+  if (!bytes)
+    return tr("Its size is being measured.");
+  if (*bytes <= 0.0)
     return {};
-  const glm::ivec2 pixels = render::pixelsOf(draft.order.page);
-  double bytes = 0.0;
-  for (const ExportFile& file : files)
-    bytes += format.bytesPerPixel * double(pixels.x) * double(pixels.y) +
-             format.bytesPerTriangle * double(shownTriangles(file.order.scene));
   constexpr double megabyte = 1e6;
-  return bytes < megabyte         ? tr("Less than 1 MB.")
-         : bytes < 10 * megabyte  ? tr("A few MB.")
-         : bytes < 100 * megabyte ? tr("Tens of MB.")
-                                  : tr("Hundreds of MB.");
+  const QString size = QLocale().formattedDataSize(qint64(*bytes), *bytes < megabyte ? 0 : 1,
+                                                   QLocale::DataSizeSIFormat);
+  return files.size() == 1 ? tr("About %1.").arg(size) : tr("About %1 each.").arg(size);
 }
 
 QString creditText(const ExportDraft& draft) {
@@ -126,11 +116,12 @@ QString pixelsText(const render::ExportPage& page) {
   return tr("%1 × %2 pixels").arg(numberText(pixels.x), numberText(pixels.y));
 }
 
-QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files) {
+QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files,
+                          std::optional<double> bytes) {
   QStringList sentences{subjectText(draft, files)};
   if (pageUseOf(draft.kind) != render::PageUse::none)
     sentences << labelText(files) << sizeText(draft);
-  sentences << weightText(draft, files) << privacyText(draft) << creditText(draft);
+  sentences << weightText(files, bytes) << privacyText(draft) << creditText(draft);
   sentences.removeAll(QString());
   return sentences;
 }

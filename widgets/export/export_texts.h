@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QStringList>
+#include <optional>
 
 #include "widgets/export/export_files.h"
 
@@ -16,8 +17,10 @@ QString helpOf(const render::ExportFormat& format);
 QString millimetresText(const render::ExportPage& page);
 QString pixelsText(const render::ExportPage& page);
 
-/// Returns plain sentences about what the files will contain. The files are not empty.
-QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files);
+/// Returns plain sentences about what the files will contain. The files are not empty. `bytes`: of
+/// one of them; 0 where they cannot be known, nothing while they are measured.
+QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files,
+                          std::optional<double> bytes);
 
 /// Returns what the user should know beforehand, namely that nothing is shown; empty where all is
 /// well.

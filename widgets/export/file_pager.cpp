@@ -25,9 +25,9 @@ QToolButton* arrowButton(Qt::ArrowType arrow, const char* name, const QString& t
 
 FilePager::FilePager(QWidget* parent)
     : QWidget(parent),
-      m_back(arrowButton(Qt::LeftArrow, "exportPageBack", tr("Preview of the file before"))),
+      m_back(arrowButton(Qt::LeftArrow, "exportPageBack", tr("Preview of what comes before"))),
       m_text(new QLabel),
-      m_on(arrowButton(Qt::RightArrow, "exportPageOn", tr("Preview of the next file"))) {
+      m_on(arrowButton(Qt::RightArrow, "exportPageOn", tr("Preview of what comes next"))) {
   m_text->setObjectName(QStringLiteral("exportPageName"));
   m_text->setTextFormat(Qt::PlainText);
   m_text->setAlignment(Qt::AlignCenter);
@@ -43,10 +43,10 @@ FilePager::FilePager(QWidget* parent)
   hide();
 }
 
-void FilePager::setFiles(std::vector<std::filesystem::path> files) {
-  if (files.size() != m_files.size())
+void FilePager::setNames(const QStringList& names) {
+  if (names.size() != m_names.size())
     m_index = 0;
-  m_files = std::move(files);
+  m_names = names;
   showIndex();
 }
 
@@ -57,15 +57,15 @@ void FilePager::turnTo(std::size_t index) {
 }
 
 void FilePager::showIndex() {
-  setVisible(m_files.size() > 1);
-  if (m_files.size() < 2)
+  setVisible(m_names.size() > 1);
+  if (m_names.size() < 2)
     return;
-  const QString name = QString::fromStdString(m_files[m_index].filename().string());
+  const QString& name = m_names[qsizetype(m_index)];
   m_text->setText(
-      tr("%1 (%2 of %3)").arg(name, QString::number(m_index + 1), QString::number(m_files.size())));
+      tr("%1 (%2 of %3)").arg(name, QString::number(m_index + 1), QString::number(m_names.size())));
   m_text->setToolTip(name);
   m_back->setEnabled(m_index > 0);
-  m_on->setEnabled(m_index + 1 < m_files.size());
+  m_on->setEnabled(qsizetype(m_index) + 1 < m_names.size());
 }
 
 }  // namespace sline::widgets

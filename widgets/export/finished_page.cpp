@@ -3,11 +3,33 @@
 
 #include <QPainter>
 
+#include "render/export/pdf/sheet_layout.h"
+#include "render/export/pdf/sheet_options.h"
+#include "render/export/pdf/sheet_pictures.h"
 #include "render/export/plate/figure_plate.h"
 
 namespace sline::widgets {
 
-FinishedPage finishedPage(const QImage& picture, const render::ExportOrder& order) {
+namespace {
+
+bool hasSheet(const render::ExportOrder& order) {
+  return order.of<render::SheetOptions>().kind != render::SheetKind::none;
+}
+
+}  // namespace
+
+glm::vec2 paperMm(const render::ExportOrder& order) {
+  return hasSheet(order) ? render::sheetLayout(order).paper : order.page.sizeMm;
+}
+
+FinishedPages finishedPages(const QImage& picture, const render::ExportOrder& order, int width) {
+  if (hasSheet(order)) {
+    FinishedPages pages;
+    Result<std::vector<QImage>> sheet = render::sheetPictures(order, picture, width, &pages.notes);
+    if (sheet.ok())
+      pages.images = std::move(*sheet);
+    return pages;
+  }
   QImage page = picture.convertToFormat(QImage::Format_RGBA8888_Premultiplied);
   const qreal scale = qreal(picture.width()) / qreal(order.page.sizeMm.x);
   const render::FigurePlate plate = render::figurePlate(order);
@@ -16,7 +38,7 @@ FinishedPage finishedPage(const QImage& picture, const render::ExportOrder& orde
     painter.scale(scale, scale);
     render::paintPlate(painter, plate);
   }
-  return {page, plate.notes};
+  return {{page}, plate.notes};
 }
 
 }  // namespace sline::widgets

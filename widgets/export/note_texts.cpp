@@ -58,6 +58,10 @@ QString fact(const render::ExportNote& note) {
       return tr("%n labels found no room and have no card: %1.", nullptr, count);
     case Kind::marksWithoutRoom:
       return tr("At the picture's edge there is no room for: %1.");
+    case Kind::legendWithoutRoom:
+      return tr("%n structures found no room in the legend: %1.", nullptr, count);
+    case Kind::legendEmpty:
+      return tr("The legend is empty: nothing that is shown has a label, or is in focus.");
     case Kind::sidesUnknown:
       return tr("R and L are left out: nobody knows the directions of what is drawn.");
     case Kind::textShortened:
@@ -90,6 +94,10 @@ QString remedy(render::ExportNote::Kind kind) {
       return tr("Choose a view that shows it, or draw less of what is before it.");
     case Kind::labelsUntranslated:
       return tr("Write them in the list of labels, or choose another language.");
+    case Kind::legendWithoutRoom:
+      return tr("Take a larger page or smaller letters, or list fewer.");
+    case Kind::legendEmpty:
+      return tr("Let it list all structures.");
     case Kind::cardsWithoutRoom:
     case Kind::marksWithoutRoom:
       return tr("Take a larger page or smaller letters.");

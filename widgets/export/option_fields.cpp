@@ -2,13 +2,10 @@
 #include "widgets/export/option_fields.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
-#include <algorithm>
-#include <array>
 
 #include "render/export/order/common_options.h"
-#include "widgets/text/tr.h"
+#include "widgets/session/names_by_language.h"
 
 namespace sline::widgets {
 
@@ -45,7 +42,7 @@ FieldKind kindOf(const render::TextOption& kind) {
 }
 
 ChoiceField languageField(const QStringList& languages) {
-  ChoiceField field{{{QString(), tr("The scene's own")}}};
+  ChoiceField field{{{QString(), languageName({})}}};
   for (const QString& tag : languages)
     field.choices.push_back({tag, languageName(tag)});
   const QString latin = QStringLiteral("la");
@@ -57,25 +54,6 @@ ChoiceField languageField(const QStringList& languages) {
 }
 
 }  // namespace
-
-QString languageName(const QString& tag) {
-  QStringList names;
-  for (const QString& one : tag.split(QLatin1Char('+'))) {
-    const std::array<std::pair<const char*, QString>, 5> known{{{"en", tr("English")},
-                                                                {"de", tr("German")},
-                                                                {"la", tr("Latin")},
-                                                                {"nl", tr("Dutch")},
-                                                                {"nb", tr("Norwegian")}}};
-    const auto found = std::find_if(known.begin(), known.end(), [&one](const auto& language) {
-      return one == QLatin1String(language.first);
-    });
-    const QString own = QLocale(one).nativeLanguageName();
-    names << (found != known.end()                                      ? found->second
-              : QLocale(one).language() != QLocale::C && !own.isEmpty() ? own
-                                                                        : one);
-  }
-  return names.join(QStringLiteral(" / "));
-}
 
 Field fieldOf(const render::ExportOption& option, const QStringList& languages) {
   const bool language = &option == &render::languageOption;

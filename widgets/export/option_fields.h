@@ -19,7 +19,4 @@ QVariant valueIn(const render::ExportOrder& order, const render::ExportOption& o
 void setValue(render::ExportOrder& order, const render::ExportOption& option,
               const QVariant& value);
 
-/// Returns what a language of labels is called in itself; "Latin" in the interface's language.
-QString languageName(const QString& tag);
-
 }  // namespace sline::widgets

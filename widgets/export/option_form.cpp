@@ -43,11 +43,13 @@ OptionForm::OptionForm(render::ExportOrder& order, std::vector<const render::Exp
     grid->addWidget(control, line++, 1);
     m_widgets.push_back({label, control});
   }
+  enableWhatApplies();
 }
 
 QWidget* OptionForm::makeControlOf(const render::ExportOption& option, const Field& field) {
   QWidget* control = makeControl(field, [this, &option](const QVariant& value) {
     setValue(m_order, option, value);
+    enableWhatApplies();
     emit changed();
   });
   // A box that grew with its widest text would push the preview aside.
@@ -69,6 +71,12 @@ bool OptionForm::showFor(const render::ExportFormat& kind) {
   }
   setVisible(any);
   return any;
+}
+
+void OptionForm::enableWhatApplies() {
+  for (std::size_t i = 0; i < m_options.size(); ++i)
+    for (QWidget* widget : m_widgets[i])
+      widget->setEnabled(!m_options[i]->applies || m_options[i]->applies(m_order));
 }
 
 }  // namespace sline::widgets

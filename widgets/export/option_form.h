@@ -23,6 +23,8 @@ class OptionForm : public QWidget {
 
   /// Shows the controls of those options that the kind has; returns false where it has none.
   bool showFor(const render::ExportFormat& kind);
+  /// Enables the controls of those options that mean anything beside what else is chosen.
+  void enableWhatApplies();
 
  signals:
   void changed();

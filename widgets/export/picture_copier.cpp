@@ -22,7 +22,6 @@ PictureCopier::PictureCopier(Viewport& viewport, QObject* parent)
 void PictureCopier::copy(const ExportSource& source, const render::ExportOrder& order) {
   ExportDraft draft;
   draft.order = order;
-  draft.order.environment.background = m_viewport.background();
   draft.order.page = {render::millimetresPerInch / dpi *
                           glm::vec2(float(m_viewport.width()), float(m_viewport.height())),
                       dpi};
@@ -43,10 +42,11 @@ void PictureCopier::took(PreviewsOf asker, int number, const QImage& image) {
   if (asker != PreviewsOf::exported || number != m_wanted)
     return;
   m_queue.add([this, image, order = m_order](const std::stop_token&) {
-    return BackgroundQueue::Sequel([this, page = finishedPage(image, order).image] {
-      QGuiApplication::clipboard()->setImage(page);
-      emit copied();
-    });
+    return BackgroundQueue::Sequel(
+        [this, page = finishedPages(image, order, image.width()).images.front()] {
+          QGuiApplication::clipboard()->setImage(page);
+          emit copied();
+        });
   });
 }
 

@@ -67,6 +67,11 @@ std::string textOf(const render::ExportNote& note) {
     case Kind::marksWithoutRoom:
       return counted(count, "mark", "marks") + " at the picture's edge found no room" + names +
              "Take a larger page, smaller letters (--label-size) or fewer marks (--marks)";
+    case Kind::legendWithoutRoom:
+      return counted(count, "structure", "structures") + " found no room in the legend" + names +
+             "Take a larger page or smaller letters (--label-size), or list fewer (--legend)";
+    case Kind::legendEmpty:
+      return "the legend is empty, as nothing shown has a label or is in focus. Take --legend all";
     case Kind::sidesUnknown:
       return "R and L are left out: nobody knows the directions of what is drawn. Say them with "
              "--frame LPS or RAS where the files are read";

@@ -6,6 +6,7 @@
 
 #include "app/cli/files/names.h"
 #include "app/cli/flags/option_kinds.h"
+#include "app/cli/flags/values.h"
 #include "model/base/letters.h"
 #include "render/export/formats/export_formats.h"
 
@@ -34,6 +35,22 @@ Status parseSweep(const FilmFlags& flags, const model::Scene& scene, render::Fil
     options.swept.insert(options.swept.end(), ids->begin(), ids->end());
   }
   return Unit{};
+}
+
+void completeFilmSize(TypedOptions& options, bool pageTyped) {
+  const std::string typed = options.typed(render::filmFormatOption);
+  if (typed.empty()) {
+    if (pageTyped || !options.typed(render::filmHeightOption).empty())
+      options.set(render::filmFormatOption, "page");
+    return;
+  }
+  // A size that has a name of its own keeps it; a wrong one is told as any other choice is.
+  const Result<Size> size = parseSize(typed);
+  if (!size.ok() || render::parseOption(render::filmFormatOption, typed).ok())
+    return;
+  options.set(render::filmFormatOption, "typed");
+  options.set(render::filmWidthOption, std::to_string(size->width));
+  options.set(render::filmHeightOption, std::to_string(size->height));
 }
 
 Status addFilmTarget(const FilmFlags& flags, std::map<std::string, std::string>& targets) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/flags/typed_options.h"
 #include "model/base/result.h"
 #include "model/scene/scene.h"
 #include "render/export/motion/film_options.h"
@@ -27,6 +28,9 @@ struct FilmFlags {
 void declareFilm(CLI::App& command, FilmFlags& flags);
 /// Looks up the structures of a Γ sweep in the scene. An error counts as wrong use.
 Status parseSweep(const FilmFlags& flags, const model::Scene& scene, render::FilmOptions& options);
+/// Takes `--film-size 640x360` apart. Without the flag, `--film-height` and a page whose size was
+/// typed ask for the page's shape.
+void completeFilmSize(TypedOptions& options, bool pageTyped);
 /// Adds `--video FILE` as one of the kinds that have a flag of their own; fails if that kind has a
 /// target already.
 Status addFilmTarget(const FilmFlags& flags, std::map<std::string, std::string>& targets);

@@ -52,9 +52,11 @@ Result<render::ExportMarks> parseMarks(const std::string& text) {
 }  // namespace
 
 void declareLabels(CLI::App& command, LabelFlags& flags) {
+  render::ExportOrder standard;
+  standard.labels.mode = flags.mode;
   for (const render::ExportOption* option : render::pictureOptions())
     if (option->group == render::OptionGroup::labels)
-      flags.options.declare(command, *option);
+      flags.options.declare(command, *option, {}, standard);
   command
       .add_option("--marks", flags.marks,
                   "What stands at the picture's edges: on, off, or some of sides (R and L, and the "
@@ -69,12 +71,20 @@ Result<LabelSpec> parseFlags(const LabelFlags& flags) {
   if (!marks.ok())
     return marks.error();
   render::ExportOrder order;
+  order.labels.mode = flags.mode;
   if (const Status fine = flags.options.applyTo(order); !fine.ok())
     return fine.error();
   LabelSpec labels;
   labels.marks = *marks;
   labels.style = order.labels;
+  labels.legend = order.legend;
   return labels;
+}
+
+void LabelSpec::writeTo(render::ExportOrder& order) const {
+  order.labels = style;
+  order.marks = marks;
+  order.legend = legend;
 }
 
 Status prepareLabels(LabelSpec& spec, const model::Scene& scene, const glm::vec2& pageMm) {
@@ -89,8 +99,7 @@ Status prepareLabels(LabelSpec& spec, const model::Scene& scene, const glm::vec2
   if (const auto view = model::anatomicalViewNamed(model::normalisedName(spec.viewName)))
     job.camera = model::anatomicalCamera(*view, scene.visibleBounds(), pageMm.x / pageMm.y);
   job.page.sizeMm = pageMm;
-  job.labels = spec.style;
-  job.marks = spec.marks;
+  spec.writeTo(job);
   spec.sides = render::sidesOfPlate(job, *spec.typesetting);
   return Unit{};
 }
@@ -105,8 +114,7 @@ void drawLabels(render::Image& image, const model::Scene& scene, const model::Ca
   job.viewName = spec.viewName;
   job.page.sizeMm.y = render::usualHeightMm;
   job.environment.background = background;
-  job.labels = spec.style;
-  job.marks = spec.marks;
+  spec.writeTo(job);
   const render::LabelReport report = render::drawPlate(image, job, *spec.typesetting);
   for (const std::string& text : report.leftOut)
     warn("there is no room for the label \"" + onOneLine(text) + "\"");

@@ -14,21 +14,27 @@ namespace sline::cli {
 
 /// Holds the flags as typed.
 struct LabelFlags {
-  TypedOptions options;  ///< --labels, --language, --label-size
+  TypedOptions options;  ///< --labels, --language, --label-size, --legend
   std::string marks = "off";
+  render::LabelMode mode = render::LabelMode::off;  ///< where --labels is not typed
 };
 
 /// Holds the flags as understood; the typesetting is made before anything is drawn.
 struct LabelSpec {
   render::LabelStyle style{.mode = render::LabelMode::off, .language = {}};
   render::ExportMarks marks = render::ExportMarks::none();
+  render::LegendList legend = render::LegendList::onSheets;
   std::string viewName;  ///< of the camera; may be empty
   std::shared_ptr<const render::Typesetting> typesetting;
   model::FreeSides sides;  ///< of the picture, for views that are fitted
 
   bool bare() const {
-    return style.mode == render::LabelMode::off && marks == render::ExportMarks::none();
+    render::ExportOrder order;
+    writeTo(order);
+    return order.bare();
   }
+  /// Gives the order what was said of labels, marks and legend.
+  void writeTo(render::ExportOrder& order) const;
 };
 
 /// Declares the flags on a sub-command.

@@ -60,9 +60,9 @@ std::string valueName(const render::ExportOption& option) {
 }  // namespace
 
 CLI::Option* TypedOptions::declare(CLI::App& command, const render::ExportOption& option,
-                                   const std::string& kinds) {
+                                   const std::string& kinds, const render::ExportOrder& order) {
   const std::string help = option.help + (kinds.empty() ? "" : " (" + kinds + ")");
-  const std::string standard = render::optionText(option, option.field.read(render::ExportOrder()));
+  const std::string standard = render::optionText(option, option.field.read(order));
   if (std::holds_alternative<render::SwitchOption>(option.kind)) {
     CLI::Option* flag = command.add_flag_function(
         option.flag,

@@ -19,9 +19,10 @@ namespace sline::cli {
 class TypedOptions {
  public:
   /// Declares the option's flag on the sub-command, with the help and the default that the table
-  /// has; the help ends with the kinds of files that have it. This must outlive the command.
+  /// has, or which `standard` has in its place; the help ends with the kinds of files that have
+  /// it. This must outlive the command.
   CLI::Option* declare(CLI::App& command, const render::ExportOption& option,
-                       const std::string& kinds = {});
+                       const std::string& kinds = {}, const render::ExportOrder& standard = {});
   /// Takes the text as if it had been typed.
   void set(const render::ExportOption& option, const std::string& text) { m_texts[&option] = text; }
   /// Returns what was typed; an empty text if nothing was.

@@ -15,6 +15,7 @@
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pixels/pixel_files.h"
 #include "render/export/pixels/pixel_options.h"
+#include "render/export/pixels/pixel_weight.h"
 #include "render/export/svg/svg_file.h"
 
 namespace sline::render {
@@ -28,6 +29,11 @@ ExportNotes noNotes(const ExportOrder&) {
 template <PixelKind kind>
 ExportNotes pixelNotesOf(const ExportOrder& order) {
   return pixelNotes(order, kind);
+}
+
+template <PixelKind kind>
+double pixelWeightOf(const ExportOrder& order, const Image& page, const ExportProgress&) {
+  return pixelWeight(order, kind, page);
 }
 
 template <bool transparency>
@@ -74,9 +80,9 @@ constexpr std::array formats{
             "ink, 8 or 16 bits, transparent where asked for"),
         .extension = "png",
         .options = printOptions,
-        .bytesPerPixel = 0.4,
         .write = writePng,
-        .foreseen = pixelNotesOf<PixelKind::png>},
+        .foreseen = pixelNotesOf<PixelKind::png>,
+        .weigh = pixelWeightOf<PixelKind::png>},
     ExportFormat{
         .id = "tiff",
         .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "TIFF picture"),
@@ -85,9 +91,9 @@ constexpr std::array formats{
         .extension = "tiff",
         .otherExtension = "tif",
         .options = printOptions,
-        .bytesPerPixel = 1.0,
         .write = writeTiff,
-        .foreseen = pixelNotesOf<PixelKind::tiff>},
+        .foreseen = pixelNotesOf<PixelKind::tiff>,
+        .weigh = pixelWeightOf<PixelKind::tiff>},
     ExportFormat{
         .id = "jpeg",
         .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "JPEG picture"),
@@ -96,9 +102,9 @@ constexpr std::array formats{
         .extension = "jpg",
         .otherExtension = "jpeg",
         .options = jpegOptions,
-        .bytesPerPixel = 0.25,
         .write = writeJpeg,
-        .foreseen = pixelNotesOf<PixelKind::jpeg>},
+        .foreseen = pixelNotesOf<PixelKind::jpeg>,
+        .weigh = pixelWeightOf<PixelKind::jpeg>},
     ExportFormat{
         .id = "exr",
         .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "EXR picture"),
@@ -107,9 +113,9 @@ constexpr std::array formats{
             "A picture in linear light, as halves with alpha multiplied in, for compositing"),
         .extension = "exr",
         .options = screenOptions,
-        .bytesPerPixel = 2.0,
         .write = writeExr,
-        .foreseen = pixelNotesOf<PixelKind::exr>},
+        .foreseen = pixelNotesOf<PixelKind::exr>,
+        .weigh = pixelWeightOf<PixelKind::exr>},
     ExportFormat{.id = "webp-picture",
                  .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "WebP picture"),
                  .help = QT_TRANSLATE_NOOP(
@@ -117,9 +123,9 @@ constexpr std::array formats{
                      "A picture for web pages, smaller than PNG and as exact: 8 bits in colour"),
                  .extension = "webp",
                  .options = screenOptions,
-                 .bytesPerPixel = 0.25,
                  .write = writeWebpPicture,
-                 .foreseen = pixelNotesOf<PixelKind::webp>},
+                 .foreseen = pixelNotesOf<PixelKind::webp>,
+                 .weigh = pixelWeightOf<PixelKind::webp>},
     ExportFormat{
         .id = "jp2",
         .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "JPEG 2000 picture"),
@@ -127,35 +133,39 @@ constexpr std::array formats{
                                   "A picture for archives that ask for it, exact: 8 or 16 bits"),
         .extension = "jp2",
         .options = jp2Options,
-        .bytesPerPixel = 1.0,
         .write = writeJp2,
-        .foreseen = pixelNotesOf<PixelKind::jp2>},
-    ExportFormat{.id = "svg",
-                 .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "SVG drawing"),
-                 .help = QT_TRANSLATE_NOOP(
-                     "sline::render::ExportFormat",
-                     "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
-                     "paths, hidden ones removed, a named group for each structure"),
-                 .extension = "svg",
-                 .page = PageUse::drawing,
-                 .names = true,
-                 .options = drawingOptions,
-                 .bytesPerTriangle = 2.0,
-                 .write = writeSvg,
-                 .foreseen = noNotes},
-    ExportFormat{.id = "pdf",
-                 .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "PDF document"),
-                 .help = QT_TRANSLATE_NOOP(
-                     "sline::render::ExportFormat",
-                     "The same vectors on a page of their own, or a sheet with title, legend and "
-                     "numbered labels, a page to test oneself and its key"),
-                 .extension = "pdf",
-                 .page = PageUse::drawing,
-                 .names = true,
-                 .options = sheetOptions,
-                 .bytesPerTriangle = 1.0,
-                 .write = writePdf,
-                 .foreseen = noNotes},
+        .foreseen = pixelNotesOf<PixelKind::jp2>,
+        .weigh = pixelWeightOf<PixelKind::jp2>},
+    ExportFormat{
+        .id = "svg",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "SVG drawing"),
+        .help = QT_TRANSLATE_NOOP(
+            "sline::render::ExportFormat",
+            "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
+            "paths, hidden ones removed, a named group for each structure"),
+        .extension = "svg",
+        .page = PageUse::drawing,
+        .names = true,
+        .options = drawingOptions,
+        .write = writeSvg,
+        .foreseen = noNotes,
+        .weigh = [](const ExportOrder& order, const Image&,
+                    const ExportProgress& progress) { return svgWeight(order, progress); }},
+    ExportFormat{
+        .id = "pdf",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "PDF document"),
+        .help = QT_TRANSLATE_NOOP(
+            "sline::render::ExportFormat",
+            "The same vectors on a page of their own, or a sheet with title, legend and "
+            "numbered labels, a page to test oneself and its key"),
+        .extension = "pdf",
+        .page = PageUse::drawing,
+        .names = true,
+        .options = sheetOptions,
+        .write = writePdf,
+        .foreseen = noNotes,
+        .weigh = [](const ExportOrder& order, const Image&,
+                    const ExportProgress& progress) { return pdfWeight(order, progress); }},
     ExportFormat{.id = "glb",
                  .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "GLB surfaces (glTF)"),
                  .help = QT_TRANSLATE_NOOP(
@@ -167,9 +177,10 @@ constexpr std::array formats{
                  .oneView = false,
                  .names = true,
                  .options = noOptions,
-                 .bytesPerTriangle = 30.0,
                  .write = writeGltf,
-                 .foreseen = gltfNotes},
+                 .foreseen = gltfNotes,
+                 .weigh = [](const ExportOrder& order, const Image&,
+                             const ExportProgress&) { return gltfWeight(order); }},
     ExportFormat{.id = "mp4",
                  .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "MP4 film"),
                  .help = QT_TRANSLATE_NOOP(

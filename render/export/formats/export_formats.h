@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/export/order/export_option.h"
+#include "render/raster/image.h"
 
 namespace sline::render {
 
@@ -27,9 +28,6 @@ struct ExportFormat {
   bool oneView = true;  ///< shows the scene from one place; others hold it whole, or all its views
   bool names = false;   ///< holds names of structures in addition to what is seen
   OptionList (*options)() = nullptr;  ///< its own, besides those that all pictures have
-  // Estimates of how large files are; drawings are mostly empty, which packs well. Zeros: unknown.
-  double bytesPerPixel = 0.0;
-  double bytesPerTriangle = 0.0;
   /// Writes the whole file or, with an error, nothing. It runs on any thread and makes the OpenGL
   /// context that it needs.
   Status (*write)(const ExportOrder& order, const std::filesystem::path& target,
@@ -37,6 +35,11 @@ struct ExportFormat {
   /// Returns the notes that `write` will make as far as the order alone decides them. It is quick
   /// and draws nothing.
   ExportNotes (*foreseen)(const ExportOrder& order) = nullptr;
+  /// Returns about how many bytes the file will have, given a small picture of its page: found by
+  /// making the file or a part of it in memory. 0: unknown, or stopped by the progress. Null: it is
+  /// not to be known beforehand. It runs on any thread, for as long as `write` does at most.
+  double (*weigh)(const ExportOrder& order, const Image& page,
+                  const ExportProgress& progress) = nullptr;
 
   /// Returns whether the option means something to files of this kind.
   bool has(const ExportOption& option) const;

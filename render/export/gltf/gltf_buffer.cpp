@@ -37,6 +37,13 @@ std::vector<glm::vec3> unitNormals(const model::Mesh& mesh) {
 
 }  // namespace
 
+double GltfBuffer::bytesOf(const model::Mesh& mesh) {
+  // A place and a normal for each vertex, three indices for each triangle.
+  const double index = mesh.vertexCount() <= 65535 ? 2.0 : 4.0;
+  return 2.0 * sizeof(glm::vec3) * double(mesh.vertexCount()) +
+         3.0 * index * double(mesh.triangleCount());
+}
+
 const GltfSurface& GltfBuffer::surfaceOf(const model::MeshPtr& mesh) {
   const auto known = m_surfaces.find(mesh);
   if (known != m_surfaces.end())

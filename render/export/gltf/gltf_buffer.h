@@ -22,6 +22,8 @@ struct GltfSurface {
 
 class GltfBuffer {
  public:
+  /// Returns the bytes that the surface of such a mesh takes.
+  static double bytesOf(const model::Mesh& mesh);
   /// Returns the surface of a mesh with triangles; structures that share a mesh share it here too.
   const GltfSurface& surfaceOf(const model::MeshPtr& mesh);
 

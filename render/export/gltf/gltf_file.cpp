@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/gltf/gltf_file.h"
 
+#include <set>
+
 #include "model/disk/whole_file.h"
+#include "model/scene/visible_structures.h"
+#include "render/export/gltf/gltf_buffer.h"
 #include "render/export/gltf/gltf_document.h"
 
 namespace sline::render {
@@ -18,6 +22,18 @@ Status writeGltf(const ExportOrder& order, const std::filesystem::path& target,
   if (progress && !progress(0.95, "writing the file"))
     return givenUp(target);
   return model::writeText(target, *glb);
+}
+
+double gltfWeight(const ExportOrder& order) {
+  constexpr double description = 1200.0;
+  double bytes = description;
+  std::set<model::MeshPtr> shared;
+  for (const model::VisibleStructure& structure : model::visibleStructures(order.scene)) {
+    bytes += description;
+    if (shared.insert(structure.node->mesh).second)
+      bytes += GltfBuffer::bytesOf(*structure.node->mesh);
+  }
+  return bytes;
 }
 
 ExportNotes gltfNotes(const ExportOrder& order) {

@@ -12,4 +12,8 @@ Status writeGltf(const ExportOrder& order, const std::filesystem::path& target,
 /// Notes what no such file has: cuts, which its extras describe.
 ExportNotes gltfNotes(const ExportOrder& order);
 
+/// Returns about how many bytes the file takes: what its surfaces do, and the usual of each
+/// structure's description.
+double gltfWeight(const ExportOrder& order);
+
 }  // namespace sline::render

@@ -12,10 +12,6 @@ namespace sline::render {
 
 namespace {
 
-int even(double pixels) {
-  return std::max(2 * int(std::lround(0.5 * pixels)), 2);
-}
-
 Error tooLongRests(const FilmOptions& options) {
   const auto tenths = [](double value) {
     std::string text = std::to_string(std::lround(10.0 * value));
@@ -34,17 +30,11 @@ Status checked(const FilmOptions& options, const glm::ivec2& size) {
   if (!filmHeightLimits.contain(size.x) || !filmHeightLimits.contain(size.y))
     return Error{.reason = "frames of " + std::to_string(size.x) + " × " + std::to_string(size.y) +
                            " pixels are none for a film",
-                 .remedy = "Choose a height for which both sides have 16 to 4320 pixels"};
+                 .remedy = "Choose a size of which both sides have 16 to 4320 pixels"};
   return Unit{};
 }
 
 }  // namespace
-
-glm::ivec2 filmSize(const ExportOrder& order) {
-  const double aspect = double(order.page.sizeMm.x) / double(order.page.sizeMm.y);
-  const double height = order.of<FilmOptions>().height;
-  return {even(height * aspect), even(height)};
-}
 
 int filmFrames(const FilmOptions& options) {
   return std::max(int(std::lround(options.seconds * double(options.framesPerSecond))), 1);

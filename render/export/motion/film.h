@@ -13,8 +13,6 @@
 
 namespace sline::render {
 
-/// Returns the size in pixels: it has the page's shape, and both sides are even, as films require.
-glm::ivec2 filmSize(const ExportOrder& order);
 int filmFrames(const FilmOptions& options);
 
 struct FilmFrame {

@@ -31,7 +31,9 @@ class Filming {
  public:
   Filming(const ExportOrder& order, const fs::path& target, const ExportProgress& progress,
           bool transparency = true)
-      : m_order(order), m_target(target), m_progress(progress), m_transparency(transparency) {}
+      : m_order(order), m_target(target), m_progress(progress), m_transparency(transparency) {
+    m_order.page.sizeMm = filmPageMm(order);
+  }
 
   /// Prepares what is needed before a file is begun.
   Status prepare() {
@@ -104,7 +106,7 @@ class Filming {
     return !m_progress || m_progress(share, what);
   }
 
-  const ExportOrder& m_order;
+  ExportOrder m_order;  ///< on a page of the film's shape
   const fs::path& m_target;
   const ExportProgress& m_progress;
   bool m_transparency;  ///< whether the kind of file has it
@@ -133,7 +135,9 @@ ExportNotes filmNotes(const ExportOrder& order, bool transparency) {
   if (order.environment.background == Background::transparent && !transparency)
     addNote(notes, {.kind = ExportNote::Kind::standsOnWhite, .names = {}, .detail = {}});
   const glm::ivec2 size = filmSize(order);
-  if (size.y != film.height)
+  const bool typed = film.format == FilmFormat::typed;
+  if ((typed && size.x != film.width) ||
+      ((typed || film.format == FilmFormat::page) && size.y != film.height))
     addNote(notes, {.kind = ExportNote::Kind::filmRounded,
                     .names = {},
                     .detail = std::to_string(size.x) + " × " + std::to_string(size.y)});

@@ -2,7 +2,9 @@
 #include "render/export/motion/film_options.h"
 
 #include <QtGlobal>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace sline::render {
 
@@ -41,16 +43,22 @@ constexpr ExportOption framesPerSecond{
     .field =
         boundTo([](auto& o) -> auto& { return o.template of<FilmOptions>().framesPerSecond; })};
 
-constexpr ExportOption filmHeight{
-    .id = "filmHeight",
-    .flag = "--film-height",
-    .value = "PIXELS",
-    .help = "Of a film, in pixels; the page's shape gives the width",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Height of the film"),
-    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "The page's shape gives the width"),
-    .kind = numberWithin(filmHeightLimits, 0, 90.0,
-                         QT_TRANSLATE_NOOP("sline::render::ExportOption", "px")),
-    .field = boundTo([](auto& o) -> auto& { return o.template of<FilmOptions>().height; })};
+constexpr std::array formats{
+    OptionChoice{.id = "1280x720",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "1280 × 720, HD"),
+                 .value = int(FilmFormat::hd)},
+    OptionChoice{.id = "1920x1080",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "1920 × 1080, Full HD"),
+                 .value = int(FilmFormat::fullHd)},
+    OptionChoice{.id = "square",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "1080 × 1080, square"),
+                 .value = int(FilmFormat::square)},
+    OptionChoice{.id = "typed",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Another size"),
+                 .value = int(FilmFormat::typed)},
+    OptionChoice{.id = "page",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "The page's shape"),
+                 .value = int(FilmFormat::page)}};
 
 /// A value below 0 means that the film decides.
 constexpr OptionField holdField{
@@ -83,9 +91,79 @@ constinit const ExportOption motionOption{
     .kind = ChoiceOption{motions},
     .field = boundTo([](auto& o) -> auto& { return o.template of<FilmOptions>().motion; })};
 
+constinit const ExportOption filmFormatOption{
+    .id = "filmFormat",
+    .flag = "--film-size",
+    .help =
+        "Pixels of a film; WxH takes any others. page: the page's shape, --film-height high, which "
+        "is also what a page's size or --film-height alone asks for",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Size of the film"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Width and height in pixels"),
+    .kind = ChoiceOption{formats},
+    .field = boundTo([](auto& o) -> auto& { return o.template of<FilmOptions>().format; })};
+
+constinit const ExportOption filmWidthOption{
+    .id = "filmWidth",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Width of the film"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Of another size"),
+    .kind = numberWithin(filmHeightLimits, 0, 90.0,
+                         QT_TRANSLATE_NOOP("sline::render::ExportOption", "px")),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<FilmOptions>().width; }),
+    .applies = [](const ExportOrder& o) {
+      return o.of<FilmOptions>().format == FilmFormat::typed;
+    }};
+
+constinit const ExportOption filmHeightOption{
+    .id = "filmHeight",
+    .flag = "--film-height",
+    .value = "PIXELS",
+    .help = "Of a film, in pixels; the page's shape gives the width",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Height of the film"),
+    .tip =
+        QT_TRANSLATE_NOOP("sline::render::ExportOption", "Of another size, or of the page's shape"),
+    .kind = numberWithin(filmHeightLimits, 0, 90.0,
+                         QT_TRANSLATE_NOOP("sline::render::ExportOption", "px")),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<FilmOptions>().height; }),
+    .applies = [](const ExportOrder& o) {
+      return o.of<FilmOptions>().format == FilmFormat::typed ||
+             o.of<FilmOptions>().format == FilmFormat::page;
+    }};
+
 OptionList filmOptions() {
-  static constexpr std::array all{&motionOption, &seconds, &framesPerSecond, &filmHeight, &hold};
+  static constexpr std::array all{&motionOption,
+                                  &filmFormatOption,
+                                  &filmWidthOption,
+                                  &filmHeightOption,
+                                  &seconds,
+                                  &framesPerSecond,
+                                  &hold};
   return all;
+}
+
+glm::ivec2 filmSize(const ExportOrder& order) {
+  const auto even = [](double pixels) { return std::max(2 * int(std::lround(0.5 * pixels)), 2); };
+  const FilmOptions& film = order.of<FilmOptions>();
+  switch (film.format) {
+    case FilmFormat::hd:
+      return {1280, 720};
+    case FilmFormat::fullHd:
+      return {1920, 1080};
+    case FilmFormat::square:
+      return {1080, 1080};
+    case FilmFormat::typed:
+      return {even(film.width), even(film.height)};
+    case FilmFormat::page:
+      break;
+  }
+  const double aspect = double(order.page.sizeMm.x) / double(order.page.sizeMm.y);
+  return {even(film.height * aspect), even(film.height)};
+}
+
+glm::vec2 filmPageMm(const ExportOrder& order) {
+  if (order.of<FilmOptions>().format == FilmFormat::page)
+    return order.page.sizeMm;
+  const glm::vec2 size(filmSize(order));
+  return {order.page.sizeMm.y * size.x / size.y, order.page.sizeMm.y};
 }
 
 }  // namespace sline::render

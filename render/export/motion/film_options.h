@@ -13,11 +13,17 @@ namespace sline::render {
 /// saved view; Γ from 0 to 5.
 enum class Motion { turntable, tour, gammaSweep };
 
+/// Tells how large a film's pictures are. `typed`: as many pixels as were typed each way; `page`:
+/// of the page's shape, and as high as was typed.
+enum class FilmFormat { hd, fullHd, square, typed, page };
+
 struct FilmOptions {
   Motion motion = Motion::turntable;
   double seconds = 8.0;  ///< of the whole film
   int framesPerSecond = 25;
-  int height = 720;  ///< pixels; the page's shape gives the width
+  FilmFormat format = FilmFormat::hd;
+  int width = 1280;  ///< pixels; of `typed`
+  int height = 720;  ///< pixels; of `typed` and `page`
   /// Seconds of rest at each view, or at either end of Γ; absent: 2/5 or 1/6 of the film in total.
   std::optional<double> hold;
   std::vector<model::NodeId> swept;  ///< structures of which Γ changes; empty: all
@@ -31,5 +37,14 @@ inline constexpr Limits<double> holdLimits{0.0, 600.0};
 OptionList filmOptions();
 
 extern const ExportOption motionOption;
+extern const ExportOption filmFormatOption;
+extern const ExportOption filmWidthOption;
+extern const ExportOption filmHeightOption;
+
+/// Returns the film's size in pixels; both sides are even, as films require.
+glm::ivec2 filmSize(const ExportOrder& order);
+/// Returns the size of the order's page as a film has it: of the film's shape, and as high as it
+/// was, so that lines and letters stay as large.
+glm::vec2 filmPageMm(const ExportOrder& order);
 
 }  // namespace sline::render

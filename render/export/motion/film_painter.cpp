@@ -74,7 +74,7 @@ struct FilmPainter::Data {
   Sightings sightings;
 
   bool labelled() const { return order.labels.mode != LabelMode::off; }
-  bool bare() const { return !labelled() && order.marks == ExportMarks::none(); }
+  bool bare() const { return order.bare(); }
   ExportOrder orderOf(const FilmFrame& frame) const;
   FigurePlate plateOf(const FilmFrame& frame);
   Result<Image> drawFrame(const FilmFrame& frame, const glm::ivec2& size);
@@ -112,6 +112,7 @@ ExportOrder FilmPainter::Data::orderOf(const FilmFrame& frame) const {
   now.environment = order.environment;
   now.labels = order.labels;
   now.marks = order.marks;
+  now.legend = order.legend;
   return now;
 }
 
@@ -122,6 +123,8 @@ FigurePlate FilmPainter::Data::plateOf(const FilmFrame& frame) {
   LabelStyle style = order.labels;
   style.onDark = order.environment.background == Background::dark;
   style.edges = edges;
+  if (plate.marks.legend)
+    style.reserved = {*plate.marks.legend};
   plate.labels = labelPlate(frame.scene, Screen(frame.camera, order.page.sizeMm), style, trees,
                             {.before = layout ? &*layout : nullptr, .moving = frame.moving});
   layout = plate.labels->layout;

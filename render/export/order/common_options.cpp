@@ -51,6 +51,36 @@ constexpr ExportOption labels{
     .kind = ChoiceOption{labelModes},
     .field = boundTo([](auto& o) -> auto& { return o.labels.mode; })};
 
+constexpr std::array legends{
+    OptionChoice{.id = "sheets",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "On sheets alone"),
+                 .value = int(LegendList::onSheets)},
+    OptionChoice{.id = "all",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "All structures"),
+                 .value = int(LegendList::all)},
+    OptionChoice{.id = "labelled",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Those with a label"),
+                 .value = int(LegendList::labelled)},
+    OptionChoice{.id = "focus",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Those in focus"),
+                 .value = int(LegendList::focus)},
+    OptionChoice{.id = "none",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "None"),
+                 .value = int(LegendList::none)}};
+
+constexpr ExportOption legend{
+    .id = "legend",
+    .group = OptionGroup::labels,
+    .flag = "--legend",
+    .help =
+        "Colours and names of structures, in a corner of the picture or on the sheet: all, those "
+        "that a label points at, those in focus, or none; sheets: all, on sheets of paper alone",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Legend"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "Colours and names, in the picture's corner or on the sheet"),
+    .kind = ChoiceOption{legends},
+    .field = boundTo([](auto& o) -> auto& { return o.legend; })};
+
 constexpr ExportOption labelSize{
     .id = "labelSize",
     .group = OptionGroup::labels,
@@ -165,7 +195,8 @@ constinit const ExportOption pureInkOption{
     .field = boundTo([](auto& o) -> auto& { return o.pureInk; })};
 
 OptionList pictureOptions() {
-  static constexpr std::array all{&backgroundOption, &labels,   &languageOption, &labelSize, &sides,
+  static constexpr std::array all{&backgroundOption, &labels,   &languageOption,
+                                  &labelSize,        &legend,   &sides,
                                   &viewName,         &scaleBar, &sectionState};
   return all;
 }

@@ -18,6 +18,8 @@ struct ExportNote {
     labelsUntranslated,  ///< `names`: texts in the scene's language, `detail`: the one asked for
     cardsWithoutRoom,    ///< labels that no card asks for; `names`: their texts
     marksWithoutRoom,    ///< `names`: those of the items (`Marks`)
+    legendWithoutRoom,   ///< `names`: the structures'
+    legendEmpty,         ///< nothing that it should list is visible
     sidesUnknown,        ///< no R and L, as the directions of what is visible are unknown
     textShortened,       ///< `names`: the full texts
     sectionsUncut,       ///< the kind of file holds whole surfaces; `names`: the sections'

@@ -66,6 +66,8 @@ struct ExportOption {
   OptionKind kind = SwitchOption{};
   OptionField field = {};
   bool kept = true;  ///< kept from one session to the next
+  /// Tells whether the option means anything beside the others that were chosen; null: always.
+  bool (*applies)(const ExportOrder& order) = nullptr;
 };
 
 /// Lists options in the order in which the user should meet them.

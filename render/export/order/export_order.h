@@ -42,6 +42,9 @@ struct ExportMarks {
   bool operator==(const ExportMarks&) const = default;
 };
 
+/// Tells which structures a legend lists. `onSheets`: all, on sheets of paper alone.
+enum class LegendList { onSheets, none, all, labelled, focus };
+
 /// Tells who made the picture and what others may do with it. It is written in the place that the
 /// kind of file has for it, and only where the user said so. It comes from nowhere else: not from
 /// the scene, its sources or the account. Each field is one line of UTF-8 (`plainLine`); empty: not
@@ -71,9 +74,18 @@ struct ExportOrder {
   bool pureInk = false;
   LabelStyle labels{.mode = LabelMode::off, .language = {}};
   ExportMarks marks;
+  LegendList legend = LegendList::onSheets;
   ExportCredit credit;
   WriterOptions own;  ///< further options, of single kinds of files
 
+  /// Tells whether a picture of it has a legend in it.
+  bool legendInPicture() const {
+    return legend != LegendList::onSheets && legend != LegendList::none;
+  }
+  /// Tells whether nothing is written over a picture of it.
+  bool bare() const {
+    return labels.mode == LabelMode::off && marks == ExportMarks::none() && !legendInPicture();
+  }
   /// Returns the options of a writer, as in `order.of<FilmOptions>()`.
   template <class T>
   const T& of() const {

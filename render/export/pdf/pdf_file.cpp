@@ -7,11 +7,24 @@
 
 namespace sline::render {
 
+namespace {
+
+Result<QByteArray> documentOf(const ExportOrder& order, const std::filesystem::path& target,
+                              const ExportProgress& progress) {
+  return order.of<SheetOptions>().kind == SheetKind::none ? figureDocument(order, target, progress)
+                                                          : sheetDocument(order, target, progress);
+}
+
+}  // namespace
+
+double pdfWeight(const ExportOrder& order, const ExportProgress& progress) {
+  const Result<QByteArray> document = documentOf(order, {}, progress);
+  return document.ok() ? double(document->size()) : 0.0;
+}
+
 Status writePdf(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress) {
-  const Result<QByteArray> document = order.of<SheetOptions>().kind == SheetKind::none
-                                          ? figureDocument(order, target, progress)
-                                          : sheetDocument(order, target, progress);
+  const Result<QByteArray> document = documentOf(order, target, progress);
   if (!document.ok())
     return document.error();
   if (progress && !progress(0.95, "writing the file"))

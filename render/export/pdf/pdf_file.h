@@ -10,4 +10,8 @@ namespace sline::render {
 Status writePdf(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress);
 
+/// Returns the bytes that the file takes, as the same document is made; 0 where it cannot be made,
+/// or if `progress` stops it.
+double pdfWeight(const ExportOrder& order, const ExportProgress& progress);
+
 }  // namespace sline::render

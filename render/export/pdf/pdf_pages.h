@@ -10,28 +10,27 @@
 
 #include "model/base/result.h"
 #include "render/export/order/export_order.h"
-#include "render/export/pdf/pdf_drawing.h"
+#include "render/export/pdf/sheet_pages.h"
 #include "render/lettering/lettering.h"
 
 class QPdfWriter;
 
 namespace sline::render {
 
-class PdfPages {
+class PdfPages : public SheetPages {
  public:
   /// Makes pages of that size and begins the first. The language (BCP 47) is for programs that read
   /// aloud.
   PdfPages(const glm::vec2& sizeMm, const std::string& language);
-  ~PdfPages();
+  ~PdfPages() override;
   PdfPages(const PdfPages&) = delete;
   PdfPages& operator=(const PdfPages&) = delete;
 
-  void newPage();
-  /// Returns the painter of the current page; its unit is a millimetre, from the page's upper left
-  /// corner. Text that it draws stays text.
-  QPainter& painter() { return m_painter; }
-  /// Places a drawing on the current page, below everything painted; it must live until `finish`.
-  void place(const VectorDrawing& drawing, const PdfPlacement& place);
+  void newPage() override;
+  /// Text that it draws stays text.
+  QPainter& painter() override { return m_painter; }
+  /// The drawing lies below everything painted on the page, whenever that was.
+  void place(const VectorDrawing& drawing, const PdfPlacement& place) override;
 
   /// Returns the whole file. It holds no more than what the pages show, the credit and, if there is
   /// one, the title that viewers show above them: no program, date or machine.

@@ -6,12 +6,16 @@
 
 #include "model/scene/label_words.h"
 #include "render/export/pdf/patient_text.h"
+#include "render/export/pdf/pdf_pages.h"
+#include "render/export/pdf/picture_pages.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_lists.h"
 #include "render/export/pdf/sheet_options.h"
+#include "render/export/pdf/sheet_pictures.h"
 #include "render/export/pdf/sheet_words.h"
 #include "render/export/pdf/style_samples.h"
 #include "render/export/plate/figure_plate.h"
+#include "render/export/plate/legend.h"
 #include "render/lettering/label_texts.h"
 
 namespace sline::render {
@@ -56,31 +60,54 @@ class Sheet {
     if (!drawing.ok())
       return drawing.error();
     m_drawing = std::move(*drawing);
-    m_plate = figurePlate(m_order, m_trees);
-    noteOf(m_plate, progress);
-    prepareNumbers(progress);
-    if (m_order.of<SheetOptions>().kind != SheetKind::patient)
-      if (const Status legend = prepareLegend(); !legend.ok())
-        return legend.error();
+    if (const Status ready = prepare(progress); !ready.ok())
+      return ready.error();
     if (progress && !progress(0.9, "setting the pages"))
       return givenUp(target);
-    // Runs once to count the pages, and once with their numbers.
-    for (m_total = 0; m_total == 0 || !m_pages;) {
-      const bool counting = m_total == 0;
-      m_page = 0;
-      m_pages =
-          std::make_unique<PdfPages>(m_layout.paper, model::firstLanguage(m_order.labels.language));
-      setPages();
-      if (counting) {
-        m_total = m_page;
-        m_pages.reset();
-      }
-    }
+    const std::unique_ptr<PdfPages> pages = setAll([this] {
+      return std::make_unique<PdfPages>(m_layout.paper,
+                                        model::firstLanguage(m_order.labels.language));
+    });
     progress.note(m_notes);
-    return m_pages->finish(m_given.credit, m_given.of<SheetOptions>().title);
+    return pages->finish(m_given.credit, m_given.of<SheetOptions>().title);
+  }
+
+  Result<std::vector<QImage>> picture(const QImage& figure, int width,
+                                      const ExportProgress& progress) {
+    m_picture = &figure;
+    if (const Status ready = prepare(progress); !ready.ok())
+      return ready.error();
+    const std::unique_ptr<PicturePages> pages =
+        setAll([&] { return std::make_unique<PicturePages>(m_layout.paper, width); });
+    progress.note(m_notes);
+    return pages->finish();
   }
 
  private:
+  /// Prepares all that is set besides the figure's drawing.
+  Status prepare(const ExportProgress& progress) {
+    m_plate = figurePlate(m_order, m_trees);
+    noteOf(m_plate, progress);
+    prepareNumbers(progress);
+    return m_order.of<SheetOptions>().kind == SheetKind::patient ? Status(Unit{}) : prepareLegend();
+  }
+
+  /// Sets the pages twice: to count them, and with their numbers.
+  template <class Begin>
+  std::invoke_result_t<Begin> setAll(const Begin& begin) {
+    m_total = 0;
+    std::invoke_result_t<Begin> pages;
+    for (const bool counting : {true, false}) {
+      pages = begin();
+      m_pages = pages.get();
+      m_page = 0;
+      setPages();
+      if (counting)
+        m_total = m_page;
+    }
+    return pages;
+  }
+
   void setPages() {
     if (m_order.of<SheetOptions>().kind == SheetKind::patient) {
       beginPage({});
@@ -90,7 +117,7 @@ class Sheet {
     }
     beginPage({});
     setFigure(m_plate);
-    const SheetRows rows = sheetRows(m_given, m_numbers.size());
+    const SheetRows rows = sheetRows(m_given, m_numbers.size(), m_legend);
     setList(rows.first);
     if (rows.test.empty())
       return;
@@ -122,7 +149,7 @@ class Sheet {
       if (numbered.labels->layout.find(label.item.id))
         m_numbers.push_back(
             {label.number, QString::fromStdString(keyText(label, m_order.labels)).simplified()});
-    if (hasLabels(m_given.scene) || m_order.labels.mode != LabelMode::numbers)
+    if (!numbersInLegend(m_given) || m_order.labels.mode != LabelMode::numbers)
       return;
     for (const model::Annotation& annotation : m_order.scene.annotations())
       for (const ShownLabel& label : numbered.labels->labels)
@@ -132,7 +159,9 @@ class Sheet {
   }
 
   Status prepareLegend() {
-    m_legend = legendRows(m_order.scene);
+    m_legend = legendRows(m_order.scene, m_given.legend);
+    if (m_legend.empty() && m_given.legendInPicture())
+      addNote(m_notes, {.kind = ExportNote::Kind::legendEmpty, .names = {}, .detail = {}});
     std::vector<model::NodeId> ids;
     for (const LegendRow& row : m_legend)
       ids.push_back(row.node->id);
@@ -221,9 +250,16 @@ class Sheet {
   void setFigure(const FigurePlate& plate) {
     const glm::vec2 spare = m_layout.figure.size() - m_order.page.sizeMm;
     const glm::vec2 corner = m_layout.figure.low + 0.5f * spare;
-    m_pages->place(m_drawing, {corner, {corner, corner + m_order.page.sizeMm}});
     QPainter& painter = m_pages->painter();
     painter.save();
+    if (m_picture) {
+      painter.setRenderHint(QPainter::SmoothPixmapTransform);
+      painter.drawImage(QRectF(qreal(corner.x), qreal(corner.y), qreal(m_order.page.sizeMm.x),
+                               qreal(m_order.page.sizeMm.y)),
+                        *m_picture);
+    } else {
+      m_pages->place(m_drawing, {corner, {corner, corner + m_order.page.sizeMm}});
+    }
     painter.translate(qreal(corner.x), qreal(corner.y));
     setPlate(painter, plate);
     painter.restore();
@@ -284,7 +320,8 @@ class Sheet {
   SheetLayout m_layout;
   const SheetWords& m_words;
   model::MeshTrees m_trees;
-  VectorDrawing m_drawing;
+  VectorDrawing m_drawing;            ///< the figure
+  const QImage* m_picture = nullptr;  ///< shown in its place
   FigurePlate m_plate;
   struct Number {
     int number;
@@ -295,7 +332,7 @@ class Sheet {
   std::vector<LegendRow> m_legend;
   std::vector<VectorDrawing> m_samples;
   std::vector<VectorDrawing> m_hiddenSamples;  ///< in the order of `hiddenLinesShown`
-  std::unique_ptr<PdfPages> m_pages;
+  SheetPages* m_pages = nullptr;
   ExportNotes m_notes;
   int m_page = 0;
   int m_total = 0;
@@ -337,6 +374,14 @@ Result<QByteArray> sheetDocument(const ExportOrder& order, const std::filesystem
   if (const auto fault = model::cameraFault(order.camera))
     return Error{.where = "camera", .reason = std::string(*fault), .remedy = "Correct the camera"};
   return Sheet(order).make(target, progress);
+}
+
+Result<std::vector<QImage>> sheetPictures(const ExportOrder& order, const QImage& figure, int width,
+                                          ExportNotes* notes) {
+  if (const auto fault = model::cameraFault(order.camera))
+    return Error{.where = "camera", .reason = std::string(*fault), .remedy = "Correct the camera"};
+  const auto goOn = [](double, std::string_view) { return true; };
+  return Sheet(order).picture(figure, width, {goOn, notes});
 }
 
 Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesystem::path& target,

@@ -2,50 +2,16 @@
 #include "render/export/pdf/sheet_figure.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/geometric.hpp>
 
-#include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
-#include "model/scene/label_words.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/figure_plate.h"
+#include "render/export/plate/legend.h"
 #include "render/labels/seen_map.h"
 
 namespace sline::render {
-
-namespace {
-
-std::string nameInOne(const std::string& name, const std::string& language) {
-  static constexpr std::array<std::pair<std::string_view, model::NameLanguage>, 6> languages{
-      {{"en", model::NameLanguage::english},
-       {"de", model::NameLanguage::german},
-       {"la", model::NameLanguage::latin},
-       {"nb", model::NameLanguage::norwegian},
-       {"no", model::NameLanguage::norwegian},
-       {"nl", model::NameLanguage::dutch}}};
-  static const model::AnatomicalNames names;
-  const std::string primary = language.substr(0, language.find_first_of("-_"));
-  const auto known = std::find_if(languages.begin(), languages.end(),
-                                  [&](const auto& row) { return row.first == primary; });
-  return known == languages.end() ? name : names.displayName(name, known->second);
-}
-
-}  // namespace
-
-std::string structureName(const std::string& name, const std::string& language) {
-  std::string all;
-  std::vector<std::string> said;
-  for (const std::string& tag : model::languagesIn(language)) {
-    const std::string one = nameInOne(name, tag);
-    if (std::find(said.begin(), said.end(), one) != said.end())
-      continue;
-    all += (said.empty() ? "" : " / ") + one;
-    said.push_back(one);
-  }
-  return all;
-}
 
 namespace {
 
@@ -172,6 +138,7 @@ ExportOrder sheetFigure(const ExportOrder& order) {
   const SheetKind kind = order.of<SheetOptions>().kind;
   if (kind == SheetKind::none)
     return figure;
+  figure.legend = LegendList::none;  // it stands beside the figure
   // The figure keeps its shape; labels are as large on paper as the order says.
   const glm::vec2 frame = sheetFigureMm(order);
   figure.page.sizeMm *= std::min(frame.x / order.page.sizeMm.x, frame.y / order.page.sizeMm.y);

@@ -6,9 +6,6 @@
 
 namespace sline::render {
 
-/// Returns the name in the language (a BCP 47 tag), if it is known in it.
-std::string structureName(const std::string& name, const std::string& language);
-
 /// Tells whether the scene has a visible annotation. If it has none, structures are labelled where
 /// a sheet shows labels: those that are seen, and of a left and a right one that with more room
 /// beside it.

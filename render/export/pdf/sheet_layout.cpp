@@ -7,6 +7,7 @@
 #include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_options.h"
+#include "render/export/plate/legend.h"
 #include "render/export/plate/marks.h"
 
 namespace sline::render {
@@ -97,7 +98,7 @@ std::size_t labelsAtMost(const model::Scene& scene) {
   return hasLabels(scene)
              ? std::size_t(std::count_if(annotations.begin(), annotations.end(),
                                          [](const model::Annotation& a) { return a.visible; }))
-             : std::min(usual, legendRows(scene).size());
+             : std::min(usual, model::visibleStructures(scene).size());
 }
 
 }  // namespace
@@ -137,12 +138,11 @@ std::vector<RowPosition> flowIntoColumns(std::span<const RowKind> rows, const Li
   return places;
 }
 
-std::vector<LegendRow> legendRows(const model::Scene& scene) {
+std::vector<LegendRow> legendRows(const model::Scene& scene, LegendList list) {
   std::vector<LegendRow> rows;
-  for (const model::VisibleStructure& structure : model::visibleStructures(scene)) {
-    const model::Node* node = structure.node;
+  for (const model::Node* node :
+       legendStructures(scene, list == LegendList::onSheets ? LegendList::all : list))
     rows.push_back({node, rows.empty() || rows.back().node->parent != node->parent});
-  }
   // Headings that would name each structure's own group, or one for all, say nothing.
   const auto groups =
       std::count_if(rows.begin(), rows.end(), [](const LegendRow& row) { return row.newGroup; });
@@ -163,7 +163,13 @@ std::vector<model::HiddenLines> hiddenLinesShown(const model::Scene& scene) {
   return shown;
 }
 
-SheetRows sheetRows(const ExportOrder& order, std::size_t labels) {
+bool numbersInLegend(const ExportOrder& order) {
+  return !hasLabels(order.scene) && order.legend != LegendList::none &&
+         order.legend != LegendList::focus;
+}
+
+SheetRows sheetRows(const ExportOrder& order, std::size_t labels,
+                    const std::vector<LegendRow>& legend) {
   const SheetKind kind = order.of<SheetOptions>().kind;
   SheetRows rows;
   if (kind != SheetKind::figure && kind != SheetKind::teaching)
@@ -171,17 +177,19 @@ SheetRows sheetRows(const ExportOrder& order, std::size_t labels) {
   const bool teaching = kind == SheetKind::teaching;
   const LabelMode mode = order.labels.mode;
   const bool numbered = mode == LabelMode::numbers || (teaching && mode == LabelMode::off);
-  if (labels > 0 && numbered && hasLabels(order.scene)) {
+  if (labels > 0 && numbered && !numbersInLegend(order)) {
     rows.first.push_back(RowKind::heading);
     rows.first.insert(rows.first.end(), labels, RowKind::number);
   }
-  rows.first.push_back(RowKind::heading);
-  for (const LegendRow& row : legendRows(order.scene)) {
+  if (!legend.empty())
+    rows.first.push_back(RowKind::heading);
+  for (const LegendRow& row : legend) {
     if (row.newGroup)
       rows.first.push_back(RowKind::group);
     rows.first.push_back(RowKind::legend);
   }
-  rows.first.insert(rows.first.end(), hiddenLinesShown(order.scene).size(), RowKind::hidden);
+  if (!legend.empty())
+    rows.first.insert(rows.first.end(), hiddenLinesShown(order.scene).size(), RowKind::hidden);
   if (teaching) {
     rows.test.assign(labels, RowKind::writeLine);
     rows.key.assign(labels, RowKind::number);
@@ -219,7 +227,14 @@ SheetLayout sheetLayout(const ExportOrder& order) {
     return layout;
   }
   layout.lists.firstColumns = layout.lists.nextColumns;
-  const SheetRows rows = sheetRows(order, labelsAtMost(order.scene));
+  // Where the sheet adds labels, those that it labels are not known yet.
+  const bool anyMayBe = order.legend == LegendList::labelled && !hasLabels(order.scene);
+  const std::size_t labels = labelsAtMost(order.scene);
+  std::vector<LegendRow> legend =
+      legendRows(order.scene, anyMayBe ? LegendList::all : order.legend);
+  if (anyMayBe)
+    legend.resize(std::min(legend.size(), labels));
+  const SheetRows rows = sheetRows(order, labels, legend);
   float lists = 0.0f;
   for (const std::vector<RowKind>* one : {&rows.first, &rows.test, &rows.key})
     lists = std::max(lists, evenHeight(*one, mostOfHeight * height, layout.lists.firstColumns));

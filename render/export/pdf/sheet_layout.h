@@ -57,13 +57,18 @@ struct SheetLayout {
 SheetLayout sheetLayout(const ExportOrder& order);
 
 /// The rows of the first page's, the test's and the key's lists, where the sheet has them, for so
-/// many labels. Labels that the sheet adds have their numbers in the legend.
+/// many labels. Labels that the sheet adds have their numbers in the legend, unless that leaves
+/// structures out.
 struct SheetRows {
   std::vector<RowKind> first;
   std::vector<RowKind> test;
   std::vector<RowKind> key;
 };
-SheetRows sheetRows(const ExportOrder& order, std::size_t labels);
+struct LegendRow;
+SheetRows sheetRows(const ExportOrder& order, std::size_t labels,
+                    const std::vector<LegendRow>& legend);
+/// Tells whether the legend of the order's sheet has the numbers of labels.
+bool numbersInLegend(const ExportOrder& order);
 
 /// A structure that the legend lists; `newGroup` tells whether its group's heading stands before
 /// it.
@@ -71,8 +76,9 @@ struct LegendRow {
   const model::Node* node = nullptr;
   bool newGroup = false;
 };
-/// Returns rows for everything visible, in the order of the scene.
-std::vector<LegendRow> legendRows(const model::Scene& scene);
+/// Returns rows for the structures of the scene that such a legend lists on a sheet, in the order
+/// of the scene.
+std::vector<LegendRow> legendRows(const model::Scene& scene, LegendList list);
 
 /// Returns in which ways outlines of visible structures are drawn where they are hidden: the legend
 /// explains each.

@@ -3,6 +3,7 @@
 
 #include <QFontMetricsF>
 
+#include "render/export/pdf/pdf_pages.h"
 #include "render/export/pdf/style_samples.h"
 #include "render/lettering/label_texts.h"
 
@@ -82,7 +83,7 @@ void setRule(QPainter& painter, const glm::vec2& from, float width, float pen) {
                    QPointF(qreal(from.x + width), qreal(from.y)));
 }
 
-bool setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float width) {
+bool setRow(SheetPages& pages, const SheetRow& row, const glm::vec2& at, float width) {
   QPainter& painter = pages.painter();
   const float height = rowHeight(row.kind);
   const glm::vec2 middle = at + glm::vec2(0.0f, 0.5f * height);

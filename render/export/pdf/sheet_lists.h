@@ -2,8 +2,8 @@
 // Sets the rows of a sheet's lists in type.
 #pragma once
 
-#include "render/export/pdf/pdf_pages.h"
 #include "render/export/pdf/sheet_layout.h"
+#include "render/export/pdf/sheet_pages.h"
 
 namespace sline::render {
 
@@ -18,7 +18,7 @@ struct SheetRow {
 
 /// Sets the row within a column of that width, from its place on the current page; returns false
 /// where the text had to be shortened.
-bool setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float width);
+bool setRow(SheetPages& pages, const SheetRow& row, const glm::vec2& at, float width);
 
 /// The ink of secondary text and of rules.
 inline constexpr Colour quietInk{96, 96, 96};

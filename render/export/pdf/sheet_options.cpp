@@ -33,6 +33,10 @@ constexpr std::array papers{
                  .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "US Letter"),
                  .value = int(Paper::letter)}};
 
+bool isSheet(const ExportOrder& order) {
+  return order.of<SheetOptions>().kind != SheetKind::none;
+}
+
 constexpr ExportOption paper{
     .id = "sheetPaper",
     .flag = "--paper",
@@ -40,7 +44,8 @@ constexpr ExportOption paper{
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Paper of the sheet"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Of sheets alone"),
     .kind = ChoiceOption{papers},
-    .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().paper; })};
+    .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().paper; }),
+    .applies = isSheet};
 
 constexpr ExportOption title{
     .id = "sheetTitle",
@@ -51,7 +56,8 @@ constexpr ExportOption title{
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "At the head of a sheet"),
     .kind = TextOption{.longest = 10'000},
     .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().title; }),
-    .kept = false};
+    .kept = false,
+    .applies = isSheet};
 
 constexpr ExportOption text{
     .id = "sheetText",
@@ -64,7 +70,8 @@ constexpr ExportOption text{
                              "Of a sheet for a patient; each line is a paragraph"),
     .kind = TextOption{.longest = 1'000'000, .lines = 3, .fromFile = true},
     .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().text; }),
-    .kept = false};
+    .kept = false,
+    .applies = isSheet};
 
 constexpr ExportOption landscape{
     .id = "sheetLandscape",
@@ -72,7 +79,8 @@ constexpr ExportOption landscape{
     .help = "The sheet's paper lies on its side",
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Landscape"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Wider than high"),
-    .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().landscape; })};
+    .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().landscape; }),
+    .applies = isSheet};
 
 }  // namespace
 

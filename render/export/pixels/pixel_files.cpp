@@ -11,14 +11,12 @@
 
 namespace sline::render {
 
-namespace {
-
 PixelLayout layoutOf(const ExportOrder& order, PixelKind kind, glm::ivec2 size) {
   const PixelOptions& pixels = order.of<PixelOptions>();
   PixelLayout layout{
       .width = size.x, .height = size.y, .dpi = order.page.dpi, .credit = order.credit};
   const PixelTraits traits = traitsOf(kind);
-  const bool ink = traits.ink && (order.pureInk || pixels.bits == 1);
+  const bool ink = isInkAlone(order, kind);
   const bool alpha = traits.alpha && !(ink && pixels.bits == 1) &&
                      order.environment.background == Background::transparent;
   layout.channels = ((pixels.grey && traits.grey) || ink ? 1 : 3) + (alpha ? 1 : 0);
@@ -30,6 +28,12 @@ PixelLayout layoutOf(const ExportOrder& order, PixelKind kind, glm::ivec2 size) 
     layout.bits = std::max(pixels.bits, 8);
   return layout;
 }
+
+bool isInkAlone(const ExportOrder& order, PixelKind kind) {
+  return traitsOf(kind).ink && (order.pureInk || order.of<PixelOptions>().bits == 1);
+}
+
+namespace {
 
 Status checkOrder(PixelKind kind, const ExportOrder& order, glm::ivec2 size,
                   const std::filesystem::path& target) {
@@ -63,7 +67,7 @@ Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesyst
   if (Status sound = checkOrder(kind, order, size, target); !sound.ok())
     return sound;
   const PixelLayout layout = layoutOf(order, kind, size);
-  const bool ink = traitsOf(kind).ink && (order.pureInk || order.of<PixelOptions>().bits == 1);
+  const bool ink = isInkAlone(order, kind);
   progress.note(pixelNotes(order, kind));
   const PageBands bands{
       .size = size, .samples = usualSamples(size, order), .deep = layout.bits > 8};

@@ -29,6 +29,11 @@ Status writeWebpPicture(const ExportOrder& order, const std::filesystem::path& t
 Status writeJp2(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress);
 
+/// Returns how a file of that kind holds a picture of so many pixels.
+PixelLayout layoutOf(const ExportOrder& order, PixelKind kind, glm::ivec2 size);
+/// Tells whether each of its pixels is ink or paper.
+bool isInkAlone(const ExportOrder& order, PixelKind kind);
+
 /// Notes what the order asks for and the kind does not hold: clear pixels, more bits.
 ExportNotes pixelNotes(const ExportOrder& order, PixelKind kind);
 

@@ -4,6 +4,7 @@
 #include <QFontMetricsF>
 #include <algorithm>
 
+#include "render/export/plate/legend.h"
 #include "render/lettering/label_texts.h"
 #include "render/lettering/mark_words.h"
 #include "render/lettering/orientation_letters.h"
@@ -65,6 +66,19 @@ std::vector<const model::Section*> sectionsSeen(const model::Scene& scene) {
   return seen;
 }
 
+/// Lengths within a legend, for letters of that size.
+struct LegendMeasure {
+  explicit LegendMeasure(float points)
+      : row(1.5f * points * millimetresPerPoint),
+        swatch(1.2f * capHeightMm(points)),
+        indent(swatch + 0.45f * points * millimetresPerPoint),
+        between(1.2f * points * millimetresPerPoint) {}
+  float row;      ///< from one baseline to the next
+  float swatch;   ///< a swatch's side
+  float indent;   ///< from a swatch's left edge to its name
+  float between;  ///< between columns
+};
+
 class MarkLayout {
  public:
   explicit MarkLayout(const ExportOrder& order)
@@ -83,6 +97,8 @@ class MarkLayout {
     addUpperLeft();
     if (m_order.marks.scaleBar)
       addScaleBar();
+    if (m_order.legendInPicture())
+      addLegend();
     return std::move(m_marks);
   }
 
@@ -241,6 +257,9 @@ class MarkLayout {
       m_marks.edges.bottom = std::max(m_marks.edges.bottom, m_size.y - baseline + cap + gap);
   }
 
+  void addLegend();
+  void addLegendRow(const model::Node& node, const QString& name, const glm::vec2& at);
+
   const ExportOrder& m_order;
   glm::vec2 m_size;
   LetteringColours m_colours;
@@ -250,6 +269,67 @@ class MarkLayout {
   std::optional<LabelBox> m_top;
   std::optional<LabelBox> m_bottom;
 };
+
+/// Adds swatches and names in the lower right corner, in columns no higher than to the letter at
+/// the picture's right side and no wider than to that at its foot. What finds no room is left out.
+void MarkLayout::addLegend() {
+  const auto structures = legendStructures(m_order.scene, m_order.legend);
+  if (structures.empty())
+    addNote(m_marks.notes, {.kind = ExportNote::Kind::legendEmpty, .names = {}, .detail = {}});
+  constexpr float widestName = 0.27f;  // of the page's width
+  constexpr float widestLegend = 0.46f;
+  const LegendMeasure measure(points(smallSize));
+  std::vector<QString> names;
+  float width = 0.0f;
+  for (const model::Node* node : structures) {
+    const QString whole =
+        QString::fromStdString(structureName(node->name, m_order.labels.language)).simplified();
+    names.push_back(elided(whole, smallSize, widestName * m_size.x));
+    width = std::max(width, measure.indent + textWidthMm(names.back(), points(smallSize)));
+  }
+  const float height = 0.5f * (m_size.y - letterCap()) - margin - 2.0f * gap;
+  const auto rows = std::size_t(std::max(0.0f, height / measure.row));
+  const auto columns =
+      std::size_t((widestLegend * m_size.x + measure.between) / (width + measure.between));
+  const std::size_t shown = std::min(structures.size(), rows * columns);
+  ExportNote left{.kind = ExportNote::Kind::legendWithoutRoom, .names = {}, .detail = {}};
+  for (std::size_t i = shown; i < names.size(); ++i)
+    left.names.push_back(names[i].toStdString());
+  if (!left.names.empty())
+    addNote(m_marks.notes, std::move(left));
+  if (shown == 0)
+    return;
+  const std::size_t across = (shown + rows - 1) / rows;
+  const std::size_t down = (shown + across - 1) / across;
+  const glm::vec2 size{float(across) * (width + measure.between) - measure.between,
+                       float(down) * measure.row};
+  const glm::vec2 corner = m_size - margin - size;
+  for (std::size_t i = 0; i < shown; ++i)
+    addLegendRow(*structures[i], names[i],
+                 corner + glm::vec2(float(i / down) * (width + measure.between),
+                                    float(i % down + 1) * measure.row));
+  m_boxes.push_back({corner, corner + size});
+  m_marks.legend = m_boxes.back().grown(gap);
+  m_marks.boxes.push_back(*m_marks.legend);
+}
+
+/// Adds a row at that left end of its baseline.
+void MarkLayout::addLegendRow(const model::Node& node, const QString& name, const glm::vec2& at) {
+  constexpr float edge = 0.12f;
+  const LegendMeasure measure(points(smallSize));
+  const glm::vec2 high{at.x + measure.swatch, at.y};
+  LetteringItem row{
+      .name = "legend: " + node.name,
+      .shapes = {},
+      .text = text(name, {at.x + measure.indent, at.y}, smallSize, TextAnchor::start)};
+  row.shapes.push_back({.path = roundedBox(high - measure.swatch, high, 0.4f),
+                        .pen = edge,
+                        .ink = m_colours.ink,
+                        .fill = m_order.scene.resolve(node.id).colour,
+                        .dashed = false,
+                        .halo = barHalo});
+  m_marks.lettering.items.push_back(std::move(row));
+}
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 // have taken away, a scale bar. Text is as large as that of labels, in points of the output.
 #pragma once
 
+#include <optional>
+
 #include "render/export/order/export_order.h"
 #include "render/lettering/lettering.h"
 
@@ -11,14 +13,16 @@ namespace sline::render {
 /// Millimetres between marks and the output's edge.
 inline constexpr float markMargin = 3.0f;
 
-/// Holds an item for each mark: "side L", "view", "section 1" …, "scale".
+/// Holds an item for each mark: "side L", "view", "section 1" …, "scale", and one for each row of
+/// the legend.
 struct Marks {
   Lettering lettering;
   EdgeRoom edges;  ///< the room that they take at each edge, for films, where they come and go
   /// The box that each mark takes, with air around it; labels and leaders keep out of it
   /// (LabelStyle::reserved).
   std::vector<LabelBox> boxes;
-  ExportNotes notes;  ///< marks that are wanted but missing or shortened
+  std::optional<LabelBox> legend;  ///< the one of them that the legend takes
+  ExportNotes notes;               ///< marks that are wanted but missing or shortened
 };
 
 /// Lays out the marks that are wanted for the order's scene, camera and page, in the labels' size

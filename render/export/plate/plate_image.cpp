@@ -51,8 +51,7 @@ model::FreeSides sidesOfShare(const glm::vec2& share) {
 }  // namespace
 
 LabelReport drawPlate(Image& image, const ExportOrder& given, const Typesetting&) {
-  const bool bare = given.labels.mode == LabelMode::off && given.marks == ExportMarks::none();
-  if (bare || image.width < 1 || image.height < 1)
+  if (given.bare() || image.width < 1 || image.height < 1)
     return {};
   const float scale = float(image.height) / given.page.sizeMm.y;
   ExportOrder order = given;
@@ -82,7 +81,11 @@ LabelReport reportOfPlate(const ExportOrder& order, const Typesetting&) {
 model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting&) {
   const glm::vec2 page = order.page.sizeMm;
   const glm::vec2 marks = roomOfMarks(order);
+  // The legend stands beside the anatomy, at its right.
+  const std::optional<LabelBox> box = marksOf(order).legend;
+  const float legend = box ? (page.x - box->low.x) / page.x : 0.0f;
   model::FreeSides sides = sidesOfShare(shareBeside(marks, page));
+  sides.right = std::max(sides.right, double(legend));
   if (order.labels.mode == LabelMode::off)
     return sides;
   LabelStyle style = order.labels;
@@ -97,6 +100,7 @@ model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting&) {
     return width > 0.0f ? width + besideColumnMm() + outline : free;
   };
   glm::vec2 across = glm::vec2(column(widths.left), column(widths.right)) / page.x;
+  across.y = std::max(across.y, legend);
   across *= std::min(1.0f, (1.0f - leastShare) / (across.x + across.y));
   const double row = std::min(0.35, double(0.5f * marks.y + outline) / double(page.y));
   return {.left = double(across.x), .right = double(across.y), .top = row, .bottom = row};

@@ -8,8 +8,10 @@
 
 namespace sline::render {
 
-Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
-                const ExportProgress& progress) {
+namespace {
+
+Result<std::string> svgText(const ExportOrder& order, const std::filesystem::path& target,
+                            const ExportProgress& progress) {
   bool wanted = true;
   const auto tell = [&](double share, std::string_view what) {
     wanted = wanted && (!progress || progress(share, what));
@@ -28,7 +30,20 @@ Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
   if (plate.labels)
     writings.push_back({"labels", "Labels", letteringOf(*plate.labels)});
   writings.push_back({"marks", "Marks", plate.marks.lettering});
-  return model::writeText(target, svgDocument(*drawing, order.scene, writings, order.credit));
+  return svgDocument(*drawing, order.scene, writings, order.credit);
+}
+
+}  // namespace
+
+Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
+                const ExportProgress& progress) {
+  const Result<std::string> text = svgText(order, target, progress);
+  return text.ok() ? model::writeText(target, *text) : Status(text.error());
+}
+
+double svgWeight(const ExportOrder& order, const ExportProgress& progress) {
+  const Result<std::string> text = svgText(order, {}, progress);
+  return text.ok() ? double(text->size()) : 0.0;
 }
 
 }  // namespace sline::render

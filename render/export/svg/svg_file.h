@@ -9,4 +9,8 @@ namespace sline::render {
 Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress);
 
+/// Returns the bytes that the file takes, as it is made of the same text; 0 where it cannot be
+/// made, or if `progress` stops it.
+double svgWeight(const ExportOrder& order, const ExportProgress& progress);
+
 }  // namespace sline::render

@@ -24,6 +24,7 @@ void LabelEditor::open(const QPoint& place, const Words& words) {
   setToolTip(words.lines ? tr("Return takes it over, Shift+Return begins a line, Esc forgets it") +
                                QLatin1Char('\n') + markupHint()
                          : tr("Return takes it over, Esc forgets it"));
+  setLanguage(words.language);
   m_place = place;
   m_lines = words.lines;
   QFont letters = font();
@@ -43,7 +44,7 @@ void LabelEditor::fit() {
   int width = least;
   const QStringList lines = toPlainText().split(QLatin1Char('\n'));
   for (const QString& line : lines)
-    width = std::max(width, fontMetrics().horizontalAdvance(line) + 28);
+    width = std::max(width, fontMetrics().horizontalAdvance(line) + 28 + languageWidth());
   const int air = 2 * frameWidth() + int(std::ceil(2.0 * document()->documentMargin())) + 2;
   const QSize room = parentWidget()->size() - QSize(2 * edge, 2 * edge);
   QRect box(QPoint(), QSize(width, int(lines.size()) * fontMetrics().lineSpacing() + air));

@@ -16,6 +16,7 @@ class LabelEditor : public LabelField {
     QString text;        ///< offered, and selected
     bool lines = false;  ///< for a callout: marked up, and Shift+Return begins a new line
     float points = 10.0f;
+    QString language;  ///< in which they are typed, by its name
   };
   /// Opens beside the place, shifted so that all of it lies in the picture.
   void open(const QPoint& place, const Words& words);

@@ -11,6 +11,7 @@
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/annotations/in_picture/presented_letters.h"
 #include "widgets/annotations/label_preferences.h"
+#include "widgets/session/names_by_language.h"
 #include "widgets/viewport/tools/navigation.h"
 #include "widgets/viewport/tools/points.h"
 
@@ -197,7 +198,10 @@ void PictureLabels::begin(model::Annotation annotation, const QString& offered, 
   m_written = std::move(annotation);
   m_offered = offered;
   m_editor->open(at.toPoint() + QPoint(m_new ? beside : 0, 0),
-                 {.text = offered, .lines = lines, .points = m_style.points});
+                 {.text = offered,
+                  .lines = lines,
+                  .points = m_style.points,
+                  .language = languageName(QString::fromStdString(typedLanguage(m_style)))});
   showMarks();
 }
 

@@ -41,8 +41,12 @@ render::ExportOrder smallOrder() {
   order.camera = model::anatomicalCamera(model::AnatomicalView::anterior,
                                          order.scene.visibleBounds(), 16.0f / 9.0f);
   order.marks = render::ExportMarks::none();
-  order.of<render::FilmOptions>() = {
-      .seconds = 0.6, .framesPerSecond = 10, .height = 54, .hold = {}, .swept = {}};
+  order.of<render::FilmOptions>() = {.seconds = 0.6,
+                                     .framesPerSecond = 10,
+                                     .format = render::FilmFormat::page,
+                                     .height = 54,
+                                     .hold = {},
+                                     .swept = {}};
   return order;
 }
 

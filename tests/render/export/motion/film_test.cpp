@@ -33,6 +33,7 @@ render::ExportOrder longOrder(model::AnatomicalView view = model::AnatomicalView
   order.camera = model::anatomicalCamera(view, order.scene.visibleBounds(), 16.0f / 9.0f);
   order.viewName = "left";
   order.of<render::FilmOptions>().seconds = 2.0;
+  order.of<render::FilmOptions>().format = render::FilmFormat::page;
   order.of<render::FilmOptions>().framesPerSecond = 18;
   return order;
 }
@@ -206,8 +207,8 @@ class FilmTest : public QObject {
     row("too long", {.seconds = 601.0}, "0.1 to 600");
     row("too slow", {.framesPerSecond = 0}, "1 to 60");
     row("too fast", {.framesPerSecond = 61}, "1 to 60");
-    row("too small", {.height = 2}, "4 × 2 pixels");
-    row("too large", {.height = 4000}, "pixels");
+    row("too small", {.format = render::FilmFormat::page, .height = 2}, "4 × 2 pixels");
+    row("too large", {.format = render::FilmFormat::page, .height = 4000}, "pixels");
     row("no views", {.motion = Motion::tour}, "no saved views");
     row("rests too long", {.motion = Motion::gammaSweep, .seconds = 4.0, .hold = 2.0},
         "rests of 2.0 seconds");
@@ -222,6 +223,33 @@ class FilmTest : public QObject {
     QVERIFY2(refused.error().reason.find(reason.toStdString()) != std::string::npos,
              refused.error().reason.c_str());
     QVERIFY(!refused.error().remedy.empty());
+  }
+
+  void sizes_data() {
+    using render::FilmFormat;
+    QTest::addColumn<render::FilmOptions>("film");
+    QTest::addColumn<QSize>("size");
+    const auto row = [](const char* name, const render::FilmOptions& film, const QSize& size) {
+      QTest::newRow(name) << film << size;
+    };
+    row("none said", {}, {1280, 720});
+    row("full", {.format = FilmFormat::fullHd, .width = 10, .height = 10}, {1920, 1080});
+    row("square", {.format = FilmFormat::square}, {1080, 1080});
+    row("typed", {.format = FilmFormat::typed, .width = 641, .height = 360}, {642, 360});
+    row("the page's", {.format = FilmFormat::page, .width = 10, .height = 300}, {200, 300});
+  }
+  void sizes() {
+    QFETCH(render::FilmOptions, film);
+    QFETCH(QSize, size);
+    render::ExportOrder order = longOrder();
+    order.page.sizeMm = {100.0f, 150.0f};
+    order.of<render::FilmOptions>() = film;
+    QCOMPARE(render::filmSize(order), glm::ivec2(size.width(), size.height()));
+    QCOMPARE(std::move(Film::create(order)).value().size(), render::filmSize(order));
+    // Letters and lines are as large as on the page.
+    const glm::vec2 page = render::filmPageMm(order);
+    QCOMPARE(page.y, 150.0f);
+    QVERIFY(std::abs(page.x / page.y - float(size.width()) / float(size.height())) < 1e-4f);
   }
 
   void tourNeedsTwoViewsAndTime() {

@@ -86,6 +86,56 @@ class MarksTest : public QObject {
   Q_OBJECT
 
  private slots:
+  /// A legend's rows lie on the page and on nothing else; what finds no room is told.
+  void legends_data() {
+    QTest::addColumn<int>("structures");
+    QTest::addColumn<QSizeF>("page");
+    QTest::addColumn<bool>("whole");
+    QTest::newRow("three") << 3 << QSizeF(160, 90) << true;
+    QTest::newRow("two columns") << 16 << QSizeF(160, 90) << true;
+    QTest::newRow("too many") << 200 << QSizeF(160, 90) << false;
+    QTest::newRow("a small page") << 5 << QSizeF(40, 20) << false;
+  }
+  void legends() {
+    QFETCH(int, structures);
+    QFETCH(QSizeF, page);
+    QFETCH(bool, whole);
+    ExportOrder order = orderOf(sphereScene());
+    for (int i = 1; i < structures; ++i) {
+      model::Node node;
+      node.name = "Ball " + std::to_string(i);
+      node.mesh = sphere(10.0f, 1);
+      order.scene.append(std::move(node));
+    }
+    order.page.sizeMm = {float(page.width()), float(page.height())};
+    QVERIFY(!marksOf(order).legend);
+    order.legend = LegendList::labelled;
+    Marks marks = marksOf(order);
+    QVERIFY(!marks.legend);
+    QVERIFY(std::any_of(marks.notes.begin(), marks.notes.end(), [](const ExportNote& note) {
+      return note.kind == ExportNote::Kind::legendEmpty;
+    }));
+    order.legend = LegendList::all;
+    marks = marksOf(order);
+    std::vector<QRectF> boxes;
+    std::size_t rows = 0;
+    for (const LetteringItem& item : marks.lettering.items) {
+      boxes.push_back(boxOf(item));
+      rows += item.name.starts_with("legend: ") ? 1 : 0;
+    }
+    std::size_t left = 0;
+    for (const ExportNote& note : marks.notes)
+      if (note.kind == ExportNote::Kind::legendWithoutRoom)
+        left += note.names.size();
+    QCOMPARE(rows + left, std::size_t(structures));
+    QCOMPARE(left == 0, whole);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      QVERIFY(QRectF(QPointF(), page).contains(boxes[i]));
+      for (std::size_t k = 0; k < i; ++k)
+        QVERIFY(!boxes[i].intersects(boxes[k]));
+    }
+  }
+
   void initTestCase();
   void lettersAreTrue_data();
   void lettersAreTrue();

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a sheet is set on, page by page: a PDF file, or pictures of the same pages.
+#pragma once
+
+#include <QPainter>
+
+#include "render/export/pdf/pdf_drawing.h"
+
+namespace sline::render {
+
+class SheetPages {
+ public:
+  virtual ~SheetPages() = default;
+  /// Begins the next page; the first has begun already.
+  virtual void newPage() = 0;
+  /// Returns the painter of the current page; its unit is a millimetre, from the page's upper left
+  /// corner.
+  virtual QPainter& painter() = 0;
+  /// Places a drawing on the current page, below everything that is painted afterwards; it must
+  /// live until the pages are done.
+  virtual void place(const VectorDrawing& drawing, const PdfPlacement& place) = 0;
+};
+
+}  // namespace sline::render
