@@ -3758,6 +3758,10 @@ OpenGL: %3</translation>
         <source>Presets</source>
         <translation>Vorgaben</translation>
     </message>
+    <message>
+        <source>A number that is typed is for all that is selected</source>
+        <translation>Eine eingegebene Zahl gilt für alles, was gewählt ist</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::HelpWindow</name>
@@ -4343,6 +4347,13 @@ OpenGL: %3</translation>
     <message>
         <source>Lines, hatching, opacity and colours</source>
         <translation>Linien, Schraffur, Deckkraft und Farben</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::NumberLimits</name>
+    <message>
+        <source>Numbers from %1 to %2 can be set here</source>
+        <translation>Hier lassen sich Zahlen von %1 bis %2 einstellen</translation>
     </message>
 </context>
 <context>
@@ -5131,6 +5142,14 @@ OpenGL: %3</translation>
     <message>
         <source>Add %1</source>
         <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>One of them has reached the end, and all keep their differences. A drag with Shift makes them equal.</source>
+        <translation>Eine ist am Ende angekommen, und alle behalten ihre Unterschiede. Ziehen mit Umschalt macht sie gleich.</translation>
+    </message>
+    <message>
+        <source>Structures that differ keep their differences; with Shift all become equal</source>
+        <translation>Strukturen, die sich unterscheiden, behalten ihre Unterschiede; mit Umschalt werden alle gleich</translation>
     </message>
 </context>
 <context>

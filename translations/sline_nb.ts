@@ -3758,6 +3758,10 @@ OpenGL: %3</translation>
         <source>Presets</source>
         <translation>Forvalg</translation>
     </message>
+    <message>
+        <source>A number that is typed is for all that is selected</source>
+        <translation>Et tall som skrives inn, gjelder alt som er valgt</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::HelpWindow</name>
@@ -4343,6 +4347,13 @@ OpenGL: %3</translation>
     <message>
         <source>Lines, hatching, opacity and colours</source>
         <translation>Linjer, skravering, dekkevne og farger</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::NumberLimits</name>
+    <message>
+        <source>Numbers from %1 to %2 can be set here</source>
+        <translation>Her kan tall fra %1 til %2 stilles inn</translation>
     </message>
 </context>
 <context>
@@ -5131,6 +5142,14 @@ OpenGL: %3</translation>
     <message>
         <source>Add %1</source>
         <translation>Legg til %1</translation>
+    </message>
+    <message>
+        <source>One of them has reached the end, and all keep their differences. A drag with Shift makes them equal.</source>
+        <translation>Én er kommet til enden, og alle beholder forskjellene sine. Å dra med Shift gjør dem like.</translation>
+    </message>
+    <message>
+        <source>Structures that differ keep their differences; with Shift all become equal</source>
+        <translation>Strukturer som er ulike, beholder forskjellene sine; med Shift blir alle like</translation>
     </message>
 </context>
 <context>

@@ -3758,6 +3758,10 @@ OpenGL: %3</translation>
         <source>Presets</source>
         <translation>Voorinstellingen</translation>
     </message>
+    <message>
+        <source>A number that is typed is for all that is selected</source>
+        <translation>Een getypt getal geldt voor alles wat geselecteerd is</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::HelpWindow</name>
@@ -4343,6 +4347,13 @@ OpenGL: %3</translation>
     <message>
         <source>Lines, hatching, opacity and colours</source>
         <translation>Lijnen, arcering, dekking en kleuren</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::NumberLimits</name>
+    <message>
+        <source>Numbers from %1 to %2 can be set here</source>
+        <translation>Hier kunnen getallen van %1 tot %2 worden ingesteld</translation>
     </message>
 </context>
 <context>
@@ -5131,6 +5142,14 @@ OpenGL: %3</translation>
     <message>
         <source>Add %1</source>
         <translation>%1 toevoegen</translation>
+    </message>
+    <message>
+        <source>One of them has reached the end, and all keep their differences. A drag with Shift makes them equal.</source>
+        <translation>Eén is aan het einde gekomen, en alle houden hun verschillen. Slepen met Shift maakt ze gelijk.</translation>
+    </message>
+    <message>
+        <source>Structures that differ keep their differences; with Shift all become equal</source>
+        <translation>Structuren die verschillen houden hun verschillen; met Shift worden ze allemaal gelijk</translation>
     </message>
 </context>
 <context>

@@ -53,7 +53,7 @@ void GammaLooksTest::numbersOfTheLook() {
   auto& box = f.control<widgets::RangeBox>(qPrintable(number.id + "Number"));
   auto& reset = f.control<QToolButton>(qPrintable(number.id + "Reset"));
   const auto value = [&] {
-    return double(number.value(f.session.scene().resolve(id))) * number.shown;
+    return double(number.field.value(f.session.scene().resolve(id))) * number.shown;
   };
   QVERIFY(!reset.isEnabled());
   // A drag is one step, and shown while it goes on.
@@ -85,7 +85,7 @@ void GammaLooksTest::numbersOfTheLook() {
   QVERIFY(std::abs(value() - number.high) < 1e-4 * number.high);
   // The button resets it to the group's value.
   f.click(reset);
-  QVERIFY(!number.own(f.session.scene().find(id)->style));
+  QVERIFY(!number.field.own(f.session.scene().find(id)->style));
   QVERIFY(!reset.isEnabled());
   while (f.steps() > steps && f.session.history().canUndo() && !(f.session.scene() == before))
     f.session.undo();

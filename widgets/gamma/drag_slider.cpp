@@ -37,6 +37,7 @@ void DragSlider::mousePressEvent(QMouseEvent* event) {
     return;
   setFocus(Qt::MouseFocusReason);  // so that Escape comes here
   setSliderDown(true);
+  m_levels = event->modifiers().testFlag(Qt::ShiftModifier);
   emit dragStarted();
   mouseMoveEvent(event);
 }

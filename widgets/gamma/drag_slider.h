@@ -11,6 +11,9 @@ class DragSlider : public QAbstractSlider {
  public:
   explicit DragSlider(Qt::Orientation orientation, QWidget* parent = nullptr);
 
+  /// Tells whether Shift was down when the drag began: several values are to become equal.
+  bool levels() const { return m_levels; }
+
  signals:
   void dragStarted();
   void dragged(int position);
@@ -36,6 +39,7 @@ class DragSlider : public QAbstractSlider {
   void paintHandle(QPainter& painter, const QPointF& at, bool own) const;
 
  private:
+  bool m_levels = false;
   int m_wheel = 0;  ///< wheel movement short of a notch, in eighths of a degree
 };
 

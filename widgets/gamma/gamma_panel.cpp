@@ -80,7 +80,7 @@ class TallArea : public QScrollArea {
 GammaPanel::GammaPanel(Session& session, QSettings& settings, QWidget* parent)
     : QWidget(parent),
       m_session(session),
-      m_drag(session),
+      m_drag(session, gammaNumber()),
       m_drawings(new DrawingPanel(session, settings)),
       m_presets(new PresetPanel(session, settings)),
       m_more(new MorePanel(session, settings)) {
@@ -129,12 +129,14 @@ QLayout* GammaPanel::makeGamma() {
   m_slider = new GammaSlider;
   m_slider->setObjectName(QStringLiteral("gammaSlider"));
   m_slider->setAccessibleName(tr("Gamma, from silhouette to surface"));
+  m_slider->setToolTip(differencesText());
   m_slider->setMinimumHeight(m_slider->minimumSizeHint().height());
   m_stages = new StageStrip(*m_slider);
   m_stages->setObjectName(QStringLiteral("stages"));
   m_number = new RangeBox;
   m_number->setObjectName(QStringLiteral("gammaNumber"));
   m_number->setAccessibleName(tr("Gamma as a number"));
+  m_number->setToolTip(tr("A number that is typed is for all that is selected"));
   m_number->setRange(0.0, 5.0);
   m_number->setDecimals(2);
   m_number->setSingleStep(0.05);
@@ -198,19 +200,24 @@ QWidget* GammaPanel::makeFill() {
 
 void GammaPanel::connectControls() {
   connect(m_presets, &PresetPanel::focusWanted, this, &GammaPanel::focusWanted);
-  connect(m_slider, &DragSlider::dragStarted, this,
-          [this] { m_drag.begin(m_session.selection()); });
+  connect(m_slider, &DragSlider::dragStarted, this, [this] {
+    m_drag.begin({m_session.selection(), m_slider->middle().value(), m_slider->levels()});
+  });
   connect(m_slider, &DragSlider::dragged, this,
-          [this](int position) { m_drag.moveTo({.gamma = GammaSlider::gammaOf(position)}); });
+          [this](int position) { m_drag.moveTo(GammaSlider::gammaOf(position).value()); });
   connect(m_slider, &DragSlider::dragFinished, this, [this] { m_drag.finish(gammaText()); });
   connect(m_slider, &DragSlider::dragCancelled, this, [this] { m_drag.cancel(); });
-  connect(m_slider, &DragSlider::stepped, this,
-          [this](int position) { step(GammaSlider::gammaOf(position)); });
-  connect(m_number, &RangeBox::chosen, this,
-          [this](double value) { step(Gamma::clamped(float(value))); });
+  connect(m_slider, &DragSlider::stepped, this, [this](int position) {
+    step(movedBy(m_slider->middle().value(), GammaSlider::gammaOf(position).value()));
+  });
+  connect(m_number, &RangeBox::moved, this, [this](double by) { step(movedBy(0.0f, float(by))); });
+  connect(m_number, &RangeBox::chosen, this, [this](double value) {
+    step(model::withLook(m_session.scene(), m_session.selection(),
+                         gammaNumber().look(float(value))));
+  });
   connect(m_stages, &StageStrip::chosen, this, [this](Gamma gamma) {
     const NodeIds& ids = m_session.selection();
-    m_session.apply(lookStepName(gammaText(), m_session.scene(), ids),
+    m_session.apply(lookStepName(gammaText(), m_session, ids),
                     model::withLook(m_session.scene(), ids, {.gamma = gamma}));
   });
   connect(m_inherit, &QPushButton::clicked, this, [this] {
@@ -228,10 +235,13 @@ void GammaPanel::connectControls() {
   connect(&m_session, &Session::documentChanged, this, &GammaPanel::refresh);
 }
 
-void GammaPanel::step(Gamma gamma) {
+model::Edited GammaPanel::movedBy(float from, float to) const {
+  return model::withLookMoved(m_session.scene(), m_session.selection(), gammaNumber(), from, to);
+}
+
+void GammaPanel::step(model::Edited edited) {
   const NodeIds& ids = m_session.selection();
-  m_session.apply(lookStepName(gammaText(), m_session.scene(), ids),
-                  model::withLook(m_session.scene(), ids, {.gamma = gamma}),
+  m_session.apply(lookStepName(gammaText(), m_session, ids), std::move(edited),
                   lookSeries(QStringLiteral("gamma"), ids));
   showGamma();
 }

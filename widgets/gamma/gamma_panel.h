@@ -45,7 +45,8 @@ class GammaPanel : public QWidget {
   void refresh();
   void showGamma();
   void showFill();
-  void step(Gamma gamma);
+  model::Edited movedBy(float from, float to) const;
+  void step(model::Edited edited);
 
   Session& m_session;
   LookDrag m_drag;

@@ -32,8 +32,12 @@ GammaSlider::GammaSlider(QWidget* parent) : DragSlider(Qt::Vertical, parent) {
 void GammaSlider::showGamma(const model::GammaRange& range, bool own) {
   m_range = range;
   m_own = own;
-  show(toUnits(Gamma::clamped(0.5f * (range.low.value() + range.high.value()))));
+  show(toUnits(middle()));
   update();
+}
+
+Gamma GammaSlider::middle() const {
+  return Gamma::clamped(0.5f * (m_range.low.value() + m_range.high.value()));
 }
 
 QSize GammaSlider::sizeHint() const {

@@ -16,6 +16,9 @@ class GammaSlider : public DragSlider {
   /// value comes from a group above.
   void showGamma(const model::GammaRange& range, bool own);
 
+  /// Returns the Γ at which the handle stands.
+  Gamma middle() const;
+
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
   /// Returns where a Γ stands, in the widget's coordinates.

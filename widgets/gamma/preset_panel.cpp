@@ -88,7 +88,7 @@ void PresetPanel::fillMenu() {
 
 void PresetPanel::put(const model::StylePreset& preset) {
   const NodeIds& ids = m_session.selection();
-  m_session.apply(lookStepName(QString::fromStdString(preset.name), m_session.scene(), ids),
+  m_session.apply(lookStepName(QString::fromStdString(preset.name), m_session, ids),
                   model::withLook(m_session.scene(), ids, preset.style));
 }
 

@@ -2,14 +2,16 @@
 #include "widgets/gamma/range_box.h"
 
 #include <QLineEdit>
-#include <QWheelEvent>
 
 namespace sline::widgets {
 
 RangeBox::RangeBox(QWidget* parent) : QDoubleSpinBox(parent) {
   setKeyboardTracking(false);
   setAlignment(Qt::AlignRight);
-  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { m_typed = true; });
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this](const QString& text) {
+    // A text that was taken back is not typed.
+    m_typed = !m_mixed || text != prefix() + textFromValue(value()) + suffix();
+  });
   connect(this, &QDoubleSpinBox::editingFinished, this, &RangeBox::finish);
 }
 
@@ -38,18 +40,13 @@ QValidator::State RangeBox::validate(QString& text, int& position) const {
 }
 
 void RangeBox::stepBy(int steps) {
-  m_mixed = false;
   m_typed = false;
+  if (m_mixed) {
+    emit moved(steps * singleStep());
+    return;
+  }
   QDoubleSpinBox::stepBy(steps);
   emit chosen(value());
-}
-
-void RangeBox::wheelEvent(QWheelEvent* event) {
-  // The wheel scrolls the panel around this box, unless the box has the focus.
-  if (hasFocus())
-    QDoubleSpinBox::wheelEvent(event);
-  else
-    event->ignore();
 }
 
 void RangeBox::finish() {

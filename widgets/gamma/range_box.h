@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits a number that may stand for several: "1.00 – 3.00" until the user sets them all to one
-// value.
+// Edits a number that may stand for several: "1.00 – 3.00" until the user types one for all of
+// them.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -25,9 +25,8 @@ class RangeBox : public QDoubleSpinBox {
   /// Tells that the user chose a value, even if it is the box's current number, because with
   /// several values it was only one of them.
   void chosen(double value);
-
- protected:
-  void wheelEvent(QWheelEvent* event) override;
+  /// Tells by how much several values are to move, which stay several.
+  void moved(double by);
 
  private:
   void finish();

@@ -96,9 +96,12 @@ StyleEditor::StyleEditor(Session& session, const QString& id, const QString& tex
 }
 
 void StyleEditor::apply(const model::Style& look) {
+  apply(model::withLook(m_session.scene(), m_session.selection(), look));
+}
+
+void StyleEditor::apply(model::Edited edited) {
   const NodeIds& ids = m_session.selection();
-  m_session.apply(lookStepName(m_text, m_session.scene(), ids),
-                  model::withLook(m_session.scene(), ids, look), lookSeries(m_id, ids));
+  m_session.apply(lookStepName(m_text, m_session, ids), std::move(edited), lookSeries(m_id, ids));
   showSelection();
 }
 
@@ -110,7 +113,7 @@ void StyleEditor::inherit(const model::Style& which) {
 StyleNumberEditor::StyleNumberEditor(Session& session, StyleNumber row, QWidget* parent)
     : StyleEditor(session, row.id, row.text, parent),
       m_row(std::move(row)),
-      m_drag(session),
+      m_drag(session, m_row.field),
       m_slider(new StyleSlider(m_row.high, m_row.step, m_row.power)),
       m_number(new RangeBox) {
   setToolTip(m_row.tip);
@@ -133,20 +136,28 @@ StyleNumberEditor::StyleNumberEditor(Session& session, StyleNumber row, QWidget*
   layout->addWidget(m_slider, 1, 0);
   layout->addWidget(m_number, 1, 1);
   layout->setColumnStretch(0, 1);
-  connect(m_slider, &DragSlider::dragStarted, this,
-          [this] { m_drag.begin(this->session().selection()); });
-  connect(m_slider, &DragSlider::dragged, this,
-          [this](int position) { m_drag.moveTo(lookOf(m_slider->valueOf(position))); });
-  connect(m_slider, &DragSlider::dragFinished, this, [this] { m_drag.finish(text()); });
-  connect(m_slider, &DragSlider::dragCancelled, this, [this] { m_drag.cancel(); });
-  connect(m_slider, &DragSlider::stepped, this,
-          [this](int position) { apply(lookOf(m_slider->valueOf(position))); });
-  connect(m_number, &RangeBox::chosen, this, [this](double value) { apply(lookOf(value)); });
-  connect(&resetButton(), &QToolButton::clicked, this, [this] { inherit(m_row.look(0.0f)); });
+  m_slider->setToolTip(differencesText());
+  connectValues();
+  connect(&resetButton(), &QToolButton::clicked, this, [this] { inherit(m_row.field.look(0.0f)); });
 }
 
-model::Style StyleNumberEditor::lookOf(double shown) const {
-  return m_row.look(float(shown / m_row.shown));
+void StyleNumberEditor::connectValues() {
+  connect(m_slider, &DragSlider::dragStarted, this, [this] {
+    m_drag.begin({session().selection(), styled(m_slider->middle()), m_slider->levels()});
+  });
+  connect(m_slider, &DragSlider::dragged, this,
+          [this](int position) { m_drag.moveTo(styled(m_slider->valueOf(position))); });
+  connect(m_slider, &DragSlider::dragFinished, this, [this] { m_drag.finish(text()); });
+  connect(m_slider, &DragSlider::dragCancelled, this, [this] { m_drag.cancel(); });
+  const auto move = [this](double from, double to) {
+    apply(model::withLookMoved(session().scene(), session().selection(), m_row.field, styled(from),
+                               styled(to)));
+  };
+  connect(m_slider, &DragSlider::stepped, this,
+          [this, move](int position) { move(m_slider->middle(), m_slider->valueOf(position)); });
+  connect(m_number, &RangeBox::moved, this, [move](double by) { move(0.0, by); });
+  connect(m_number, &RangeBox::chosen, this,
+          [this](double value) { apply(m_row.field.look(styled(value))); });
 }
 
 void StyleNumberEditor::showSelection() {
@@ -155,18 +166,16 @@ void StyleNumberEditor::showSelection() {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const model::ResolvedStyle& look : looksOf(scene, ids)) {
-    const double value = double(m_row.value(look)) * m_row.shown;
+    const double value = double(m_row.field.value(look)) * m_row.shown;
     low = std::min(low, value);
     high = std::max(high, value);
   }
   if (low > high)
     return;
-  const bool own =
-      anySays(scene, ids, [this](const model::Style& style) { return m_row.own(style); });
-  m_slider->showRange(low, high, own);
+  const auto says = [this](const model::Style& style) { return m_row.field.own(style); };
+  m_slider->showRange(low, high, anySays(scene, ids, says));
   m_number->showRange(low, high);
-  resetButton().setEnabled(
-      anyBelowSays(scene, ids, [this](const model::Style& style) { return m_row.own(style); }));
+  resetButton().setEnabled(anyBelowSays(scene, ids, says));
 }
 
 StyleChoiceEditor::StyleChoiceEditor(Session& session, StyleChoice row, QWidget* parent)
@@ -254,7 +263,6 @@ void StyleColourEditor::choose() {
   dialog->setObjectName(m_row.id + QStringLiteral("Dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setOption(QColorDialog::DontUseNativeDialog);
-  dialog->setWindowTitle(m_row.text);
   connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& chosen) {
     model::Style look;
     look.*m_row.field = Colour{std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),

@@ -32,6 +32,8 @@ class StyleEditor : public QWidget {
   QToolButton& resetButton() const { return *m_reset; }
   /// Applies the look in one undo step, merged with the one before if that is of the same kind.
   void apply(const model::Style& look);
+  /// Applies what was made of the scene by the same rule.
+  void apply(model::Edited edited);
   /// Makes the fields that `which` sets inherit from above again.
   void inherit(const model::Style& which);
 
@@ -50,7 +52,8 @@ class StyleNumberEditor : public StyleEditor {
   void showSelection() override;
 
  private:
-  model::Style lookOf(double shown) const;
+  void connectValues();
+  float styled(double shown) const { return float(shown / m_row.shown); }
 
   StyleNumber m_row;
   LookDrag m_drag;

@@ -8,37 +8,12 @@ namespace sline::widgets {
 
 namespace {
 
-float number(float value) {
-  return value;
-}
-template <class T>
-float number(const T& value) {
-  return value.value();
-}
-
-template <class T>
-T fromNumber(float value) {
-  if constexpr (std::is_same_v<T, float>)
-    return value;
-  else
-    return T::clamped(value);
-}
-
 /// Completes the row of a field; the field's key gives the row's id.
 template <const auto& Field>
 StyleNumber with(StyleNumber row) {
-  using Value = typename std::remove_cvref_t<decltype(Field)>::Value;
   row.id = QString::fromStdString(model::camelCase(Field.key));
-  row.value = [](const model::ResolvedStyle& style) { return number(style.*Field.resolved); };
-  row.own = [](const model::Style& style) {
-    const auto& own = style.*Field.own;
-    return own ? std::optional<float>(number(*own)) : std::nullopt;
-  };
-  row.look = [](float value) {
-    model::Style style;
-    style.*Field.own = fromNumber<Value>(value);
-    return style;
-  };
+  row.field = model::lookNumber<Field>();
+  row.field.limits.high = float(row.high / row.shown);
   return row;
 }
 
@@ -140,7 +115,7 @@ std::vector<StyleField> styleFields() {
   std::vector<StyleField> fields{{QStringLiteral("gamma"), tr("Γ"), {.gamma = Gamma()}},
                                  {QStringLiteral("fill"), tr("Fill"), {.fill = model::Fill::none}}};
   for (const StyleNumber& row : styleNumbers())
-    fields.push_back({row.id, row.text, row.look(0.0f)});
+    fields.push_back({row.id, row.text, row.field.look(0.0f)});
   for (const StyleChoice& row : styleChoices())
     fields.push_back({row.id, row.text, row.look(0)});
   for (const StyleColour& row : styleColours()) {

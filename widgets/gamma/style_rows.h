@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/edit/look.h"
+#include "model/edit/moved_look.h"
 
 namespace sline::widgets {
 
@@ -19,11 +20,8 @@ struct StyleNumber {
   double high = 1.0;   ///< as shown; the lowest is 0
   double step = 0.05;  ///< as shown
   int decimals = 2;
-  double power = 1.0;  ///< of the slider: more than 1 gives small numbers more room
-  /// Returns the number as the style has it.
-  float (*value)(const model::ResolvedStyle&) = nullptr;
-  std::optional<float> (*own)(const model::Style&) = nullptr;
-  model::Style (*look)(float) = nullptr;
+  double power = 1.0;       ///< of the slider: more than 1 gives small numbers more room
+  model::LookNumber field;  ///< the number as the style has it, up to `high`
 };
 std::vector<StyleNumber> styleNumbers();
 

@@ -2,7 +2,6 @@
 #include "widgets/gamma/style_slider.h"
 
 #include <QPainter>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
@@ -51,15 +50,7 @@ void StyleSlider::showRange(double low, double high, bool own) {
 
 int StyleSlider::positionAfter(int steps) const {
   // Steps count from the number, wherever the slider stands.
-  return positionOf(std::clamp(0.5 * (m_low + m_up) + steps * m_step, 0.0, m_high));
-}
-
-void StyleSlider::wheelEvent(QWheelEvent* event) {
-  // The wheel scrolls the panel around this slider, unless the slider has the focus.
-  if (hasFocus())
-    DragSlider::wheelEvent(event);
-  else
-    event->ignore();
+  return positionOf(std::clamp(middle() + steps * m_step, 0.0, m_high));
 }
 
 void StyleSlider::paintEvent(QPaintEvent*) {
@@ -71,7 +62,7 @@ void StyleSlider::paintEvent(QPaintEvent*) {
     return;
   painter.setPen(QPen(palette().color(QPalette::Highlight), 4.0, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(m_low == m_up ? pointOf(0.0) : pointOf(m_low), pointOf(m_up));
-  paintHandle(painter, pointOf(0.5 * (m_low + m_up)), m_own && m_low == m_up);
+  paintHandle(painter, pointOf(middle()), m_own && m_low == m_up);
 }
 
 }  // namespace sline::widgets

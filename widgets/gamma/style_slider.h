@@ -13,6 +13,8 @@ class StyleSlider : public DragSlider {
   StyleSlider(double high, double step, double power, QWidget* parent = nullptr);
 
   void showRange(double low, double high, bool own);
+  /// Returns the value at which the handle stands.
+  double middle() const { return 0.5 * (m_low + m_up); }
   double valueOf(int position) const;
   QPointF pointOf(double value) const;
 
@@ -21,7 +23,6 @@ class StyleSlider : public DragSlider {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
   int positionAt(const QPointF& point) const override;
   int positionAfter(int steps) const override;
 

@@ -3,6 +3,7 @@
 #include <QColor>
 #include <QLocale>
 
+#include "widgets/gamma/look_drag.h"
 #include "widgets/gamma/stages.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
@@ -60,7 +61,7 @@ QVariant StructureTreeModel::data(const QModelIndex& index, int role) const {
       return index.column() == name ? QString::fromStdString(node->name) : QVariant();
     case Qt::ToolTipRole:
       // Names come from files and may look like markup.
-      return QStringLiteral("<p>%1</p>").arg(describe(index).toHtmlEscaped());
+      return QStringLiteral("<p>%1</p>").arg(tipOf(index).toHtmlEscaped());
     case Qt::AccessibleTextRole:
       return describe(index);
     default:
@@ -86,6 +87,12 @@ QString StructureTreeModel::describeColour(const model::Node& node) const {
                                                    : tr("opacity %1 %").arg(percent));
   }
   return text;
+}
+
+QString StructureTreeModel::tipOf(const QModelIndex& index) const {
+  const model::GammaRange& range = state(idOf(index)).gamma;
+  const bool several = index.column() == gamma && range.low != range.high;
+  return several ? describe(index) + QStringLiteral(". ") + differencesText() : describe(index);
 }
 
 QString StructureTreeModel::describe(const QModelIndex& index) const {

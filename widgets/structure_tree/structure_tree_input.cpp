@@ -19,7 +19,17 @@ namespace sline::widgets {
 
 using Model = StructureTreeModel;
 
-bool StructureTreeView::pressControl(const QModelIndex& index, const QPointF& at) {
+namespace {
+
+/// Returns the Γ at which the row's handle stands.
+float middleGamma(const QModelIndex& index) {
+  return 0.5f *
+         (index.data(Model::lowGammaRole).toFloat() + index.data(Model::highGammaRole).toFloat());
+}
+
+}  // namespace
+
+bool StructureTreeView::pressControl(const QModelIndex& index, const QPointF& at, bool levels) {
   switch (index.column()) {
     case Model::eye:
       m_sweep.begin(SwitchSweep::Switch::eye, idAt(index), meant(index));
@@ -39,8 +49,8 @@ bool StructureTreeView::pressControl(const QModelIndex& index, const QPointF& at
         QToolTip::showText(viewport()->mapToGlobal(at.toPoint()), tr("Locked"), viewport());
         return true;
       }
-      m_drag.begin(meant(index));
       m_dragged = idAt(index);
+      m_drag.begin({meant(index), middleGamma(index), levels});
       dragGamma(at);
       return true;
     default:
@@ -60,7 +70,7 @@ bool StructureTreeView::resetControl(const QModelIndex& index) {
 
 void StructureTreeView::dragGamma(const QPointF& at) {
   const GammaCell cell{QRectF(cellOf(m_dragged, Model::gamma))};
-  m_drag.moveTo({.gamma = cell.gammaAt(at.x())});
+  m_drag.moveTo(cell.gammaAt(at.x()).value());
 }
 
 void StructureTreeView::sweepTo(const QPointF& at) {
@@ -83,7 +93,9 @@ void StructureTreeView::mousePressEvent(QMouseEvent* event) {
   m_adding = event->modifiers().testFlag(Qt::ControlModifier);
   if (index.isValid() && !m_drag.active() && !m_sweep.active()) {
     const bool left = event->button() == Qt::LeftButton;
-    if (left && event->modifiers() == Qt::NoModifier && pressControl(index, event->position()))
+    const bool levels = event->modifiers() == Qt::ShiftModifier && index.column() == Model::gamma;
+    if (left && (levels || event->modifiers() == Qt::NoModifier) &&
+        pressControl(index, event->position(), levels))
       return;
     const bool alone =
         event->modifiers() == Qt::AltModifier || event->modifiers() == Qt::ControlModifier;

@@ -24,7 +24,7 @@ StructureTreeView::StructureTreeView(Session& session, QWidget* parent)
     : QTreeView(parent),
       m_session(session),
       m_model(new Model(session, this)),
-      m_drag(session),
+      m_drag(session, gammaNumber()),
       m_sweep(session) {
   setObjectName(QStringLiteral("structureTree"));
   setAccessibleName(tr("Structures"));

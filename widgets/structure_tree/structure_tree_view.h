@@ -60,7 +60,8 @@ class StructureTreeView : public QTreeView {
   model::NodeId idAt(const QModelIndex& shown) const;
   /// Returns the selection if the row is part of it, else the row alone.
   NodeIds meant(const QModelIndex& shown) const;
-  bool pressControl(const QModelIndex& index, const QPointF& at);
+  /// Begins what the cell is for; `levels`: a drag makes the values of several structures equal.
+  bool pressControl(const QModelIndex& index, const QPointF& at, bool levels);
   /// Makes the cell's value inherit from the group above again.
   bool resetControl(const QModelIndex& index);
   void dragGamma(const QPointF& at);

@@ -24,10 +24,13 @@
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/about_dialog.h"
+#include "widgets/window/control_wheel.h"
 #include "widgets/window/controls_dialog.h"
 #include "widgets/window/file_actions.h"
 #include "widgets/window/focus_ring.h"
+#include "widgets/window/number_limits.h"
 #include "widgets/window/screen_fit.h"
+#include "widgets/window/undo_keys.h"
 
 namespace sline::widgets {
 
@@ -65,6 +68,9 @@ MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
   new HelpKey(this);
   new ScreenFit(this);
   new FocusRing(this);
+  new ControlWheel(this);
+  new NumberLimits(this);
+  new UndoKeys(*this, m_actions);
   makeCentre();
   makeControls();
   restore();
@@ -148,7 +154,10 @@ void MainWindow::connectSession() {
   });
   QUndoStack& history = m_session.history();
   const auto name = [](QAction& action, const QString& text, const QString& step) {
+    // The status tip is what the action's row says.
+    const QString& tip = action.statusTip();
     action.setText(step.isEmpty() ? text : text + QLatin1Char(' ') + step);
+    action.setToolTip(step.isEmpty() ? tip : tip + QStringLiteral(": ") + step);
     action.setIconText(QString(text).remove(QLatin1Char('&')));
     action.setEnabled(!step.isEmpty());
   };
