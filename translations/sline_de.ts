@@ -2,6 +2,893 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>Told</name>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>Byte %1</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>Ecke %1</translation>
+    </message>
+    <message>
+        <source>vertex %1 in %2</source>
+        <translation>Ecke %1 in %2</translation>
+    </message>
+    <message>
+        <source>it cannot be written: %1</source>
+        <translation>kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>it cannot be put in its place: %1</source>
+        <translation>kann nicht an seinen Platz gebracht werden: %1</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>its folder cannot be written to: %1</source>
+        <translation>in den Ordner kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>it is open for writing in %1</source>
+        <translation>ist zum Schreiben geöffnet in: %1</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>einem anderen Programm</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>%1; the file that was there is whole, as it was</source>
+        <translation>%1; die Datei, die dort war, ist unversehrt</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>ist größer als %1 Byte</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: %1</source>
+        <translation>der Ordner kann nicht angelegt werden: %1</translation>
+    </message>
+    <message>
+        <source>it is a file, and a folder is to be made</source>
+        <translation>ist eine Datei, angelegt werden soll ein Ordner</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation>der Ordner kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>the folder is not empty</source>
+        <translation>der Ordner ist nicht leer</translation>
+    </message>
+    <message>
+        <source>no temporary folder can be made here: %1</source>
+        <translation>hier kann kein Ordner für Zwischendateien angelegt werden: %1</translation>
+    </message>
+    <message>
+        <source>Choose a folder that exists and that you may write to</source>
+        <translation>Wähle einen Ordner, den es gibt und in den du schreiben darfst</translation>
+    </message>
+    <message>
+        <source>Choose a place that exists and that you may write to</source>
+        <translation>Wähle einen Platz, den es gibt und an den du schreiben darfst</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk, or choose another one</source>
+        <translation>Schaffe Platz auf dem Datenträger oder wähle einen anderen</translation>
+    </message>
+    <message>
+        <source>Free some space on its disk</source>
+        <translation>Schaffe Platz auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Check the rights of its folder</source>
+        <translation>Prüfe die Rechte des Ordners</translation>
+    </message>
+    <message>
+        <source>Check the name and the rights</source>
+        <translation>Prüfe Namen und Rechte</translation>
+    </message>
+    <message>
+        <source>Name a file</source>
+        <translation>Nenne eine Datei</translation>
+    </message>
+    <message>
+        <source>Name the right file</source>
+        <translation>Nenne die richtige Datei</translation>
+    </message>
+    <message>
+        <source>Name a folder that is not there yet</source>
+        <translation>Nenne einen Ordner, den es noch nicht gibt</translation>
+    </message>
+    <message>
+        <source>Name a folder that is not there yet, or an empty one</source>
+        <translation>Nenne einen Ordner, den es noch nicht gibt oder der leer ist</translation>
+    </message>
+    <message>
+        <source>Save it under another name or in another folder</source>
+        <translation>Speichere unter anderem Namen oder in einem anderen Ordner</translation>
+    </message>
+    <message>
+        <source>Close it there, or save it under another name</source>
+        <translation>Schließe sie dort oder speichere unter anderem Namen</translation>
+    </message>
+    <message>
+        <source>Save under another name</source>
+        <translation>Speichere unter anderem Namen</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>it is no whole ZIP file: %1</source>
+        <translation>ist keine vollständige ZIP-Datei: %1</translation>
+    </message>
+    <message>
+        <source>it is cut or damaged</source>
+        <translation>ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>it holds no scene.json: it is a ZIP file, but no scene</source>
+        <translation>enthält keine scene.json: eine ZIP-Datei, aber keine Szene</translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation>ist zu groß</translation>
+    </message>
+    <message>
+        <source>a newer version of the program has written it, with more than this one would write</source>
+        <translation>eine neuere Version des Programms hat sie geschrieben, mit mehr als diese schreiben würde</translation>
+    </message>
+    <message>
+        <source>it was damaged, and holds no state of the scene that is whole</source>
+        <translation>war beschädigt und enthält keinen vollständigen Stand der Szene</translation>
+    </message>
+    <message>
+        <source>Open an older copy of it, or import the meshes again</source>
+        <translation>Öffne eine ältere Kopie oder importiere die Netze erneut</translation>
+    </message>
+    <message>
+        <source>Open the scene file as it was saved last</source>
+        <translation>Öffne die Szenendatei, wie sie zuletzt gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>diese Datei oder diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>is a folder, not a mesh file</source>
+        <translation>ist ein Ordner, keine Netzdatei</translation>
+    </message>
+    <message>
+        <source>is a device or pipe, not a file</source>
+        <translation>ist ein Gerät oder eine Pipe, keine Datei</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>its size cannot be found: %1</source>
+        <translation>die Größe lässt sich nicht ermitteln: %1</translation>
+    </message>
+    <message>
+        <source>has %1 bytes, the limit is %2</source>
+        <translation>hat %1 Byte, die Grenze ist %2</translation>
+    </message>
+    <message>
+        <source>needs %1 bytes of memory</source>
+        <translation>braucht %1 Byte Speicher</translation>
+    </message>
+    <message>
+        <source>needs %1 bytes of memory when unpacked</source>
+        <translation>braucht entpackt %1 Byte Speicher</translation>
+    </message>
+    <message>
+        <source>cannot be read any further</source>
+        <translation>kann nicht weiter gelesen werden</translation>
+    </message>
+    <message>
+        <source>its packed bytes end in the middle</source>
+        <translation>die gepackten Bytes enden mittendrin</translation>
+    </message>
+    <message>
+        <source>holds nothing when unpacked</source>
+        <translation>enthält entpackt nichts</translation>
+    </message>
+    <message>
+        <source>this kind of file is not supported</source>
+        <translation>diese Art von Datei wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>has no extension that tells its kind</source>
+        <translation>hat keine Endung, die ihre Art nennt</translation>
+    </message>
+    <message>
+        <source>files of kind &apos;%1&apos; are not supported</source>
+        <translation>Dateien der Art „%1“ werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>%1; its content looks like %2</source>
+        <translation>%1; der Inhalt sieht aus wie: %2</translation>
+    </message>
+    <message>
+        <source>the folder holds no mesh</source>
+        <translation>der Ordner enthält kein Netz</translation>
+    </message>
+    <message>
+        <source>the scene holds no model</source>
+        <translation>die Szene enthält kein Modell</translation>
+    </message>
+    <message>
+        <source>none of the scene&apos;s %1 model files can be found</source>
+        <translation>keine der %1 Modelldateien der Szene ist zu finden</translation>
+    </message>
+    <message>
+        <source>there is nothing to read</source>
+        <translation>es gibt nichts zu lesen</translation>
+    </message>
+    <message>
+        <source>the import was cancelled</source>
+        <translation>der Import wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>all structures are left out</source>
+        <translation>alle Strukturen sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>nothing is made of the scan yet</source>
+        <translation>aus der Aufnahme ist noch nichts gemacht</translation>
+    </message>
+    <message>
+        <source>holds no triangles</source>
+        <translation>enthält keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>holds no vertices</source>
+        <translation>enthält keine Ecken</translation>
+    </message>
+    <message>
+        <source>holds vertices but no faces</source>
+        <translation>enthält Ecken, aber keine Flächen</translation>
+    </message>
+    <message>
+        <source>holds no faces, only lines or points</source>
+        <translation>enthält keine Flächen, nur Linien oder Punkte</translation>
+    </message>
+    <message>
+        <source>this is not a statement of an OBJ file</source>
+        <translation>das ist keine Anweisung einer OBJ-Datei</translation>
+    </message>
+    <message>
+        <source>Check that the file is an OBJ file</source>
+        <translation>Prüfe, ob die Datei eine OBJ-Datei ist</translation>
+    </message>
+    <message>
+        <source>Export the mesh as a surface with faces</source>
+        <translation>Exportiere das Netz als Oberfläche mit Flächen</translation>
+    </message>
+    <message>
+        <source>the file does not begin with &apos;ply&apos;</source>
+        <translation>die Datei beginnt nicht mit „ply“</translation>
+    </message>
+    <message>
+        <source>the file does not begin with &apos;OFF&apos;</source>
+        <translation>die Datei beginnt nicht mit „OFF“</translation>
+    </message>
+    <message>
+        <source>%1 stands where %2 should</source>
+        <translation>%1 steht, wo %2 stehen sollte</translation>
+    </message>
+    <message>
+        <source>the file ends after %1</source>
+        <translation>die Datei endet nach %1</translation>
+    </message>
+    <message>
+        <source>the file ends within a face</source>
+        <translation>die Datei endet mitten in einer Fläche</translation>
+    </message>
+    <message>
+        <source>%1 vertices and %2 triangles are more than the limit</source>
+        <translation>%1 Ecken und %2 Dreiecke sind mehr als erlaubt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces refer to vertices that do not exist (there are %3 vertices)</source>
+        <translation>%1 von %2 Flächen verweisen auf Ecken, die es nicht gibt (es gibt %3 Ecken)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices are not finite numbers</source>
+        <translation>%1 von %2 Ecken sind keine endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files crashed over this file (%2)</source>
+        <translation>der Leser von %1-Dateien ist über dieser Datei abgestürzt (%2)</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files wanted more than %2 of memory for this file</source>
+        <translation>der Leser von %1-Dateien wollte für diese Datei mehr als %2 Speicher</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files did not come to an end within %2 s of computing</source>
+        <translation>der Leser von %1-Dateien kam in %2 s Rechenzeit zu keinem Ende</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>der Speicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>a library failed: %1</source>
+        <translation>eine Bibliothek ist gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>Check the name</source>
+        <translation>Prüfe den Namen</translation>
+    </message>
+    <message>
+        <source>Check the path</source>
+        <translation>Prüfe den Pfad</translation>
+    </message>
+    <message>
+        <source>Check the disk</source>
+        <translation>Prüfe den Datenträger</translation>
+    </message>
+    <message>
+        <source>Check its permissions</source>
+        <translation>Prüfe die Rechte</translation>
+    </message>
+    <message>
+        <source>Check the disk or copy the file again</source>
+        <translation>Prüfe den Datenträger oder kopiere die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>Copy the file again</source>
+        <translation>Kopiere die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>Copy the data to a file</source>
+        <translation>Kopiere die Daten in eine Datei</translation>
+    </message>
+    <message>
+        <source>Close other programs</source>
+        <translation>Schließe andere Programme</translation>
+    </message>
+    <message>
+        <source>Close other programs and try again</source>
+        <translation>Schließe andere Programme und versuche es noch einmal</translation>
+    </message>
+    <message>
+        <source>Reduce the mesh</source>
+        <translation>Verkleinere das Netz</translation>
+    </message>
+    <message>
+        <source>Name a file inside it</source>
+        <translation>Nenne eine Datei darin</translation>
+    </message>
+    <message>
+        <source>Name a mesh, a folder or a scene</source>
+        <translation>Nenne ein Netz, einen Ordner oder eine Szene</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Möglich sind %1</translation>
+    </message>
+    <message>
+        <source>%1, many of them packed (.gz) too</source>
+        <translation>%1, viele davon auch gepackt (.gz)</translation>
+    </message>
+    <message>
+        <source>Give a file of surfaces (%1), a folder of them, a 3D Slicer scene (.mrml, .mrb) or its fiducials (%2), or a scene file (.sline)</source>
+        <translation>Möglich sind eine Datei mit Oberflächen (%1), ein Ordner davon, eine Szene von 3D Slicer (.mrml, .mrb) oder deren Marken (%2) oder eine Szenendatei (.sline)</translation>
+    </message>
+    <message>
+        <source>Export the mesh again from the program that made it</source>
+        <translation>Exportiere das Netz noch einmal aus dem Programm, das es gemacht hat</translation>
+    </message>
+    <message>
+        <source>Export the mesh as a surface of triangles</source>
+        <translation>Exportiere das Netz als Oberfläche aus Dreiecken</translation>
+    </message>
+    <message>
+        <source>Give the file the extension of its kind or export the mesh again</source>
+        <translation>Gib der Datei die Endung ihrer Art oder exportiere das Netz noch einmal</translation>
+    </message>
+    <message>
+        <source>It may be damaged: export it again, or in another format</source>
+        <translation>Die Datei ist vielleicht beschädigt: Exportiere sie noch einmal oder in einem anderen Format</translation>
+    </message>
+    <message>
+        <source>Keep the scene beside its model files, or save it again with its models</source>
+        <translation>Lass die Szene bei ihren Modelldateien oder speichere sie noch einmal mit den Modellen</translation>
+    </message>
+    <message>
+        <source>None of the files could be read</source>
+        <translation>Keine der Dateien ließ sich lesen</translation>
+    </message>
+    <message>
+        <source>Include at least one</source>
+        <translation>Nimm mindestens eine auf</translation>
+    </message>
+    <message>
+        <source>Make a structure of it by a threshold, or keep it with the scene</source>
+        <translation>Mache durch einen Schwellenwert eine Struktur daraus oder behalte sie bei der Szene</translation>
+    </message>
+    <message>
+        <source>%1; they are left out</source>
+        <translation>%1; sie sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1; left out</source>
+        <translation>%1; ausgelassen</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>%1 was left out: %2</source>
+        <translation>%1 wurde ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>no triangles</source>
+        <translation>keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>no triangles in %1</source>
+        <translation>keine Dreiecke in %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces have fewer than three corners and are left out</source>
+        <translation>%1 von %2 Flächen haben weniger als drei Ecken und sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 (the first: %2); they and the %3 triangles that use them are left out</source>
+        <translation>%1 (die erste: %2); sie und die %3 Dreiecke, die sie benutzen, sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>repaired %1 of %2 surface: %3 left out</source>
+        <translation>%1 von %2 Oberfläche ausgebessert: %3 ausgelassen</translation>
+    </message>
+    <message>
+        <source>repaired %1 of %2 surfaces: %3 left out</source>
+        <translation>%1 von %2 Oberflächen ausgebessert: %3 ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 face given twice</source>
+        <translation>%1 doppelte Fläche</translation>
+    </message>
+    <message>
+        <source>%1 faces given twice</source>
+        <translation>%1 doppelte Flächen</translation>
+    </message>
+    <message>
+        <source>%1 face without area</source>
+        <translation>%1 Fläche ohne Inhalt</translation>
+    </message>
+    <message>
+        <source>%1 faces without area</source>
+        <translation>%1 Flächen ohne Inhalt</translation>
+    </message>
+    <message>
+        <source>%1 face given twice, %2 without area</source>
+        <translation>%1 doppelte Fläche, %2 ohne Inhalt</translation>
+    </message>
+    <message>
+        <source>%1 faces given twice, %2 without area</source>
+        <translation>%1 doppelte Flächen, %2 ohne Inhalt</translation>
+    </message>
+    <message>
+        <source>a piece of %1 has no consistent orientation; it stays as it is</source>
+        <translation>ein Stück von %1 hat keine einheitliche Ausrichtung; es bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>%1 has no face with area; left out</source>
+        <translation>%1 hat keine Fläche mit Inhalt; ausgelassen</translation>
+    </message>
+    <message>
+        <source>its file has changed or is gone</source>
+        <translation>die Datei hat sich geändert oder ist fort</translation>
+    </message>
+    <message>
+        <source>%1 of %2 left/right names contradict the frame %3 that the files give; if left and right are swapped, choose the other frame</source>
+        <translation>%1 von %2 Namen mit Seite widersprechen dem Koordinatensystem %3, das die Dateien nennen; sind links und rechts vertauscht, wähle das andere</translation>
+    </message>
+    <message>
+        <source>everything together is only %1 units large</source>
+        <translation>alles zusammen ist nur %1 Einheiten groß</translation>
+    </message>
+    <message>
+        <source>%1; the unit was taken as the metre (times 1000)</source>
+        <translation>%1; als Einheit wurde der Meter angenommen (mal 1000)</translation>
+    </message>
+    <message>
+        <source>no threshold made a structure: no scan was read that has it</source>
+        <translation>kein Schwellenwert hat eine Struktur ergeben: keine gelesene Aufnahme hat ihn</translation>
+    </message>
+    <message>
+        <source>the folder could not be read to its end: %1</source>
+        <translation>der Ordner ließ sich nicht bis zum Ende lesen: %1</translation>
+    </message>
+    <message>
+        <source>the folder was not searched to its end: %1</source>
+        <translation>der Ordner wurde nicht bis zum Ende durchsucht: %1</translation>
+    </message>
+    <message>
+        <source>it holds too many files</source>
+        <translation>er enthält zu viele Dateien</translation>
+    </message>
+    <message>
+        <source>the file is absent; it was left out</source>
+        <translation>die Datei fehlt; sie wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>the scene refers to a place outside its folder; it was left out</source>
+        <translation>die Szene verweist auf einen Platz außerhalb ihres Ordners; er wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>a scene file is in millimetres of the patient&apos;s frame; the frame and the unit that were chosen do not apply to it</source>
+        <translation>eine Szenendatei steht in Millimetern im Koordinatensystem des Patienten; gewähltes Koordinatensystem und Einheit gelten für sie nicht</translation>
+    </message>
+    <message>
+        <source>surfaces of a scene file keep their triangles; only what is imported is decimated</source>
+        <translation>Oberflächen einer Szenendatei behalten ihre Dreiecke; vereinfacht wird nur, was importiert wird</translation>
+    </message>
+    <message>
+        <source>%1 structure left out that the folder also holds as surfaces</source>
+        <translation>%1 Struktur ausgelassen, die der Ordner auch als Oberflächen enthält</translation>
+    </message>
+    <message>
+        <source>%1 structures left out that the folder also holds as surfaces</source>
+        <translation>%1 Strukturen ausgelassen, die der Ordner auch als Oberflächen enthält</translation>
+    </message>
+    <message>
+        <source>a scan, of which a threshold can make a structure: %1</source>
+        <translation>eine Aufnahme, aus der ein Schwellenwert eine Struktur machen kann: %1</translation>
+    </message>
+    <message>
+        <source>the scan cannot be kept: %1</source>
+        <translation>die Aufnahme kann nicht behalten werden: %1</translation>
+    </message>
+    <message>
+        <source>%1 holds no segmentation</source>
+        <translation>%1 enthält keine Segmentierung</translation>
+    </message>
+    <message>
+        <source>%1 hold no segmentation</source>
+        <translation>%1 enthalten keine Segmentierung</translation>
+    </message>
+    <message>
+        <source>%1 line and point elements are left out; only faces are read</source>
+        <translation>%1 Linien und Punkte sind ausgelassen; gelesen werden nur Flächen</translation>
+    </message>
+    <message>
+        <source>%1 statements are unknown and left out (the first: %2)</source>
+        <translation>%1 Anweisungen sind unbekannt und ausgelassen (die erste: %2)</translation>
+    </message>
+    <message>
+        <source>%1 bytes after the last triangle of the %2 promised are ignored</source>
+        <translation>%1 Byte nach dem letzten der %2 angekündigten Dreiecke sind übergangen</translation>
+    </message>
+    <message>
+        <source>has neither sform nor qform: which side is left is taken from names, if they tell</source>
+        <translation>hat weder sform noch qform: Welche Seite links ist, sagen die Namen, wenn sie es sagen</translation>
+    </message>
+    <message>
+        <source>holds %1 images of one place; the first was read</source>
+        <translation>enthält %1 Bilder desselben Ortes; gelesen wurde das erste</translation>
+    </message>
+    <message>
+        <source>intensities were rounded to 16 bits, by at most %1</source>
+        <translation>Helligkeiten wurden auf 16 Bit gerundet, um höchstens %1</translation>
+    </message>
+    <message>
+        <source>%1 masks hold nothing and were left out: %2</source>
+        <translation>%1 Masken enthalten nichts und wurden ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>%1 atom without coordinates left out</source>
+        <translation>%1 Atom ohne Koordinaten ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 atoms without coordinates left out</source>
+        <translation>%1 Atome ohne Koordinaten ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 further model left out; the first is drawn</source>
+        <translation>%1 weiteres Modell ausgelassen; gezeichnet ist das erste</translation>
+    </message>
+    <message>
+        <source>%1 further models left out; the first is drawn</source>
+        <translation>%1 weitere Modelle ausgelassen; gezeichnet ist das erste</translation>
+    </message>
+    <message>
+        <source>chain %1 laid over chain %2 of %3: %4 of %5 pairs of residues, %6 % identical, RMSD %7</source>
+        <translation>Kette %1 über Kette %2 von %3 gelegt: %4 von %5 Paaren von Resten, %6 % gleich, RMSD %7</translation>
+    </message>
+    <message>
+        <source>not laid over %1, since no chains match; it stays where its file has it</source>
+        <translation>nicht über %1 gelegt, da keine Ketten zueinander passen; bleibt, wo die Datei es hat</translation>
+    </message>
+    <message>
+        <source>no file of this name was found</source>
+        <translation>keine Datei dieses Namens wurde gefunden</translation>
+    </message>
+    <message>
+        <source>only files that other structures came from were found</source>
+        <translation>gefunden wurden nur Dateien, aus denen andere Strukturen stammen</translation>
+    </message>
+    <message>
+        <source>there are %1 files of this name; name the folder of the one that is meant</source>
+        <translation>es gibt %1 Dateien dieses Namens; nenne den Ordner der gemeinten</translation>
+    </message>
+    <message>
+        <source>structures from several files of this name are in the scene</source>
+        <translation>in der Szene sind Strukturen aus mehreren Dateien dieses Namens</translation>
+    </message>
+    <message>
+        <source>no structure of the scene came from these of its surfaces: %1</source>
+        <translation>aus diesen ihrer Oberflächen stammt keine Struktur der Szene: %1</translation>
+    </message>
+    <message>
+        <source>it holds no surface %1 any more</source>
+        <translation>enthält keine Oberfläche %1 mehr</translation>
+    </message>
+    <message>
+        <source>it has no face with area any more</source>
+        <translation>hat keine Fläche mit Inhalt mehr</translation>
+    </message>
+    <message>
+        <source>chosen by the user</source>
+        <translation>von dir gewählt</translation>
+    </message>
+    <message>
+        <source>no header and no left/right names: LPS assumed</source>
+        <translation>weder Kopf noch Namen mit Seite: LPS angenommen</translation>
+    </message>
+    <message>
+        <source>vote: %1 of %2 left/right names</source>
+        <translation>Abstimmung: %1 von %2 Namen mit Seite</translation>
+    </message>
+    <message>
+        <source>header: %1</source>
+        <translation>Kopf der Datei: %1</translation>
+    </message>
+    <message>
+        <source>coordinates left as they are</source>
+        <translation>Koordinaten, wie sie sind</translation>
+    </message>
+    <message>
+        <source>scene of Slicer: millimetres</source>
+        <translation>Szene von Slicer: Millimeter</translation>
+    </message>
+    <message>
+        <source>no unit in the file: millimetres assumed</source>
+        <translation>keine Einheit in der Datei: Millimeter angenommen</translation>
+    </message>
+    <message>
+        <source>everything together is only %1 units large: metres</source>
+        <translation>alles zusammen ist nur %1 Einheiten groß: Meter</translation>
+    </message>
+    <message>
+        <source>SPACE in the header</source>
+        <translation>SPACE im Kopf</translation>
+    </message>
+    <message>
+        <source>SPACE in a comment</source>
+        <translation>SPACE in einem Kommentar</translation>
+    </message>
+    <message>
+        <source>SPACE in the field data</source>
+        <translation>SPACE in den Felddaten</translation>
+    </message>
+    <message>
+        <source>SPACE in the title</source>
+        <translation>SPACE im Titel</translation>
+    </message>
+    <message>
+        <source>DICOM: patient coordinates</source>
+        <translation>DICOM: Koordinaten des Patienten</translation>
+    </message>
+    <message>
+        <source>DICOM: millimetres</source>
+        <translation>DICOM: Millimeter</translation>
+    </message>
+    <message>
+        <source>glTF: metres</source>
+        <translation>glTF: Meter</translation>
+    </message>
+    <message>
+        <source>header: millimetres</source>
+        <translation>Kopf der Datei: Millimeter</translation>
+    </message>
+    <message>
+        <source>volumes are in millimetres</source>
+        <translation>Volumen stehen in Millimetern</translation>
+    </message>
+    <message>
+        <source>modelled in it</source>
+        <translation>darin modelliert</translation>
+    </message>
+    <message>
+        <source>scene file</source>
+        <translation>Szenendatei</translation>
+    </message>
+    <message>
+        <source>a molecule has no left and right</source>
+        <translation>ein Molekül hat kein Links und Rechts</translation>
+    </message>
+    <message>
+        <source>1 Å is drawn as 1 mm</source>
+        <translation>1 Å ist als 1 mm gezeichnet</translation>
+    </message>
+    <message>
+        <source>the export was stopped</source>
+        <translation>der Export wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>Export again</source>
+        <translation>Exportiere noch einmal</translation>
+    </message>
+    <message>
+        <source>a picture of %1 pixels is too large</source>
+        <translation>ein Bild von %1 Pixeln ist zu groß</translation>
+    </message>
+    <message>
+        <source>a picture of %1 pixels is too large for this kind of file</source>
+        <translation>ein Bild von %1 Pixeln ist für diese Art von Datei zu groß</translation>
+    </message>
+    <message>
+        <source>Choose fewer dots per inch or a smaller page; a side may have %1 pixels in this kind of file</source>
+        <translation>Wähle weniger Punkte je Zoll oder eine kleinere Seite; in dieser Art von Datei darf eine Seite %1 Pixel haben</translation>
+    </message>
+    <message>
+        <source>Choose fewer dots per inch or a smaller page, or PNG or TIFF; a picture may have %1 million pixels here</source>
+        <translation>Wähle weniger Punkte je Zoll, eine kleinere Seite oder PNG oder TIFF; hier darf ein Bild %1 Millionen Pixel haben</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written: %1</source>
+        <translation>das Bild kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>Choose a smaller picture or another kind of file</source>
+        <translation>Wähle ein kleineres Bild oder eine andere Art von Datei</translation>
+    </message>
+    <message>
+        <source>there is too little memory</source>
+        <translation>der Speicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>the picture has no labels to ask for</source>
+        <translation>das Bild hat keine Beschriftungen, nach denen zu fragen wäre</translation>
+    </message>
+    <message>
+        <source>Label structures, or choose a view that shows some</source>
+        <translation>Beschrifte Strukturen oder wähle eine Ansicht, die welche zeigt</translation>
+    </message>
+    <message>
+        <source>the scene needs more than the 4 GB that a GLB file may have</source>
+        <translation>die Szene braucht mehr als die 4 GB, die eine GLB-Datei haben darf</translation>
+    </message>
+    <message>
+        <source>Hide structures, or make them coarser</source>
+        <translation>Blende Strukturen aus oder mache sie gröber</translation>
+    </message>
+    <message>
+        <source>a film takes 0.1 to 600 seconds</source>
+        <translation>ein Film dauert 0,1 bis 600 Sekunden</translation>
+    </message>
+    <message>
+        <source>Choose another length</source>
+        <translation>Wähle eine andere Dauer</translation>
+    </message>
+    <message>
+        <source>a film has 1 to 60 frames per second</source>
+        <translation>ein Film hat 1 bis 60 Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Choose another rate</source>
+        <translation>Wähle eine andere Rate</translation>
+    </message>
+    <message>
+        <source>Save views, or make a turntable</source>
+        <translation>Speichere Ansichten oder mache eine Drehung</translation>
+    </message>
+    <message>
+        <source>MP4 films are made by the program ffmpeg, which is not installed</source>
+        <translation>MP4-Filme macht das Programm ffmpeg, das nicht installiert ist</translation>
+    </message>
+    <message>
+        <source>Install ffmpeg, or write an animated WebP or GIF</source>
+        <translation>Installiere ffmpeg oder schreibe ein bewegtes WebP oder GIF</translation>
+    </message>
+    <message>
+        <source>GIF films show at most 50 frames per second</source>
+        <translation>GIF-Filme zeigen höchstens 50 Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Choose 50 or fewer, or another kind of film</source>
+        <translation>Wähle 50 oder weniger oder eine andere Art von Film</translation>
+    </message>
+    <message>
+        <source>the picture could not be drawn: %1</source>
+        <translation>das Bild ließ sich nicht zeichnen: %1</translation>
+    </message>
+    <message>
+        <source>Hide some structures, or close other programs to free memory</source>
+        <translation>Blende einige Strukturen aus oder schließe andere Programme, um Speicher freizugeben</translation>
+    </message>
+    <message>
+        <source>the structures of this scene do not fit into the memory set aside for a picture, not even piece by piece</source>
+        <translation>die Strukturen dieser Szene passen nicht in den Speicher, der für ein Bild vorgesehen ist, auch nicht stückweise</translation>
+    </message>
+    <message>
+        <source>Hide some structures</source>
+        <translation>Blende einige Strukturen aus</translation>
+    </message>
+    <message>
+        <source>the driver %1 is too old: OpenGL 3.3 or OpenGL ES 3.0 is needed</source>
+        <translation>der Treiber %1 ist zu alt: OpenGL 3.3 oder OpenGL ES 3.0 ist nötig</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver, or install Mesa (libgl1-mesa-dri)</source>
+        <translation>Aktualisiere den Grafiktreiber oder installiere Mesa (libgl1-mesa-dri)</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Zugriff verweigert</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>der Datenträger lässt sich nur lesen</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Fehler beim Lesen oder Schreiben</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+</context>
+<context>
     <name>main</name>
     <message>
         <source>Turns segmented anatomy into focus-and-context line illustrations.</source>

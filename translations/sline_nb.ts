@@ -2,6 +2,893 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="nb_NO" sourcelanguage="en">
 <context>
+    <name>Told</name>
+    <message>
+        <source>line %1</source>
+        <translation>linje %1</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>byte %1</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>hjørne %1</translation>
+    </message>
+    <message>
+        <source>vertex %1 in %2</source>
+        <translation>hjørne %1 i %2</translation>
+    </message>
+    <message>
+        <source>it cannot be written: %1</source>
+        <translation>kan ikke skrives: %1</translation>
+    </message>
+    <message>
+        <source>it cannot be put in its place: %1</source>
+        <translation>kan ikke settes på plass: %1</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>kan ikke leses: %1</translation>
+    </message>
+    <message>
+        <source>its folder cannot be written to: %1</source>
+        <translation>det kan ikke skrives i mappen: %1</translation>
+    </message>
+    <message>
+        <source>it is open for writing in %1</source>
+        <translation>er åpen for skriving i: %1</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>et annet program</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>er en mappe</translation>
+    </message>
+    <message>
+        <source>%1; the file that was there is whole, as it was</source>
+        <translation>%1; filen som var der, er uskadd</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>er større enn %1 byte</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: %1</source>
+        <translation>mappen kan ikke lages: %1</translation>
+    </message>
+    <message>
+        <source>it is a file, and a folder is to be made</source>
+        <translation>er en fil, og det skal lages en mappe</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation>mappen kan ikke leses: %1</translation>
+    </message>
+    <message>
+        <source>the folder is not empty</source>
+        <translation>mappen er ikke tom</translation>
+    </message>
+    <message>
+        <source>no temporary folder can be made here: %1</source>
+        <translation>her kan det ikke lages noen midlertidig mappe: %1</translation>
+    </message>
+    <message>
+        <source>Choose a folder that exists and that you may write to</source>
+        <translation>Velg en mappe som finnes og som du kan skrive i</translation>
+    </message>
+    <message>
+        <source>Choose a place that exists and that you may write to</source>
+        <translation>Velg et sted som finnes og der du kan skrive</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk, or choose another one</source>
+        <translation>Frigjør plass på disken, eller velg en annen</translation>
+    </message>
+    <message>
+        <source>Free some space on its disk</source>
+        <translation>Frigjør plass på disken</translation>
+    </message>
+    <message>
+        <source>Check the rights of its folder</source>
+        <translation>Kontroller rettighetene til mappen</translation>
+    </message>
+    <message>
+        <source>Check the name and the rights</source>
+        <translation>Kontroller navn og rettigheter</translation>
+    </message>
+    <message>
+        <source>Name a file</source>
+        <translation>Angi en fil</translation>
+    </message>
+    <message>
+        <source>Name the right file</source>
+        <translation>Angi den riktige filen</translation>
+    </message>
+    <message>
+        <source>Name a folder that is not there yet</source>
+        <translation>Angi en mappe som ikke finnes ennå</translation>
+    </message>
+    <message>
+        <source>Name a folder that is not there yet, or an empty one</source>
+        <translation>Angi en mappe som ikke finnes ennå eller er tom</translation>
+    </message>
+    <message>
+        <source>Save it under another name or in another folder</source>
+        <translation>Lagre under et annet navn eller i en annen mappe</translation>
+    </message>
+    <message>
+        <source>Close it there, or save it under another name</source>
+        <translation>Lukk den der, eller lagre under et annet navn</translation>
+    </message>
+    <message>
+        <source>Save under another name</source>
+        <translation>Lagre under et annet navn</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>er tom</translation>
+    </message>
+    <message>
+        <source>it is no whole ZIP file: %1</source>
+        <translation>er ingen hel ZIP-fil: %1</translation>
+    </message>
+    <message>
+        <source>it is cut or damaged</source>
+        <translation>er avkuttet eller skadd</translation>
+    </message>
+    <message>
+        <source>it holds no scene.json: it is a ZIP file, but no scene</source>
+        <translation>inneholder ingen scene.json: en ZIP-fil, men ingen scene</translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation>er for stor</translation>
+    </message>
+    <message>
+        <source>a newer version of the program has written it, with more than this one would write</source>
+        <translation>en nyere versjon av programmet har skrevet den, med mer enn denne ville skrive</translation>
+    </message>
+    <message>
+        <source>it was damaged, and holds no state of the scene that is whole</source>
+        <translation>var skadd og inneholder ingen hel tilstand av scenen</translation>
+    </message>
+    <message>
+        <source>Open an older copy of it, or import the meshes again</source>
+        <translation>Åpne en eldre kopi, eller importer nettene på nytt</translation>
+    </message>
+    <message>
+        <source>Open the scene file as it was saved last</source>
+        <translation>Åpne scenefilen slik den sist ble lagret</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>denne filen finnes ikke</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>denne filen eller mappen finnes ikke</translation>
+    </message>
+    <message>
+        <source>is a folder, not a mesh file</source>
+        <translation>er en mappe, ikke en nettfil</translation>
+    </message>
+    <message>
+        <source>is a device or pipe, not a file</source>
+        <translation>er en enhet eller et rør, ikke en fil</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>kan ikke åpnes: %1</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>er tom</translation>
+    </message>
+    <message>
+        <source>its size cannot be found: %1</source>
+        <translation>størrelsen lar seg ikke finne: %1</translation>
+    </message>
+    <message>
+        <source>has %1 bytes, the limit is %2</source>
+        <translation>har %1 byte, grensen er %2</translation>
+    </message>
+    <message>
+        <source>needs %1 bytes of memory</source>
+        <translation>trenger %1 byte minne</translation>
+    </message>
+    <message>
+        <source>needs %1 bytes of memory when unpacked</source>
+        <translation>trenger %1 byte minne utpakket</translation>
+    </message>
+    <message>
+        <source>cannot be read any further</source>
+        <translation>kan ikke leses lenger</translation>
+    </message>
+    <message>
+        <source>its packed bytes end in the middle</source>
+        <translation>de pakkede bytene slutter midt i</translation>
+    </message>
+    <message>
+        <source>holds nothing when unpacked</source>
+        <translation>inneholder ingenting utpakket</translation>
+    </message>
+    <message>
+        <source>this kind of file is not supported</source>
+        <translation>denne typen fil støttes ikke</translation>
+    </message>
+    <message>
+        <source>has no extension that tells its kind</source>
+        <translation>har ingen endelse som sier hva slags fil det er</translation>
+    </message>
+    <message>
+        <source>files of kind &apos;%1&apos; are not supported</source>
+        <translation>filer av typen «%1» støttes ikke</translation>
+    </message>
+    <message>
+        <source>%1; its content looks like %2</source>
+        <translation>%1; innholdet ser ut som: %2</translation>
+    </message>
+    <message>
+        <source>the folder holds no mesh</source>
+        <translation>mappen inneholder ikke noe nett</translation>
+    </message>
+    <message>
+        <source>the scene holds no model</source>
+        <translation>scenen inneholder ingen modell</translation>
+    </message>
+    <message>
+        <source>none of the scene&apos;s %1 model files can be found</source>
+        <translation>ingen av scenens %1 modellfiler er å finne</translation>
+    </message>
+    <message>
+        <source>there is nothing to read</source>
+        <translation>det er ingenting å lese</translation>
+    </message>
+    <message>
+        <source>the import was cancelled</source>
+        <translation>importen ble avbrutt</translation>
+    </message>
+    <message>
+        <source>all structures are left out</source>
+        <translation>alle strukturer er utelatt</translation>
+    </message>
+    <message>
+        <source>nothing is made of the scan yet</source>
+        <translation>det er ikke laget noe av skanningen ennå</translation>
+    </message>
+    <message>
+        <source>holds no triangles</source>
+        <translation>inneholder ingen trekanter</translation>
+    </message>
+    <message>
+        <source>holds no vertices</source>
+        <translation>inneholder ingen hjørner</translation>
+    </message>
+    <message>
+        <source>holds vertices but no faces</source>
+        <translation>inneholder hjørner, men ingen flater</translation>
+    </message>
+    <message>
+        <source>holds no faces, only lines or points</source>
+        <translation>inneholder ingen flater, bare linjer eller punkter</translation>
+    </message>
+    <message>
+        <source>this is not a statement of an OBJ file</source>
+        <translation>dette er ingen setning i en OBJ-fil</translation>
+    </message>
+    <message>
+        <source>Check that the file is an OBJ file</source>
+        <translation>Kontroller at filen er en OBJ-fil</translation>
+    </message>
+    <message>
+        <source>Export the mesh as a surface with faces</source>
+        <translation>Eksporter nettet som en overflate med flater</translation>
+    </message>
+    <message>
+        <source>the file does not begin with &apos;ply&apos;</source>
+        <translation>filen begynner ikke med «ply»</translation>
+    </message>
+    <message>
+        <source>the file does not begin with &apos;OFF&apos;</source>
+        <translation>filen begynner ikke med «OFF»</translation>
+    </message>
+    <message>
+        <source>%1 stands where %2 should</source>
+        <translation>%1 står der %2 skulle stått</translation>
+    </message>
+    <message>
+        <source>the file ends after %1</source>
+        <translation>filen slutter etter %1</translation>
+    </message>
+    <message>
+        <source>the file ends within a face</source>
+        <translation>filen slutter midt i en flate</translation>
+    </message>
+    <message>
+        <source>%1 vertices and %2 triangles are more than the limit</source>
+        <translation>%1 hjørner og %2 trekanter er mer enn grensen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces refer to vertices that do not exist (there are %3 vertices)</source>
+        <translation>%1 av %2 flater viser til hjørner som ikke finnes (det er %3 hjørner)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices are not finite numbers</source>
+        <translation>%1 av %2 hjørner er ikke endelige tall</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files crashed over this file (%2)</source>
+        <translation>leseren av %1-filer krasjet på denne filen (%2)</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files wanted more than %2 of memory for this file</source>
+        <translation>leseren av %1-filer ville ha mer enn %2 minne til denne filen</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files did not come to an end within %2 s of computing</source>
+        <translation>leseren av %1-filer ble ikke ferdig på %2 s regnetid</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>det er ikke nok minne</translation>
+    </message>
+    <message>
+        <source>a library failed: %1</source>
+        <translation>et bibliotek feilet: %1</translation>
+    </message>
+    <message>
+        <source>Check the name</source>
+        <translation>Kontroller navnet</translation>
+    </message>
+    <message>
+        <source>Check the path</source>
+        <translation>Kontroller stien</translation>
+    </message>
+    <message>
+        <source>Check the disk</source>
+        <translation>Kontroller disken</translation>
+    </message>
+    <message>
+        <source>Check its permissions</source>
+        <translation>Kontroller rettighetene</translation>
+    </message>
+    <message>
+        <source>Check the disk or copy the file again</source>
+        <translation>Kontroller disken, eller kopier filen på nytt</translation>
+    </message>
+    <message>
+        <source>Copy the file again</source>
+        <translation>Kopier filen på nytt</translation>
+    </message>
+    <message>
+        <source>Copy the data to a file</source>
+        <translation>Kopier dataene til en fil</translation>
+    </message>
+    <message>
+        <source>Close other programs</source>
+        <translation>Lukk andre programmer</translation>
+    </message>
+    <message>
+        <source>Close other programs and try again</source>
+        <translation>Lukk andre programmer og prøv igjen</translation>
+    </message>
+    <message>
+        <source>Reduce the mesh</source>
+        <translation>Reduser nettet</translation>
+    </message>
+    <message>
+        <source>Name a file inside it</source>
+        <translation>Angi en fil i den</translation>
+    </message>
+    <message>
+        <source>Name a mesh, a folder or a scene</source>
+        <translation>Angi et nett, en mappe eller en scene</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Mulige er %1</translation>
+    </message>
+    <message>
+        <source>%1, many of them packed (.gz) too</source>
+        <translation>%1, mange av dem også pakket (.gz)</translation>
+    </message>
+    <message>
+        <source>Give a file of surfaces (%1), a folder of them, a 3D Slicer scene (.mrml, .mrb) or its fiducials (%2), or a scene file (.sline)</source>
+        <translation>Mulige er en fil med flater (%1), en mappe med slike, en scene fra 3D Slicer (.mrml, .mrb) eller dens merker (%2), eller en scenefil (.sline)</translation>
+    </message>
+    <message>
+        <source>Export the mesh again from the program that made it</source>
+        <translation>Eksporter nettet på nytt fra programmet som laget det</translation>
+    </message>
+    <message>
+        <source>Export the mesh as a surface of triangles</source>
+        <translation>Eksporter nettet som en flate av trekanter</translation>
+    </message>
+    <message>
+        <source>Give the file the extension of its kind or export the mesh again</source>
+        <translation>Gi filen endelsen til sin type, eller eksporter nettet på nytt</translation>
+    </message>
+    <message>
+        <source>It may be damaged: export it again, or in another format</source>
+        <translation>Den er kanskje skadd: eksporter den på nytt, eller i et annet format</translation>
+    </message>
+    <message>
+        <source>Keep the scene beside its model files, or save it again with its models</source>
+        <translation>La scenen stå ved modellfilene sine, eller lagre den på nytt med modellene</translation>
+    </message>
+    <message>
+        <source>None of the files could be read</source>
+        <translation>Ingen av filene kunne leses</translation>
+    </message>
+    <message>
+        <source>Include at least one</source>
+        <translation>Ta med minst én</translation>
+    </message>
+    <message>
+        <source>Make a structure of it by a threshold, or keep it with the scene</source>
+        <translation>Lag en struktur av den med en terskel, eller behold den med scenen</translation>
+    </message>
+    <message>
+        <source>%1; they are left out</source>
+        <translation>%1; de er utelatt</translation>
+    </message>
+    <message>
+        <source>%1; left out</source>
+        <translation>%1; utelatt</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>utelatt: %1</translation>
+    </message>
+    <message>
+        <source>%1 was left out: %2</source>
+        <translation>%1 ble utelatt: %2</translation>
+    </message>
+    <message>
+        <source>no triangles</source>
+        <translation>ingen trekanter</translation>
+    </message>
+    <message>
+        <source>no triangles in %1</source>
+        <translation>ingen trekanter i %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces have fewer than three corners and are left out</source>
+        <translation>%1 av %2 flater har færre enn tre hjørner og er utelatt</translation>
+    </message>
+    <message>
+        <source>%1 (the first: %2); they and the %3 triangles that use them are left out</source>
+        <translation>%1 (det første: %2); de og de %3 trekantene som bruker dem, er utelatt</translation>
+    </message>
+    <message>
+        <source>repaired %1 of %2 surface: %3 left out</source>
+        <translation>%1 av %2 flate reparert: %3 utelatt</translation>
+    </message>
+    <message>
+        <source>repaired %1 of %2 surfaces: %3 left out</source>
+        <translation>%1 av %2 flater reparert: %3 utelatt</translation>
+    </message>
+    <message>
+        <source>%1 face given twice</source>
+        <translation>%1 dobbel flate</translation>
+    </message>
+    <message>
+        <source>%1 faces given twice</source>
+        <translation>%1 doble flater</translation>
+    </message>
+    <message>
+        <source>%1 face without area</source>
+        <translation>%1 flate uten areal</translation>
+    </message>
+    <message>
+        <source>%1 faces without area</source>
+        <translation>%1 flater uten areal</translation>
+    </message>
+    <message>
+        <source>%1 face given twice, %2 without area</source>
+        <translation>%1 dobbel flate, %2 uten areal</translation>
+    </message>
+    <message>
+        <source>%1 faces given twice, %2 without area</source>
+        <translation>%1 doble flater, %2 uten areal</translation>
+    </message>
+    <message>
+        <source>a piece of %1 has no consistent orientation; it stays as it is</source>
+        <translation>et stykke av %1 har ingen entydig orientering; det blir som det er</translation>
+    </message>
+    <message>
+        <source>%1 has no face with area; left out</source>
+        <translation>%1 har ingen flate med areal; utelatt</translation>
+    </message>
+    <message>
+        <source>its file has changed or is gone</source>
+        <translation>filen er endret eller borte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 left/right names contradict the frame %3 that the files give; if left and right are swapped, choose the other frame</source>
+        <translation>%1 av %2 navn med side motsier aksesystemet %3 som filene oppgir; er venstre og høyre byttet om, velg det andre</translation>
+    </message>
+    <message>
+        <source>everything together is only %1 units large</source>
+        <translation>alt til sammen er bare %1 enheter stort</translation>
+    </message>
+    <message>
+        <source>%1; the unit was taken as the metre (times 1000)</source>
+        <translation>%1; som enhet ble meteren tatt (ganger 1000)</translation>
+    </message>
+    <message>
+        <source>no threshold made a structure: no scan was read that has it</source>
+        <translation>ingen terskel ga en struktur: det er ikke lest noen skanning som har den</translation>
+    </message>
+    <message>
+        <source>the folder could not be read to its end: %1</source>
+        <translation>mappen kunne ikke leses til ende: %1</translation>
+    </message>
+    <message>
+        <source>the folder was not searched to its end: %1</source>
+        <translation>mappen ble ikke gjennomsøkt til ende: %1</translation>
+    </message>
+    <message>
+        <source>it holds too many files</source>
+        <translation>den inneholder for mange filer</translation>
+    </message>
+    <message>
+        <source>the file is absent; it was left out</source>
+        <translation>filen mangler; den ble utelatt</translation>
+    </message>
+    <message>
+        <source>the scene refers to a place outside its folder; it was left out</source>
+        <translation>scenen viser til et sted utenfor mappen sin; det ble utelatt</translation>
+    </message>
+    <message>
+        <source>a scene file is in millimetres of the patient&apos;s frame; the frame and the unit that were chosen do not apply to it</source>
+        <translation>en scenefil er i millimeter i pasientens aksesystem; valgt system og enhet gjelder ikke for den</translation>
+    </message>
+    <message>
+        <source>surfaces of a scene file keep their triangles; only what is imported is decimated</source>
+        <translation>flater i en scenefil beholder trekantene sine; bare det som importeres, forenkles</translation>
+    </message>
+    <message>
+        <source>%1 structure left out that the folder also holds as surfaces</source>
+        <translation>%1 struktur utelatt som mappen også har som flater</translation>
+    </message>
+    <message>
+        <source>%1 structures left out that the folder also holds as surfaces</source>
+        <translation>%1 strukturer utelatt som mappen også har som flater</translation>
+    </message>
+    <message>
+        <source>a scan, of which a threshold can make a structure: %1</source>
+        <translation>en skanning som en terskel kan lage en struktur av: %1</translation>
+    </message>
+    <message>
+        <source>the scan cannot be kept: %1</source>
+        <translation>skanningen kan ikke beholdes: %1</translation>
+    </message>
+    <message>
+        <source>%1 holds no segmentation</source>
+        <translation>%1 inneholder ingen segmentering</translation>
+    </message>
+    <message>
+        <source>%1 hold no segmentation</source>
+        <translation>%1 inneholder ingen segmentering</translation>
+    </message>
+    <message>
+        <source>%1 line and point elements are left out; only faces are read</source>
+        <translation>%1 linjer og punkter er utelatt; bare flater leses</translation>
+    </message>
+    <message>
+        <source>%1 statements are unknown and left out (the first: %2)</source>
+        <translation>%1 setninger er ukjente og utelatt (den første: %2)</translation>
+    </message>
+    <message>
+        <source>%1 bytes after the last triangle of the %2 promised are ignored</source>
+        <translation>%1 byte etter den siste av de %2 lovede trekantene er oversett</translation>
+    </message>
+    <message>
+        <source>has neither sform nor qform: which side is left is taken from names, if they tell</source>
+        <translation>har verken sform eller qform: hvilken side som er venstre, tas fra navnene, om de sier det</translation>
+    </message>
+    <message>
+        <source>holds %1 images of one place; the first was read</source>
+        <translation>inneholder %1 bilder av ett sted; det første ble lest</translation>
+    </message>
+    <message>
+        <source>intensities were rounded to 16 bits, by at most %1</source>
+        <translation>intensiteter ble avrundet til 16 biter, med høyst %1</translation>
+    </message>
+    <message>
+        <source>%1 masks hold nothing and were left out: %2</source>
+        <translation>%1 masker inneholder ingenting og ble utelatt: %2</translation>
+    </message>
+    <message>
+        <source>%1 atom without coordinates left out</source>
+        <translation>%1 atom uten koordinater utelatt</translation>
+    </message>
+    <message>
+        <source>%1 atoms without coordinates left out</source>
+        <translation>%1 atomer uten koordinater utelatt</translation>
+    </message>
+    <message>
+        <source>%1 further model left out; the first is drawn</source>
+        <translation>%1 annen modell utelatt; den første er tegnet</translation>
+    </message>
+    <message>
+        <source>%1 further models left out; the first is drawn</source>
+        <translation>%1 andre modeller utelatt; den første er tegnet</translation>
+    </message>
+    <message>
+        <source>chain %1 laid over chain %2 of %3: %4 of %5 pairs of residues, %6 % identical, RMSD %7</source>
+        <translation>kjede %1 lagt over kjede %2 i %3: %4 av %5 par av rester, %6 % like, RMSD %7</translation>
+    </message>
+    <message>
+        <source>not laid over %1, since no chains match; it stays where its file has it</source>
+        <translation>ikke lagt over %1, siden ingen kjeder passer; blir der filen har den</translation>
+    </message>
+    <message>
+        <source>no file of this name was found</source>
+        <translation>det ble ikke funnet noen fil med dette navnet</translation>
+    </message>
+    <message>
+        <source>only files that other structures came from were found</source>
+        <translation>bare filer som andre strukturer kom fra, ble funnet</translation>
+    </message>
+    <message>
+        <source>there are %1 files of this name; name the folder of the one that is meant</source>
+        <translation>det er %1 filer med dette navnet; angi mappen til den som menes</translation>
+    </message>
+    <message>
+        <source>structures from several files of this name are in the scene</source>
+        <translation>i scenen er det strukturer fra flere filer med dette navnet</translation>
+    </message>
+    <message>
+        <source>no structure of the scene came from these of its surfaces: %1</source>
+        <translation>ingen struktur i scenen kom fra disse flatene: %1</translation>
+    </message>
+    <message>
+        <source>it holds no surface %1 any more</source>
+        <translation>inneholder ikke lenger noen flate %1</translation>
+    </message>
+    <message>
+        <source>it has no face with area any more</source>
+        <translation>har ikke lenger noen flate med areal</translation>
+    </message>
+    <message>
+        <source>chosen by the user</source>
+        <translation>valgt av deg</translation>
+    </message>
+    <message>
+        <source>no header and no left/right names: LPS assumed</source>
+        <translation>verken hode eller navn med side: LPS antatt</translation>
+    </message>
+    <message>
+        <source>vote: %1 of %2 left/right names</source>
+        <translation>avstemning: %1 av %2 navn med side</translation>
+    </message>
+    <message>
+        <source>header: %1</source>
+        <translation>filens hode: %1</translation>
+    </message>
+    <message>
+        <source>coordinates left as they are</source>
+        <translation>koordinater som de er</translation>
+    </message>
+    <message>
+        <source>scene of Slicer: millimetres</source>
+        <translation>scene fra Slicer: millimeter</translation>
+    </message>
+    <message>
+        <source>no unit in the file: millimetres assumed</source>
+        <translation>ingen enhet i filen: millimeter antatt</translation>
+    </message>
+    <message>
+        <source>everything together is only %1 units large: metres</source>
+        <translation>alt til sammen er bare %1 enheter stort: meter</translation>
+    </message>
+    <message>
+        <source>SPACE in the header</source>
+        <translation>SPACE i hodet</translation>
+    </message>
+    <message>
+        <source>SPACE in a comment</source>
+        <translation>SPACE i en kommentar</translation>
+    </message>
+    <message>
+        <source>SPACE in the field data</source>
+        <translation>SPACE i feltdataene</translation>
+    </message>
+    <message>
+        <source>SPACE in the title</source>
+        <translation>SPACE i tittelen</translation>
+    </message>
+    <message>
+        <source>DICOM: patient coordinates</source>
+        <translation>DICOM: pasientens koordinater</translation>
+    </message>
+    <message>
+        <source>DICOM: millimetres</source>
+        <translation>DICOM: millimeter</translation>
+    </message>
+    <message>
+        <source>glTF: metres</source>
+        <translation>glTF: meter</translation>
+    </message>
+    <message>
+        <source>header: millimetres</source>
+        <translation>filens hode: millimeter</translation>
+    </message>
+    <message>
+        <source>volumes are in millimetres</source>
+        <translation>volumer er i millimeter</translation>
+    </message>
+    <message>
+        <source>modelled in it</source>
+        <translation>modellert i det</translation>
+    </message>
+    <message>
+        <source>scene file</source>
+        <translation>scenefil</translation>
+    </message>
+    <message>
+        <source>a molecule has no left and right</source>
+        <translation>et molekyl har verken venstre eller høyre</translation>
+    </message>
+    <message>
+        <source>1 Å is drawn as 1 mm</source>
+        <translation>1 Å er tegnet som 1 mm</translation>
+    </message>
+    <message>
+        <source>the export was stopped</source>
+        <translation>eksporten ble stoppet</translation>
+    </message>
+    <message>
+        <source>Export again</source>
+        <translation>Eksporter på nytt</translation>
+    </message>
+    <message>
+        <source>a picture of %1 pixels is too large</source>
+        <translation>et bilde på %1 piksler er for stort</translation>
+    </message>
+    <message>
+        <source>a picture of %1 pixels is too large for this kind of file</source>
+        <translation>et bilde på %1 piksler er for stort for denne typen fil</translation>
+    </message>
+    <message>
+        <source>Choose fewer dots per inch or a smaller page; a side may have %1 pixels in this kind of file</source>
+        <translation>Velg færre punkter per tomme eller en mindre side; en side kan ha %1 piksler i denne typen fil</translation>
+    </message>
+    <message>
+        <source>Choose fewer dots per inch or a smaller page, or PNG or TIFF; a picture may have %1 million pixels here</source>
+        <translation>Velg færre punkter per tomme eller en mindre side, eller PNG eller TIFF; et bilde kan ha %1 millioner piksler her</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written: %1</source>
+        <translation>bildet kan ikke skrives: %1</translation>
+    </message>
+    <message>
+        <source>Choose a smaller picture or another kind of file</source>
+        <translation>Velg et mindre bilde eller en annen type fil</translation>
+    </message>
+    <message>
+        <source>there is too little memory</source>
+        <translation>det er for lite minne</translation>
+    </message>
+    <message>
+        <source>the picture has no labels to ask for</source>
+        <translation>bildet har ingen etiketter å spørre etter</translation>
+    </message>
+    <message>
+        <source>Label structures, or choose a view that shows some</source>
+        <translation>Sett etiketter på strukturer, eller velg en visning som viser noen</translation>
+    </message>
+    <message>
+        <source>the scene needs more than the 4 GB that a GLB file may have</source>
+        <translation>scenen trenger mer enn de 4 GB som en GLB-fil kan ha</translation>
+    </message>
+    <message>
+        <source>Hide structures, or make them coarser</source>
+        <translation>Skjul strukturer, eller gjør dem grovere</translation>
+    </message>
+    <message>
+        <source>a film takes 0.1 to 600 seconds</source>
+        <translation>en film varer 0,1 til 600 sekunder</translation>
+    </message>
+    <message>
+        <source>Choose another length</source>
+        <translation>Velg en annen lengde</translation>
+    </message>
+    <message>
+        <source>a film has 1 to 60 frames per second</source>
+        <translation>en film har 1 til 60 bilder per sekund</translation>
+    </message>
+    <message>
+        <source>Choose another rate</source>
+        <translation>Velg en annen takt</translation>
+    </message>
+    <message>
+        <source>Save views, or make a turntable</source>
+        <translation>Lagre visninger, eller lag en dreieskive</translation>
+    </message>
+    <message>
+        <source>MP4 films are made by the program ffmpeg, which is not installed</source>
+        <translation>MP4-filmer lages av programmet ffmpeg, som ikke er installert</translation>
+    </message>
+    <message>
+        <source>Install ffmpeg, or write an animated WebP or GIF</source>
+        <translation>Installer ffmpeg, eller skriv en animert WebP eller GIF</translation>
+    </message>
+    <message>
+        <source>GIF films show at most 50 frames per second</source>
+        <translation>GIF-filmer viser høyst 50 bilder per sekund</translation>
+    </message>
+    <message>
+        <source>Choose 50 or fewer, or another kind of film</source>
+        <translation>Velg 50 eller færre, eller en annen type film</translation>
+    </message>
+    <message>
+        <source>the picture could not be drawn: %1</source>
+        <translation>bildet kunne ikke tegnes: %1</translation>
+    </message>
+    <message>
+        <source>Hide some structures, or close other programs to free memory</source>
+        <translation>Skjul noen strukturer, eller lukk andre programmer for å frigjøre minne</translation>
+    </message>
+    <message>
+        <source>the structures of this scene do not fit into the memory set aside for a picture, not even piece by piece</source>
+        <translation>strukturene i denne scenen får ikke plass i minnet som er satt av til et bilde, ikke engang stykke for stykke</translation>
+    </message>
+    <message>
+        <source>Hide some structures</source>
+        <translation>Skjul noen strukturer</translation>
+    </message>
+    <message>
+        <source>the driver %1 is too old: OpenGL 3.3 or OpenGL ES 3.0 is needed</source>
+        <translation>driveren %1 er for gammel: OpenGL 3.3 eller OpenGL ES 3.0 trengs</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver, or install Mesa (libgl1-mesa-dri)</source>
+        <translation>Oppdater grafikkdriveren, eller installer Mesa (libgl1-mesa-dri)</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>ingen tilgang</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>filen eller mappen finnes ikke</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>ingen plass igjen på disken</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>disken kan bare leses</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>er en mappe</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>er ingen mappe</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>feil ved lesing eller skriving</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>filen er for stor</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>for mange åpne filer</translation>
+    </message>
+</context>
+<context>
     <name>main</name>
     <message>
         <source>Turns segmented anatomy into focus-and-context line illustrations.</source>

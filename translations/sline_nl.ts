@@ -2,6 +2,893 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="nl_NL" sourcelanguage="en">
 <context>
+    <name>Told</name>
+    <message>
+        <source>line %1</source>
+        <translation>regel %1</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>byte %1</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>hoekpunt %1</translation>
+    </message>
+    <message>
+        <source>vertex %1 in %2</source>
+        <translation>hoekpunt %1 in %2</translation>
+    </message>
+    <message>
+        <source>it cannot be written: %1</source>
+        <translation>kan niet worden geschreven: %1</translation>
+    </message>
+    <message>
+        <source>it cannot be put in its place: %1</source>
+        <translation>kan niet op zijn plaats worden gezet: %1</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>kan niet worden gelezen: %1</translation>
+    </message>
+    <message>
+        <source>its folder cannot be written to: %1</source>
+        <translation>in de map kan niet worden geschreven: %1</translation>
+    </message>
+    <message>
+        <source>it is open for writing in %1</source>
+        <translation>is om te schrijven geopend in: %1</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>een ander programma</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>is een map</translation>
+    </message>
+    <message>
+        <source>%1; the file that was there is whole, as it was</source>
+        <translation>%1; het bestand dat daar stond is nog heel</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>is groter dan %1 bytes</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: %1</source>
+        <translation>de map kan niet worden gemaakt: %1</translation>
+    </message>
+    <message>
+        <source>it is a file, and a folder is to be made</source>
+        <translation>is een bestand, en er moet een map komen</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation>de map kan niet worden gelezen: %1</translation>
+    </message>
+    <message>
+        <source>the folder is not empty</source>
+        <translation>de map is niet leeg</translation>
+    </message>
+    <message>
+        <source>no temporary folder can be made here: %1</source>
+        <translation>hier kan geen tijdelijke map worden gemaakt: %1</translation>
+    </message>
+    <message>
+        <source>Choose a folder that exists and that you may write to</source>
+        <translation>Kies een map die bestaat en waarin u mag schrijven</translation>
+    </message>
+    <message>
+        <source>Choose a place that exists and that you may write to</source>
+        <translation>Kies een plaats die bestaat en waar u mag schrijven</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk, or choose another one</source>
+        <translation>Maak ruimte op de schijf of kies een andere</translation>
+    </message>
+    <message>
+        <source>Free some space on its disk</source>
+        <translation>Maak ruimte op de schijf</translation>
+    </message>
+    <message>
+        <source>Check the rights of its folder</source>
+        <translation>Controleer de rechten van de map</translation>
+    </message>
+    <message>
+        <source>Check the name and the rights</source>
+        <translation>Controleer de naam en de rechten</translation>
+    </message>
+    <message>
+        <source>Name a file</source>
+        <translation>Noem een bestand</translation>
+    </message>
+    <message>
+        <source>Name the right file</source>
+        <translation>Noem het juiste bestand</translation>
+    </message>
+    <message>
+        <source>Name a folder that is not there yet</source>
+        <translation>Noem een map die er nog niet is</translation>
+    </message>
+    <message>
+        <source>Name a folder that is not there yet, or an empty one</source>
+        <translation>Noem een map die er nog niet is of die leeg is</translation>
+    </message>
+    <message>
+        <source>Save it under another name or in another folder</source>
+        <translation>Sla het op onder een andere naam of in een andere map</translation>
+    </message>
+    <message>
+        <source>Close it there, or save it under another name</source>
+        <translation>Sluit het daar of sla het op onder een andere naam</translation>
+    </message>
+    <message>
+        <source>Save under another name</source>
+        <translation>Sla op onder een andere naam</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>is leeg</translation>
+    </message>
+    <message>
+        <source>it is no whole ZIP file: %1</source>
+        <translation>is geen volledig ZIP-bestand: %1</translation>
+    </message>
+    <message>
+        <source>it is cut or damaged</source>
+        <translation>is afgekapt of beschadigd</translation>
+    </message>
+    <message>
+        <source>it holds no scene.json: it is a ZIP file, but no scene</source>
+        <translation>bevat geen scene.json: een ZIP-bestand, maar geen scène</translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation>is te groot</translation>
+    </message>
+    <message>
+        <source>a newer version of the program has written it, with more than this one would write</source>
+        <translation>een nieuwere versie van het programma heeft het geschreven, met meer dan deze zou schrijven</translation>
+    </message>
+    <message>
+        <source>it was damaged, and holds no state of the scene that is whole</source>
+        <translation>was beschadigd en bevat geen volledige stand van de scène</translation>
+    </message>
+    <message>
+        <source>Open an older copy of it, or import the meshes again</source>
+        <translation>Open een oudere kopie of importeer de meshes opnieuw</translation>
+    </message>
+    <message>
+        <source>Open the scene file as it was saved last</source>
+        <translation>Open het scènebestand zoals het het laatst opgeslagen is</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>dit bestand bestaat niet</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>dit bestand of deze map bestaat niet</translation>
+    </message>
+    <message>
+        <source>is a folder, not a mesh file</source>
+        <translation>is een map, geen meshbestand</translation>
+    </message>
+    <message>
+        <source>is a device or pipe, not a file</source>
+        <translation>is een apparaat of pipe, geen bestand</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>kan niet worden geopend: %1</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>is leeg</translation>
+    </message>
+    <message>
+        <source>its size cannot be found: %1</source>
+        <translation>de grootte is niet te vinden: %1</translation>
+    </message>
+    <message>
+        <source>has %1 bytes, the limit is %2</source>
+        <translation>heeft %1 bytes, de grens is %2</translation>
+    </message>
+    <message>
+        <source>needs %1 bytes of memory</source>
+        <translation>heeft %1 bytes geheugen nodig</translation>
+    </message>
+    <message>
+        <source>needs %1 bytes of memory when unpacked</source>
+        <translation>heeft uitgepakt %1 bytes geheugen nodig</translation>
+    </message>
+    <message>
+        <source>cannot be read any further</source>
+        <translation>kan niet verder worden gelezen</translation>
+    </message>
+    <message>
+        <source>its packed bytes end in the middle</source>
+        <translation>de ingepakte bytes eindigen halverwege</translation>
+    </message>
+    <message>
+        <source>holds nothing when unpacked</source>
+        <translation>bevat uitgepakt niets</translation>
+    </message>
+    <message>
+        <source>this kind of file is not supported</source>
+        <translation>dit soort bestand wordt niet ondersteund</translation>
+    </message>
+    <message>
+        <source>has no extension that tells its kind</source>
+        <translation>heeft geen extensie die het soort noemt</translation>
+    </message>
+    <message>
+        <source>files of kind &apos;%1&apos; are not supported</source>
+        <translation>bestanden van het soort ‘%1’ worden niet ondersteund</translation>
+    </message>
+    <message>
+        <source>%1; its content looks like %2</source>
+        <translation>%1; de inhoud ziet eruit als: %2</translation>
+    </message>
+    <message>
+        <source>the folder holds no mesh</source>
+        <translation>de map bevat geen mesh</translation>
+    </message>
+    <message>
+        <source>the scene holds no model</source>
+        <translation>de scène bevat geen model</translation>
+    </message>
+    <message>
+        <source>none of the scene&apos;s %1 model files can be found</source>
+        <translation>geen van de %1 modelbestanden van de scène is te vinden</translation>
+    </message>
+    <message>
+        <source>there is nothing to read</source>
+        <translation>er is niets te lezen</translation>
+    </message>
+    <message>
+        <source>the import was cancelled</source>
+        <translation>de import is afgebroken</translation>
+    </message>
+    <message>
+        <source>all structures are left out</source>
+        <translation>alle structuren zijn weggelaten</translation>
+    </message>
+    <message>
+        <source>nothing is made of the scan yet</source>
+        <translation>van de scan is nog niets gemaakt</translation>
+    </message>
+    <message>
+        <source>holds no triangles</source>
+        <translation>bevat geen driehoeken</translation>
+    </message>
+    <message>
+        <source>holds no vertices</source>
+        <translation>bevat geen hoekpunten</translation>
+    </message>
+    <message>
+        <source>holds vertices but no faces</source>
+        <translation>bevat hoekpunten maar geen vlakken</translation>
+    </message>
+    <message>
+        <source>holds no faces, only lines or points</source>
+        <translation>bevat geen vlakken, alleen lijnen of punten</translation>
+    </message>
+    <message>
+        <source>this is not a statement of an OBJ file</source>
+        <translation>dit is geen opdracht van een OBJ-bestand</translation>
+    </message>
+    <message>
+        <source>Check that the file is an OBJ file</source>
+        <translation>Controleer of het een OBJ-bestand is</translation>
+    </message>
+    <message>
+        <source>Export the mesh as a surface with faces</source>
+        <translation>Exporteer de mesh als oppervlak met vlakken</translation>
+    </message>
+    <message>
+        <source>the file does not begin with &apos;ply&apos;</source>
+        <translation>het bestand begint niet met ‘ply’</translation>
+    </message>
+    <message>
+        <source>the file does not begin with &apos;OFF&apos;</source>
+        <translation>het bestand begint niet met ‘OFF’</translation>
+    </message>
+    <message>
+        <source>%1 stands where %2 should</source>
+        <translation>%1 staat waar %2 hoort te staan</translation>
+    </message>
+    <message>
+        <source>the file ends after %1</source>
+        <translation>het bestand eindigt na %1</translation>
+    </message>
+    <message>
+        <source>the file ends within a face</source>
+        <translation>het bestand eindigt midden in een vlak</translation>
+    </message>
+    <message>
+        <source>%1 vertices and %2 triangles are more than the limit</source>
+        <translation>%1 hoekpunten en %2 driehoeken zijn meer dan de grens</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces refer to vertices that do not exist (there are %3 vertices)</source>
+        <translation>%1 van de %2 vlakken verwijzen naar hoekpunten die niet bestaan (er zijn er %3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices are not finite numbers</source>
+        <translation>%1 van de %2 hoekpunten zijn geen eindige getallen</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files crashed over this file (%2)</source>
+        <translation>de lezer van %1-bestanden is op dit bestand vastgelopen (%2)</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files wanted more than %2 of memory for this file</source>
+        <translation>de lezer van %1-bestanden wilde voor dit bestand meer dan %2 geheugen</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files did not come to an end within %2 s of computing</source>
+        <translation>de lezer van %1-bestanden was na %2 s rekenen niet klaar</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>er is niet genoeg geheugen</translation>
+    </message>
+    <message>
+        <source>a library failed: %1</source>
+        <translation>een bibliotheek faalde: %1</translation>
+    </message>
+    <message>
+        <source>Check the name</source>
+        <translation>Controleer de naam</translation>
+    </message>
+    <message>
+        <source>Check the path</source>
+        <translation>Controleer het pad</translation>
+    </message>
+    <message>
+        <source>Check the disk</source>
+        <translation>Controleer de schijf</translation>
+    </message>
+    <message>
+        <source>Check its permissions</source>
+        <translation>Controleer de rechten</translation>
+    </message>
+    <message>
+        <source>Check the disk or copy the file again</source>
+        <translation>Controleer de schijf of kopieer het bestand opnieuw</translation>
+    </message>
+    <message>
+        <source>Copy the file again</source>
+        <translation>Kopieer het bestand opnieuw</translation>
+    </message>
+    <message>
+        <source>Copy the data to a file</source>
+        <translation>Kopieer de gegevens naar een bestand</translation>
+    </message>
+    <message>
+        <source>Close other programs</source>
+        <translation>Sluit andere programma’s</translation>
+    </message>
+    <message>
+        <source>Close other programs and try again</source>
+        <translation>Sluit andere programma’s en probeer het opnieuw</translation>
+    </message>
+    <message>
+        <source>Reduce the mesh</source>
+        <translation>Verklein de mesh</translation>
+    </message>
+    <message>
+        <source>Name a file inside it</source>
+        <translation>Noem een bestand daarin</translation>
+    </message>
+    <message>
+        <source>Name a mesh, a folder or a scene</source>
+        <translation>Noem een mesh, een map of een scène</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Mogelijk zijn %1</translation>
+    </message>
+    <message>
+        <source>%1, many of them packed (.gz) too</source>
+        <translation>%1, veel daarvan ook ingepakt (.gz)</translation>
+    </message>
+    <message>
+        <source>Give a file of surfaces (%1), a folder of them, a 3D Slicer scene (.mrml, .mrb) or its fiducials (%2), or a scene file (.sline)</source>
+        <translation>Mogelijk zijn een bestand met oppervlakken (%1), een map daarvan, een scène van 3D Slicer (.mrml, .mrb) of de markeringen daarvan (%2), of een scènebestand (.sline)</translation>
+    </message>
+    <message>
+        <source>Export the mesh again from the program that made it</source>
+        <translation>Exporteer de mesh opnieuw uit het programma dat hem gemaakt heeft</translation>
+    </message>
+    <message>
+        <source>Export the mesh as a surface of triangles</source>
+        <translation>Exporteer de mesh als oppervlak van driehoeken</translation>
+    </message>
+    <message>
+        <source>Give the file the extension of its kind or export the mesh again</source>
+        <translation>Geef het bestand de extensie van zijn soort of exporteer de mesh opnieuw</translation>
+    </message>
+    <message>
+        <source>It may be damaged: export it again, or in another format</source>
+        <translation>Misschien is het beschadigd: exporteer het opnieuw of in een ander formaat</translation>
+    </message>
+    <message>
+        <source>Keep the scene beside its model files, or save it again with its models</source>
+        <translation>Laat de scène bij haar modelbestanden of sla haar opnieuw op met de modellen</translation>
+    </message>
+    <message>
+        <source>None of the files could be read</source>
+        <translation>Geen van de bestanden kon worden gelezen</translation>
+    </message>
+    <message>
+        <source>Include at least one</source>
+        <translation>Neem er minstens één op</translation>
+    </message>
+    <message>
+        <source>Make a structure of it by a threshold, or keep it with the scene</source>
+        <translation>Maak er met een drempel een structuur van of bewaar hem bij de scène</translation>
+    </message>
+    <message>
+        <source>%1; they are left out</source>
+        <translation>%1; ze zijn weggelaten</translation>
+    </message>
+    <message>
+        <source>%1; left out</source>
+        <translation>%1; weggelaten</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>weggelaten: %1</translation>
+    </message>
+    <message>
+        <source>%1 was left out: %2</source>
+        <translation>%1 is weggelaten: %2</translation>
+    </message>
+    <message>
+        <source>no triangles</source>
+        <translation>geen driehoeken</translation>
+    </message>
+    <message>
+        <source>no triangles in %1</source>
+        <translation>geen driehoeken in %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces have fewer than three corners and are left out</source>
+        <translation>%1 van de %2 vlakken hebben minder dan drie hoeken en zijn weggelaten</translation>
+    </message>
+    <message>
+        <source>%1 (the first: %2); they and the %3 triangles that use them are left out</source>
+        <translation>%1 (het eerste: %2); ze zijn weggelaten, met de %3 driehoeken die ze gebruiken</translation>
+    </message>
+    <message>
+        <source>repaired %1 of %2 surface: %3 left out</source>
+        <translation>%1 van %2 oppervlak hersteld: %3 weggelaten</translation>
+    </message>
+    <message>
+        <source>repaired %1 of %2 surfaces: %3 left out</source>
+        <translation>%1 van %2 oppervlakken hersteld: %3 weggelaten</translation>
+    </message>
+    <message>
+        <source>%1 face given twice</source>
+        <translation>%1 dubbel vlak</translation>
+    </message>
+    <message>
+        <source>%1 faces given twice</source>
+        <translation>%1 dubbele vlakken</translation>
+    </message>
+    <message>
+        <source>%1 face without area</source>
+        <translation>%1 vlak zonder oppervlakte</translation>
+    </message>
+    <message>
+        <source>%1 faces without area</source>
+        <translation>%1 vlakken zonder oppervlakte</translation>
+    </message>
+    <message>
+        <source>%1 face given twice, %2 without area</source>
+        <translation>%1 dubbel vlak, %2 zonder oppervlakte</translation>
+    </message>
+    <message>
+        <source>%1 faces given twice, %2 without area</source>
+        <translation>%1 dubbele vlakken, %2 zonder oppervlakte</translation>
+    </message>
+    <message>
+        <source>a piece of %1 has no consistent orientation; it stays as it is</source>
+        <translation>een stuk van %1 heeft geen eenduidige oriëntatie; het blijft zoals het is</translation>
+    </message>
+    <message>
+        <source>%1 has no face with area; left out</source>
+        <translation>%1 heeft geen vlak met oppervlakte; weggelaten</translation>
+    </message>
+    <message>
+        <source>its file has changed or is gone</source>
+        <translation>het bestand is veranderd of weg</translation>
+    </message>
+    <message>
+        <source>%1 of %2 left/right names contradict the frame %3 that the files give; if left and right are swapped, choose the other frame</source>
+        <translation>%1 van de %2 namen met een zijde spreken het assenstelsel %3 tegen dat de bestanden noemen; zijn links en rechts verwisseld, kies dan het andere</translation>
+    </message>
+    <message>
+        <source>everything together is only %1 units large</source>
+        <translation>alles samen is maar %1 eenheden groot</translation>
+    </message>
+    <message>
+        <source>%1; the unit was taken as the metre (times 1000)</source>
+        <translation>%1; als eenheid is de meter genomen (maal 1000)</translation>
+    </message>
+    <message>
+        <source>no threshold made a structure: no scan was read that has it</source>
+        <translation>geen drempel gaf een structuur: er is geen scan gelezen die hem heeft</translation>
+    </message>
+    <message>
+        <source>the folder could not be read to its end: %1</source>
+        <translation>de map kon niet tot het einde worden gelezen: %1</translation>
+    </message>
+    <message>
+        <source>the folder was not searched to its end: %1</source>
+        <translation>de map is niet tot het einde doorzocht: %1</translation>
+    </message>
+    <message>
+        <source>it holds too many files</source>
+        <translation>hij bevat te veel bestanden</translation>
+    </message>
+    <message>
+        <source>the file is absent; it was left out</source>
+        <translation>het bestand ontbreekt; het is weggelaten</translation>
+    </message>
+    <message>
+        <source>the scene refers to a place outside its folder; it was left out</source>
+        <translation>de scène verwijst naar een plaats buiten haar map; die is weggelaten</translation>
+    </message>
+    <message>
+        <source>a scene file is in millimetres of the patient&apos;s frame; the frame and the unit that were chosen do not apply to it</source>
+        <translation>een scènebestand staat in millimeters in het assenstelsel van de patiënt; het gekozen stelsel en de eenheid gelden er niet voor</translation>
+    </message>
+    <message>
+        <source>surfaces of a scene file keep their triangles; only what is imported is decimated</source>
+        <translation>oppervlakken van een scènebestand houden hun driehoeken; alleen wat wordt geïmporteerd wordt vereenvoudigd</translation>
+    </message>
+    <message>
+        <source>%1 structure left out that the folder also holds as surfaces</source>
+        <translation>%1 structuur weggelaten die de map ook als oppervlakken bevat</translation>
+    </message>
+    <message>
+        <source>%1 structures left out that the folder also holds as surfaces</source>
+        <translation>%1 structuren weggelaten die de map ook als oppervlakken bevat</translation>
+    </message>
+    <message>
+        <source>a scan, of which a threshold can make a structure: %1</source>
+        <translation>een scan waarvan een drempel een structuur kan maken: %1</translation>
+    </message>
+    <message>
+        <source>the scan cannot be kept: %1</source>
+        <translation>de scan kan niet worden bewaard: %1</translation>
+    </message>
+    <message>
+        <source>%1 holds no segmentation</source>
+        <translation>%1 bevat geen segmentatie</translation>
+    </message>
+    <message>
+        <source>%1 hold no segmentation</source>
+        <translation>%1 bevatten geen segmentatie</translation>
+    </message>
+    <message>
+        <source>%1 line and point elements are left out; only faces are read</source>
+        <translation>%1 lijnen en punten zijn weggelaten; alleen vlakken worden gelezen</translation>
+    </message>
+    <message>
+        <source>%1 statements are unknown and left out (the first: %2)</source>
+        <translation>%1 opdrachten zijn onbekend en weggelaten (de eerste: %2)</translation>
+    </message>
+    <message>
+        <source>%1 bytes after the last triangle of the %2 promised are ignored</source>
+        <translation>%1 bytes na de laatste van de %2 aangekondigde driehoeken zijn genegeerd</translation>
+    </message>
+    <message>
+        <source>has neither sform nor qform: which side is left is taken from names, if they tell</source>
+        <translation>heeft geen sform en geen qform: welke zijde links is volgt uit de namen, als die het zeggen</translation>
+    </message>
+    <message>
+        <source>holds %1 images of one place; the first was read</source>
+        <translation>bevat %1 beelden van één plaats; het eerste is gelezen</translation>
+    </message>
+    <message>
+        <source>intensities were rounded to 16 bits, by at most %1</source>
+        <translation>intensiteiten zijn op 16 bits afgerond, met hoogstens %1</translation>
+    </message>
+    <message>
+        <source>%1 masks hold nothing and were left out: %2</source>
+        <translation>%1 maskers bevatten niets en zijn weggelaten: %2</translation>
+    </message>
+    <message>
+        <source>%1 atom without coordinates left out</source>
+        <translation>%1 atoom zonder coördinaten weggelaten</translation>
+    </message>
+    <message>
+        <source>%1 atoms without coordinates left out</source>
+        <translation>%1 atomen zonder coördinaten weggelaten</translation>
+    </message>
+    <message>
+        <source>%1 further model left out; the first is drawn</source>
+        <translation>%1 verder model weggelaten; het eerste is getekend</translation>
+    </message>
+    <message>
+        <source>%1 further models left out; the first is drawn</source>
+        <translation>%1 verdere modellen weggelaten; het eerste is getekend</translation>
+    </message>
+    <message>
+        <source>chain %1 laid over chain %2 of %3: %4 of %5 pairs of residues, %6 % identical, RMSD %7</source>
+        <translation>keten %1 over keten %2 van %3 gelegd: %4 van de %5 paren residuen, %6 % gelijk, RMSD %7</translation>
+    </message>
+    <message>
+        <source>not laid over %1, since no chains match; it stays where its file has it</source>
+        <translation>niet over %1 gelegd, omdat geen ketens overeenkomen; blijft waar het bestand het heeft</translation>
+    </message>
+    <message>
+        <source>no file of this name was found</source>
+        <translation>er is geen bestand met deze naam gevonden</translation>
+    </message>
+    <message>
+        <source>only files that other structures came from were found</source>
+        <translation>alleen bestanden waar andere structuren uit komen zijn gevonden</translation>
+    </message>
+    <message>
+        <source>there are %1 files of this name; name the folder of the one that is meant</source>
+        <translation>er zijn %1 bestanden met deze naam; noem de map van het bedoelde</translation>
+    </message>
+    <message>
+        <source>structures from several files of this name are in the scene</source>
+        <translation>in de scène zijn structuren uit meer bestanden met deze naam</translation>
+    </message>
+    <message>
+        <source>no structure of the scene came from these of its surfaces: %1</source>
+        <translation>uit deze oppervlakken komt geen structuur van de scène: %1</translation>
+    </message>
+    <message>
+        <source>it holds no surface %1 any more</source>
+        <translation>bevat geen oppervlak %1 meer</translation>
+    </message>
+    <message>
+        <source>it has no face with area any more</source>
+        <translation>heeft geen vlak met oppervlakte meer</translation>
+    </message>
+    <message>
+        <source>chosen by the user</source>
+        <translation>door u gekozen</translation>
+    </message>
+    <message>
+        <source>no header and no left/right names: LPS assumed</source>
+        <translation>geen kop en geen namen met een zijde: LPS aangenomen</translation>
+    </message>
+    <message>
+        <source>vote: %1 of %2 left/right names</source>
+        <translation>stemming: %1 van de %2 namen met een zijde</translation>
+    </message>
+    <message>
+        <source>header: %1</source>
+        <translation>kop van het bestand: %1</translation>
+    </message>
+    <message>
+        <source>coordinates left as they are</source>
+        <translation>coördinaten zoals ze zijn</translation>
+    </message>
+    <message>
+        <source>scene of Slicer: millimetres</source>
+        <translation>scène van Slicer: millimeters</translation>
+    </message>
+    <message>
+        <source>no unit in the file: millimetres assumed</source>
+        <translation>geen eenheid in het bestand: millimeters aangenomen</translation>
+    </message>
+    <message>
+        <source>everything together is only %1 units large: metres</source>
+        <translation>alles samen is maar %1 eenheden groot: meters</translation>
+    </message>
+    <message>
+        <source>SPACE in the header</source>
+        <translation>SPACE in de kop</translation>
+    </message>
+    <message>
+        <source>SPACE in a comment</source>
+        <translation>SPACE in een opmerking</translation>
+    </message>
+    <message>
+        <source>SPACE in the field data</source>
+        <translation>SPACE in de velddata</translation>
+    </message>
+    <message>
+        <source>SPACE in the title</source>
+        <translation>SPACE in de titel</translation>
+    </message>
+    <message>
+        <source>DICOM: patient coordinates</source>
+        <translation>DICOM: coördinaten van de patiënt</translation>
+    </message>
+    <message>
+        <source>DICOM: millimetres</source>
+        <translation>DICOM: millimeters</translation>
+    </message>
+    <message>
+        <source>glTF: metres</source>
+        <translation>glTF: meters</translation>
+    </message>
+    <message>
+        <source>header: millimetres</source>
+        <translation>kop van het bestand: millimeters</translation>
+    </message>
+    <message>
+        <source>volumes are in millimetres</source>
+        <translation>volumes staan in millimeters</translation>
+    </message>
+    <message>
+        <source>modelled in it</source>
+        <translation>daarin gemodelleerd</translation>
+    </message>
+    <message>
+        <source>scene file</source>
+        <translation>scènebestand</translation>
+    </message>
+    <message>
+        <source>a molecule has no left and right</source>
+        <translation>een molecuul heeft geen links en rechts</translation>
+    </message>
+    <message>
+        <source>1 Å is drawn as 1 mm</source>
+        <translation>1 Å is getekend als 1 mm</translation>
+    </message>
+    <message>
+        <source>the export was stopped</source>
+        <translation>de export is gestopt</translation>
+    </message>
+    <message>
+        <source>Export again</source>
+        <translation>Exporteer opnieuw</translation>
+    </message>
+    <message>
+        <source>a picture of %1 pixels is too large</source>
+        <translation>een beeld van %1 pixels is te groot</translation>
+    </message>
+    <message>
+        <source>a picture of %1 pixels is too large for this kind of file</source>
+        <translation>een beeld van %1 pixels is te groot voor dit soort bestand</translation>
+    </message>
+    <message>
+        <source>Choose fewer dots per inch or a smaller page; a side may have %1 pixels in this kind of file</source>
+        <translation>Kies minder punten per inch of een kleinere pagina; een zijde mag in dit soort bestand %1 pixels hebben</translation>
+    </message>
+    <message>
+        <source>Choose fewer dots per inch or a smaller page, or PNG or TIFF; a picture may have %1 million pixels here</source>
+        <translation>Kies minder punten per inch of een kleinere pagina, of PNG of TIFF; een beeld mag hier %1 miljoen pixels hebben</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written: %1</source>
+        <translation>het beeld kan niet worden geschreven: %1</translation>
+    </message>
+    <message>
+        <source>Choose a smaller picture or another kind of file</source>
+        <translation>Kies een kleiner beeld of een ander soort bestand</translation>
+    </message>
+    <message>
+        <source>there is too little memory</source>
+        <translation>er is te weinig geheugen</translation>
+    </message>
+    <message>
+        <source>the picture has no labels to ask for</source>
+        <translation>het beeld heeft geen bijschriften om naar te vragen</translation>
+    </message>
+    <message>
+        <source>Label structures, or choose a view that shows some</source>
+        <translation>Geef structuren bijschriften of kies een aanzicht dat er toont</translation>
+    </message>
+    <message>
+        <source>the scene needs more than the 4 GB that a GLB file may have</source>
+        <translation>de scène heeft meer nodig dan de 4 GB die een GLB-bestand mag hebben</translation>
+    </message>
+    <message>
+        <source>Hide structures, or make them coarser</source>
+        <translation>Verberg structuren of maak ze grover</translation>
+    </message>
+    <message>
+        <source>a film takes 0.1 to 600 seconds</source>
+        <translation>een film duurt 0,1 tot 600 seconden</translation>
+    </message>
+    <message>
+        <source>Choose another length</source>
+        <translation>Kies een andere duur</translation>
+    </message>
+    <message>
+        <source>a film has 1 to 60 frames per second</source>
+        <translation>een film heeft 1 tot 60 beelden per seconde</translation>
+    </message>
+    <message>
+        <source>Choose another rate</source>
+        <translation>Kies een andere snelheid</translation>
+    </message>
+    <message>
+        <source>Save views, or make a turntable</source>
+        <translation>Sla aanzichten op of maak een draaitafel</translation>
+    </message>
+    <message>
+        <source>MP4 films are made by the program ffmpeg, which is not installed</source>
+        <translation>MP4-films worden gemaakt door het programma ffmpeg, dat niet is geïnstalleerd</translation>
+    </message>
+    <message>
+        <source>Install ffmpeg, or write an animated WebP or GIF</source>
+        <translation>Installeer ffmpeg of schrijf een bewegende WebP of GIF</translation>
+    </message>
+    <message>
+        <source>GIF films show at most 50 frames per second</source>
+        <translation>GIF-films tonen hoogstens 50 beelden per seconde</translation>
+    </message>
+    <message>
+        <source>Choose 50 or fewer, or another kind of film</source>
+        <translation>Kies 50 of minder, of een ander soort film</translation>
+    </message>
+    <message>
+        <source>the picture could not be drawn: %1</source>
+        <translation>het beeld kon niet worden getekend: %1</translation>
+    </message>
+    <message>
+        <source>Hide some structures, or close other programs to free memory</source>
+        <translation>Verberg enkele structuren of sluit andere programma’s om geheugen vrij te maken</translation>
+    </message>
+    <message>
+        <source>the structures of this scene do not fit into the memory set aside for a picture, not even piece by piece</source>
+        <translation>de structuren van deze scène passen niet in het geheugen voor een beeld, ook niet stuk voor stuk</translation>
+    </message>
+    <message>
+        <source>Hide some structures</source>
+        <translation>Verberg enkele structuren</translation>
+    </message>
+    <message>
+        <source>the driver %1 is too old: OpenGL 3.3 or OpenGL ES 3.0 is needed</source>
+        <translation>het stuurprogramma %1 is te oud: OpenGL 3.3 of OpenGL ES 3.0 is nodig</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver, or install Mesa (libgl1-mesa-dri)</source>
+        <translation>Werk het grafische stuurprogramma bij of installeer Mesa (libgl1-mesa-dri)</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>toegang geweigerd</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>bestand of map bestaat niet</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>geen ruimte meer op de schijf</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>de schijf kan alleen worden gelezen</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>is een map</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>is geen map</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>fout bij lezen of schrijven</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>bestand te groot</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>te veel geopende bestanden</translation>
+    </message>
+</context>
+<context>
     <name>main</name>
     <message>
         <source>Turns segmented anatomy into focus-and-context line illustrations.</source>

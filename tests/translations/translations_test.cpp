@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <QtTest>
+#include <cerrno>
+#include <cstring>
 #include <map>
 
 #include "tests/support/suite.h"
@@ -130,6 +132,29 @@ QString faultOf(const Message& message) {
   return {};
 }
 
+/// Tells whether the sources have the piece of a message, in one string or in a few that stand for
+/// a count's noun, a list or a reason.
+bool isMade(const QString& made, const QString& piece, int cuts) {
+  if (made.contains(piece.trimmed()))
+    return true;
+  static const QRegularExpression joint(QStringLiteral("[ :(]"));
+  for (auto match = joint.globalMatch(piece.trimmed()); cuts > 0 && match.hasNext();) {
+    const qsizetype at = match.next().capturedStart();
+    if (at > 0 && made.contains(piece.trimmed().left(at)) &&
+        isMade(made, piece.trimmed().mid(at), cuts - 1))
+      return true;
+  }
+  return false;
+}
+
+/// Tells whether the system says this of files.
+bool isOfSystem(const QString& text) {
+  for (const int code : {EACCES, ENOENT, ENOSPC, EROFS, EISDIR, ENOTDIR, EIO, EFBIG, EMFILE})
+    if (text == QLatin1String(std::strerror(code)))
+      return true;
+  return false;
+}
+
 }  // namespace
 
 class TranslationsTest : public QObject {
@@ -143,6 +168,7 @@ class TranslationsTest : public QObject {
   void quotationMarks();
   void keysStay();
   void contextsOfTables();
+  void messagesAreMade();
   void faults_data();
   void faults();
 };
@@ -187,8 +213,8 @@ void TranslationsTest::upToDate() {
     std::erase_if(texts, [](const auto& each) { return !each.second.plural; });
   QVERIFY(!texts.empty());
   // The program does not find a text in another context.
-  static const QRegularExpression known(
-      QStringLiteral("^(sline::widgets(::\\w+)?|sline::render::Export(Format|Option)|main)\\|"));
+  static const QRegularExpression known(QStringLiteral(
+      "^(sline::widgets(::\\w+)?|sline::render::Export(Format|Option)|Told|main)\\|"));
   for (const auto& [key, message] : texts)
     QVERIFY2(known.match(key).hasMatch(), qPrintable("lupdate lost the class: " + key));
   const Messages translated = readMessages(file(name));
@@ -247,6 +273,37 @@ void TranslationsTest::contextsOfTables() {
              qPrintable(source.fileName()));
   }
   QCOMPARE(seen, 1);  // in widgets/text, for all
+}
+
+/// Each pattern of a message stands in the source of a room without Qt, piece by piece.
+void TranslationsTest::messagesAreMade() {
+  // Strings that stand side by side are one; quotation marks in them are masked.
+  static const QRegularExpression joint(QStringLiteral("\"\\s*\\n\\s*\""));
+  static const QRegularExpression placeholder(QStringLiteral("%[1-9]"));
+  QString made;
+  for (const char* layer : {"model", "render", "widgets/session", "widgets/viewport"}) {
+    QDirIterator sources(QStringLiteral(SLINE_SOURCE "/") + QLatin1String(layer), {"*.cpp", "*.h"},
+                         QDir::Files, QDirIterator::Subdirectories);
+    while (sources.hasNext()) {
+      QFile source(sources.next());
+      QVERIFY(source.open(QIODevice::ReadOnly));
+      made += QString::fromUtf8(source.readAll()).remove(joint);
+    }
+  }
+  QStringList strange;
+  int seen = 0;
+  for (const auto& [key, message] : readMessages(file(QStringLiteral("sline_de")))) {
+    if (!key.startsWith(QStringLiteral("Told|")))
+      continue;
+    ++seen;
+    for (const QString& piece : message.source.split(placeholder))
+      if (piece.trimmed().size() > 3 && !isMade(made, piece, 2))
+        strange << message.source;
+  }
+  QVERIFY(seen > 200);
+  // What the system says of files is made by nobody here.
+  strange.removeIf(isOfSystem);
+  QVERIFY2(strange.isEmpty(), qPrintable(strange.join('\n')));
 }
 
 void TranslationsTest::faults_data() {

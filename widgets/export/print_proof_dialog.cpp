@@ -13,6 +13,8 @@
 #include <QVBoxLayout>
 #include <cstring>
 
+#include "widgets/text/told.h"
+
 namespace sline::widgets {
 
 namespace {
@@ -195,7 +197,7 @@ void PrintProofDialog::startProof() {
 
 void PrintProofDialog::took(const Result<render::PrintProof>& proof) {
   if (!proof.ok()) {
-    m_told->setText(QString::fromStdString(proof.error().text()));
+    m_told->setText(told(proof.error().text()));
     return;
   }
   m_proof = *proof;

@@ -18,6 +18,7 @@
 #include "widgets/import_dialog/plan_tree.h"
 #include "widgets/import_dialog/selection_panel.h"
 #include "widgets/import_dialog/threshold_panel.h"
+#include "widgets/text/told.h"
 
 namespace sline::widgets {
 
@@ -53,8 +54,8 @@ QString messageStyleSheet(const QPalette& palette, bool failed) {
   return QLatin1String(colours) + QStringLiteral(" padding: 6px 10px; border-radius: 4px;");
 }
 
-QTableWidgetItem* cell(const std::string& text) {
-  auto* item = new QTableWidgetItem(QString::fromStdString(text));
+QTableWidgetItem* cell(const QString& text) {
+  auto* item = new QTableWidgetItem(text);
   item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
   return item;
@@ -184,7 +185,7 @@ void ImportDialog::connectDraft() {
     showState();
   });
   connect(&m_draft, &ImportDraft::failed, this, [this](const Error& error) {
-    m_failure = QString::fromStdString(error.text());
+    m_failure = told(error.text());
     showPlan();
     showState();
   });
@@ -205,9 +206,8 @@ void ImportDialog::showState() {
   const Status checked = model::checkChoices(m_draft.plan());
   m_progress->setVisible(planning);
   if (!planning)
-    m_state->setText(m_draft.plan().read && !checked.ok()
-                         ? QString::fromStdString(checked.error().text())
-                         : QString());
+    m_state->setText(m_draft.plan().read && !checked.ok() ? told(checked.error().text())
+                                                          : QString());
   const bool able = m_draft.ready() && checked.ok() && m_failure.isEmpty();
   m_import->setEnabled(able);
   m_add->setEnabled(able && m_intoScene);
@@ -237,12 +237,12 @@ void ImportDialog::showLeftOut() {
       int(report.warnings.size() + report.notes.size() + report.repairs.surfaces.size()));
   int row = 0;
   for (const model::ImportWarning& warning : report.warnings) {
-    m_leftOut->setItem(row, 0, cell(warning.file));
-    m_leftOut->setItem(row++, 1, cell(warning.reason));
+    m_leftOut->setItem(row, 0, cell(QString::fromStdString(warning.file)));
+    m_leftOut->setItem(row++, 1, cell(told(warning.reason)));
   }
   for (const std::vector<std::string>* notes : {&report.notes, &report.repairs.surfaces})
     for (const std::string& note : *notes)
-      m_leftOut->setItem(row++, 1, cell(note));
+      m_leftOut->setItem(row++, 1, cell(told(note)));
   fitRows();
   m_tabs->setTabText(1, row == 0 ? tr("Left out or mended")
                                  : tr("Left out or mended (%1)").arg(QLocale().toString(row)));

@@ -7,6 +7,7 @@
 
 #include "widgets/import_dialog/choice_rows.h"
 #include "widgets/import_dialog/import_draft.h"
+#include "widgets/text/told.h"
 
 namespace sline::widgets {
 
@@ -39,8 +40,7 @@ QString decisions(const model::ImportPlan& plan, const Decide& decide) {
 }
 
 QString because(const QString& answer, const std::string& reason) {
-  return reason.empty() ? answer
-                        : ImportDraft::tr("%1 – %2").arg(answer, QString::fromStdString(reason));
+  return reason.empty() ? answer : ImportDraft::tr("%1 – %2").arg(answer, told(reason));
 }
 
 QString frameDecision(const model::Provenance& from) {

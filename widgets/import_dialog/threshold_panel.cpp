@@ -16,6 +16,7 @@
 
 #include "widgets/import_dialog/intensity_range.h"
 #include "widgets/import_dialog/scan_slices.h"
+#include "widgets/text/told.h"
 
 namespace sline::widgets {
 
@@ -176,8 +177,7 @@ void ThresholdPanel::showScan() {
     const model::Threshold preset{std::string(model::thresholdPresets()[i].name), {}, {}};
     const auto bounds = model::boundsOf(preset, shown.volume->hounsfield, shown.histogram);
     m_presets[i]->setEnabled(bounds.ok());
-    m_presets[i]->setToolTip(bounds.ok() ? QString()
-                                         : QString::fromStdString(bounds.error().text()));
+    m_presets[i]->setToolTip(bounds.ok() ? QString() : told(bounds.error().text()));
   }
   const auto able = std::find_if(m_presets.begin(), m_presets.end(),
                                  [](const QPushButton* button) { return button->isEnabled(); });

@@ -14,12 +14,14 @@
 #include <QVBoxLayout>
 #include <array>
 
+#include "widgets/text/told.h"
+
 namespace sline::widgets {
 
 namespace {
 
-QString sentence(std::string text) {
-  QString s = QString::fromStdString(text).trimmed();
+QString sentence(const QString& text) {
+  QString s = text.trimmed();
   if (s.isEmpty())
     return s;
   s[0] = s[0].toUpper();
@@ -72,19 +74,21 @@ void MessageBar::showError(const Error& error) {
   m_remarks.clear();
   QString heading = QString::fromStdString(error.file);
   if (!error.where.empty())
-    heading += (heading.isEmpty() ? QString() : QStringLiteral(", ")) +
-               QString::fromStdString(error.where);
-  display(Kind::error, heading, sentence(error.reason) + QLatin1Char(' ') + sentence(error.remedy));
+    heading += (heading.isEmpty() ? QString() : QStringLiteral(", ")) + told(error.where);
+  display(Kind::error, heading,
+          sentence(told(error.reason)) + QLatin1Char(' ') + sentence(told(error.remedy)));
 }
 
 void MessageBar::showRemarks(const QStringList& remarks) {
-  m_remarks = remarks;
-  display(Kind::remark, tr("Opened, with remarks"), remarks.value(0));
+  m_remarks.clear();
+  for (const QString& remark : remarks)
+    m_remarks << told(remark);
+  display(Kind::remark, tr("Opened, with remarks"), m_remarks.value(0));
 }
 
 void MessageBar::showNotice(const QString& heading, const QString& body, QAction& action) {
   m_remarks.clear();
-  display(Kind::notice, heading, sentence(body.toStdString()));
+  display(Kind::notice, heading, sentence(told(body)));
   offer(action);
 }
 

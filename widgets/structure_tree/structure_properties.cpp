@@ -18,6 +18,7 @@
 #include "model/fairing/faired.h"
 #include "model/scene/resolved_styles.h"
 #include "widgets/gamma/stages.h"
+#include "widgets/text/told.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -33,8 +34,7 @@ QString count(std::size_t value) {
 }
 
 QString withReason(const QString& text, const std::string& reason) {
-  return reason.empty() ? text
-                        : QStringLiteral("%1 (%2)").arg(text, QString::fromStdString(reason));
+  return reason.empty() ? text : QStringLiteral("%1 (%2)").arg(text, told(reason));
 }
 
 QString withOrigin(const QString& text, bool own) {
