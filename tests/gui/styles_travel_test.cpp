@@ -3,8 +3,10 @@
 #include <QAction>
 #include <QClipboard>
 #include <QColorDialog>
+#include <QDockWidget>
 #include <QListWidget>
 #include <QMenu>
+#include <QToolButton>
 #include <QtTest>
 
 #include "model/edit/look.h"
@@ -118,11 +120,26 @@ class StylesTravelTest : public QObject {
     b.press(Qt::Key_L, Qt::ShiftModifier);
     QTest::mouseClick(&b.f.viewport(), Qt::LeftButton, {},
                       b.f.areaOf(b.named("left kidney")).center());
+    QTRY_VERIFY(!like.isChecked());
     model::Style kidney = b.look("left kidney");
     kidney.colour = before.colour;
     QTRY_VERIFY(b.look("bladder") == kidney);
     QVERIFY(b.f.session.selection() == bladder);
-    // A second press of the key leaves it.
+    // Escape leaves it, wherever the keyboard is, and so does a second press of the key.
+    for (QWidget* keyboard :
+         {static_cast<QWidget*>(&b.f.tree()), static_cast<QWidget*>(&b.f.viewport()),
+          &b.f.control<QWidget>("structureFilter")}) {
+      b.press(Qt::Key_L, Qt::ShiftModifier);
+      QVERIFY(like.isChecked());
+      keyboard->setFocus();
+      const model::Style as = b.look("bladder");
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+      QVERIFY(!like.isChecked() && !QGuiApplication::overrideCursor());
+      QVERIFY(b.f.session.selection() == bladder);
+      b.clickRow("aorta");
+      QVERIFY(b.look("bladder") == as);
+      b.clickRow("bladder");
+    }
     b.press(Qt::Key_L, Qt::ShiftModifier);
     b.press(Qt::Key_L, Qt::ShiftModifier);
     const model::Style kept = b.look("bladder");
@@ -186,6 +203,44 @@ class StylesTravelTest : public QObject {
     dialog.accept();
     QCOMPARE(b.f.session.scene().resolve(b.named("bladder")).colour, (Colour{0xcf, 0x22, 0x14}));
     QCOMPARE(b.steps(), steps + 1);
+  }
+
+  /// Wherever else a colour is chosen the same ones are offered.
+  void coloursByNameEverywhere_data() {
+    QTest::addColumn<QByteArray>("button");
+    QTest::addColumn<QByteArray>("dialog");
+    QTest::newRow("colour") << QByteArray("colourSwatch") << QByteArray("colourDialog");
+    QTest::newRow("ink") << QByteArray("inkColourSwatch") << QByteArray("inkColourDialog");
+    QTest::newRow("label") << QByteArray("annotationColour")
+                           << QByteArray("annotationColourDialog");
+  }
+  void coloursByNameEverywhere() {
+    QFETCH(QByteArray, button);
+    QFETCH(QByteArray, dialog);
+    Bench b;
+    b.clickRow("bladder");
+    b.press(Qt::Key_T, Qt::ControlModifier);  // a label
+    QTRY_VERIFY(!b.f.session.scene().annotations().empty());
+    for (QDockWidget* dock : b.f.window.findChildren<QDockWidget*>())
+      dock->show();
+    b.f.session.activateAnnotation(b.f.session.scene().annotations().front().id);
+    b.f.control<QAbstractButton>("more").click();
+    auto& chosen = b.f.control<QToolButton>(button.constData());
+    if (chosen.menu())
+      chosen.menu()->actions().back()->trigger();
+    else
+      chosen.click();
+    auto& opened = b.f.control<QColorDialog>(dialog.constData());
+    QTRY_VERIFY(opened.isVisible());
+    auto* palette = opened.findChild<QListWidget*>("anatomyPalette");
+    QVERIFY(palette && palette->isVisible());
+    QListWidgetItem* veins = palette->findItems("Veins", Qt::MatchExactly).value(0);
+    QVERIFY(veins);
+    palette->scrollToItem(veins);
+    QTest::mouseClick(palette->viewport(), Qt::LeftButton, {},
+                      palette->visualItemRect(veins).center());
+    QCOMPARE(opened.currentColor(), veins->data(Qt::UserRole).value<QColor>());
+    opened.accept();
   }
 };
 

@@ -30,6 +30,28 @@ class TreeKeysTest : public QObject {
   Q_OBJECT
 
  private slots:
+  /// What has no other side stays selected alone, and is left out beside what has one.
+  void otherSideIsSelected() {
+    WindowFixture f;
+    QVERIFY(openScene(f, madeBody()));
+    const auto otherSide = [&f] {
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_M, Qt::ShiftModifier);
+    };
+    f.tree().setFocus();
+    click(f, "left kidney", StructureTreeModel::name);
+    otherSide();
+    QCOMPARE(f.session.selection(), ids(f, "right kidney"));
+    otherSide();
+    QCOMPARE(f.session.selection(), ids(f, "left kidney"));
+    click(f, "bladder", StructureTreeModel::name);
+    otherSide();
+    QCOMPARE(f.session.selection(), ids(f, "bladder"));
+    click(f, "right kidney", StructureTreeModel::name);
+    click(f, "bladder", StructureTreeModel::name, Qt::ControlModifier);
+    otherSide();
+    QCOMPARE(f.session.selection(), ids(f, "left kidney"));
+  }
+
   void renamesInPlace_data() {
     QTest::addColumn<QString>("typed");
     QTest::addColumn<int>("end");

@@ -19,6 +19,7 @@
 #include "widgets/annotations/label_field.h"
 #include "widgets/annotations/label_preferences.h"
 #include "widgets/annotations/label_views.h"
+#include "widgets/session/colour_dialog.h"
 #include "widgets/session/names_by_language.h"
 
 namespace sline::widgets {
@@ -157,9 +158,8 @@ void AnnotationsPanel::chooseColour() {
   if (!there)
     return;
   const Colour now = there->colour.value_or(Colour{});
-  auto* dialog = new QColorDialog(QColor(now.red, now.green, now.blue), this);
+  auto* dialog = makeColourDialog(m_session.names(), QColor(now.red, now.green, now.blue), this);
   dialog->setObjectName(QStringLiteral("annotationColourDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   // While it is open each colour shows at once; accepting makes the one undo step.
   connect(dialog, &QColorDialog::currentColorChanged, this,
           [this, id = there->id](const QColor& c) {

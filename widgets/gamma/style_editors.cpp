@@ -15,6 +15,7 @@
 #include "model/scene/resolved_styles.h"
 #include "widgets/gamma/range_box.h"
 #include "widgets/gamma/style_slider.h"
+#include "widgets/session/colour_dialog.h"
 
 namespace sline::widgets {
 
@@ -259,10 +260,10 @@ void StyleColourEditor::choose() {
   if (looks.empty())
     return;
   const auto before = m_row.value(looks.front());
-  auto* dialog = new QColorDialog(before ? qColour(*before) : QColor(Qt::black), this);
+  auto* dialog =
+      makeColourDialog(session().names(), before ? qColour(*before) : QColor(Qt::black), this);
   dialog->setObjectName(m_row.id + QStringLiteral("Dialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setOption(QColorDialog::DontUseNativeDialog);
+  dialog->setWindowTitle(m_row.text);
   connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& chosen) {
     model::Style look;
     look.*m_row.field = Colour{std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),

@@ -92,7 +92,8 @@ void ImportActions::choose(bool folder) {
 void ImportActions::show(std::vector<std::filesystem::path> inputs) {
   if (m_dialog)
     m_dialog->reject();
-  m_dialog = new ImportDialog(std::move(inputs), m_session.document().opening != 0, &m_window);
+  m_dialog = new ImportDialog(m_session.names(), std::move(inputs),
+                              m_session.document().opening != 0, &m_window);
   m_dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(m_dialog, &ImportDialog::importWanted, this, [this](const model::ImportPlan& plan) {
     m_guard([this, plan] { carryOut(plan, false); });

@@ -63,9 +63,10 @@ QTableWidgetItem* cell(const QString& text) {
 
 }  // namespace
 
-ImportDialog::ImportDialog(std::vector<std::filesystem::path> inputs, bool intoScene,
-                           QWidget* parent)
+ImportDialog::ImportDialog(const DisplayNames& names, std::vector<std::filesystem::path> inputs,
+                           bool intoScene, QWidget* parent)
     : QDialog(parent),
+      m_names(names),
       m_intoScene(intoScene),
       m_summary(plainLabel("importSummary")),
       m_doubt(plainLabel("importDoubt")),
@@ -103,7 +104,7 @@ QWidget* ImportDialog::makeStructures() {
   filter->setAccessibleName(tr("Filter by name or file"));
   filter->setClearButtonEnabled(true);
   m_tree = new PlanTree(m_draft);
-  m_selection = new SelectionPanel(m_draft);
+  m_selection = new SelectionPanel(m_draft, m_names);
   auto* layout = new QVBoxLayout(page);
   layout->addWidget(filter);
   layout->addWidget(m_tree, 1);

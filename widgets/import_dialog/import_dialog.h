@@ -23,8 +23,9 @@ class SelectionPanel;
 class ImportDialog : public QDialog {
   Q_OBJECT
  public:
-  /// Reads the inputs; `intoScene` tells whether there is an open scene to add to.
-  ImportDialog(std::vector<std::filesystem::path> inputs, bool intoScene,
+  /// Reads the inputs; `intoScene` tells whether there is an open scene to add to. The names are
+  /// those of colours and must outlive the dialog.
+  ImportDialog(const DisplayNames& names, std::vector<std::filesystem::path> inputs, bool intoScene,
                QWidget* parent = nullptr);
   ~ImportDialog() override;
 
@@ -48,6 +49,7 @@ class ImportDialog : public QDialog {
   void fitRows();
   void give(void (ImportDialog::*wanted)(const model::ImportPlan&));
 
+  const DisplayNames& m_names;
   ImportDraft m_draft;
   bool m_intoScene;
   QString m_failure;

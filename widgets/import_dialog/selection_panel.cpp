@@ -11,6 +11,7 @@
 
 #include "widgets/import_dialog/choice_rows.h"
 #include "widgets/import_dialog/plan_texts.h"
+#include "widgets/session/colour_dialog.h"
 
 namespace sline::widgets {
 
@@ -48,9 +49,10 @@ void showCommon(QComboBox& box, const Common<T>& all, const std::vector<ChoiceOf
 
 }  // namespace
 
-SelectionPanel::SelectionPanel(ImportDraft& draft, QWidget* parent)
+SelectionPanel::SelectionPanel(ImportDraft& draft, const DisplayNames& names, QWidget* parent)
     : QWidget(parent),
       m_draft(draft),
+      m_names(names),
       m_title(new QLabel),
       m_include(new QCheckBox(tr("&Import"))),
       m_colour(new QPushButton(tr("&Colour…"))),
@@ -187,9 +189,8 @@ QString SelectionPanel::titleText() const {
 }
 
 void SelectionPanel::chooseColour() {
-  auto* dialog = new QColorDialog(this);
+  auto* dialog = makeColourDialog(m_names, Qt::white, this);
   dialog->setObjectName(QStringLiteral("importColourDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
     const Colour own{std::uint8_t(colour.red()), std::uint8_t(colour.green()),
                      std::uint8_t(colour.blue())};

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "widgets/import_dialog/import_draft.h"
+#include "widgets/session/display_names.h"
 
 class QCheckBox;
 class QComboBox;
@@ -17,7 +18,7 @@ namespace sline::widgets {
 class SelectionPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit SelectionPanel(ImportDraft& draft, QWidget* parent = nullptr);
+  SelectionPanel(ImportDraft& draft, const DisplayNames& names, QWidget* parent = nullptr);
   /// Shows the structures; `structures` are those at or below `selected`.
   void show(const NodeIds& selected, const NodeIds& structures);
 
@@ -32,6 +33,7 @@ class SelectionPanel : public QWidget {
   void choose(const Change& change) { m_draft.choose(m_structures, change); }
 
   ImportDraft& m_draft;
+  const DisplayNames& m_names;
   NodeIds m_selected;
   NodeIds m_structures;
   QLabel* m_title;

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "model/edit/emphasis.h"
-#include "widgets/structure_tree/anatomy_palette.h"
+#include "widgets/session/colour_dialog.h"
 #include "widgets/structure_tree/structure_properties.h"
 #include "widgets/structure_tree/structure_tree_view.h"
 
@@ -101,17 +101,8 @@ void StructureTree::chooseColour(const NodeIds& ids) {
   const NodeIds structures = m_session.scene().structuresBelow(ids.front());
   const model::NodeId first = structures.empty() ? ids.front() : structures.front();
   const Colour now = m_session.scene().resolve(first).colour;
-  auto* dialog = new QColorDialog(QColor(now.red, now.green, now.blue), this);
+  auto* dialog = makeColourDialog(m_session.names(), QColor(now.red, now.green, now.blue), this);
   dialog->setObjectName(QStringLiteral("colourDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setOption(QColorDialog::DontUseNativeDialog);
-  auto* palette = new AnatomyPalette(
-      [this](const std::string& name) { return m_session.names().shown(name); }, dialog);
-  // The dialog's first row has its own colours at the left and the field of all at the right.
-  if (auto* rows = dialog->layout())
-    if (auto* first = qobject_cast<QHBoxLayout*>(rows->itemAt(0)->layout()))
-      first->insertWidget(0, palette);
-  connect(palette, &AnatomyPalette::chosen, dialog, &QColorDialog::setCurrentColor);
   // While it is open each colour shows at once; accepting makes the one undo step.
   const auto show = [this, ids](const QColor& c) {
     const Colour colour{std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};

@@ -2,8 +2,9 @@
 #include "widgets/structure_tree/style_actions.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
-#include <QGuiApplication>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <algorithm>
 #include <optional>
@@ -88,11 +89,24 @@ void StyleActions::wait(bool wanted) {
   const bool waited = !m_waiting.empty();
   m_waiting = wanted ? m_session.selection() : NodeIds();
   // In the picture as in the list the hand points at what it will take from.
-  if (waited && m_waiting.empty())
+  if (waited && m_waiting.empty()) {
     QGuiApplication::restoreOverrideCursor();
-  else if (!waited && !m_waiting.empty())
+    qApp->removeEventFilter(this);
+  } else if (!waited && !m_waiting.empty()) {
     QGuiApplication::setOverrideCursor(Qt::PointingHandCursor);
+    qApp->installEventFilter(this);
+  }
   showState();
+}
+
+bool StyleActions::eventFilter(QObject* watched, QEvent* event) {
+  // A menu or a dialog that is open takes Escape for itself.
+  if (event->type() != QEvent::KeyPress || !watched->isWidgetType() ||
+      static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape ||
+      QApplication::activePopupWidget() || QApplication::activeModalWidget())
+    return false;
+  wait(false);
+  return true;
 }
 
 void StyleActions::selected() {

@@ -17,6 +17,10 @@ class StyleActions : public QObject {
   StyleActions(Session& session, const WindowActions& actions, QObject* parent);
   ~StyleActions() override;
 
+ protected:
+  /// Escape leaves waiting, wherever the keyboard is.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void copy();
   void paste(bool withColour);

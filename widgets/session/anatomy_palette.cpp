@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/structure_tree/anatomy_palette.h"
+#include "widgets/session/anatomy_palette.h"
 
 #include <QPixmap>
 
