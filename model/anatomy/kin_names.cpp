@@ -22,6 +22,13 @@ bool counts(const std::string& word) {
          std::find(ordinals.begin(), ordinals.end(), word) != ordinals.end();
 }
 
+/// Tells whether the word is a number of an atlas' table ("Insula L 3001"), which tells nothing of
+/// kin: the other side has another.
+bool isCode(const std::string& word) {
+  constexpr std::size_t fewestDigits = 3;
+  return word.size() >= fewestDigits && std::all_of(word.begin(), word.end(), isDigit);
+}
+
 }  // namespace
 
 KinName kinName(std::string_view name) {
@@ -36,6 +43,8 @@ KinName kinName(std::string_view name) {
       kin.side = side;
       continue;
     }
+    if (isCode(word))
+      continue;
     kin.pair += word + ' ';
     if (!counts(word))
       kin.family += word + ' ';

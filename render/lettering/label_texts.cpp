@@ -35,6 +35,8 @@ std::string bounded(const std::string& text) {
 
 QString fullText(const ShownLabel& label, const LabelStyle& style) {
   QString text = QString::fromStdString(bounded(label.text)).simplified();
+  // A slash between two names ends a line, it begins none.
+  text.replace(QStringLiteral(" / "), QStringLiteral("\u00a0/ "));
   if (!label.lengthMm)
     return text;
   const QLocale locale(

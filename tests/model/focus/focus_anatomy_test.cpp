@@ -22,13 +22,14 @@ class FocusAnatomyTest : public QObject {
   std::map<QString, std::unique_ptr<Body>> m_bodies;
 
   /// Returns the structures in pairs by their names, as they stand in the files: "left" or "right",
-  /// or an L or R at the end or between spaces.
+  /// or an L or R at the end or between spaces; the codes of atlases aside.
   static std::vector<std::pair<NodeId, NodeId>> pairsOf(const Scene& scene) {
     static const QRegularExpression left("(^|[ _])(left|l)($|[ _])",
                                          QRegularExpression::CaseInsensitiveOption);
+    static const QRegularExpression code(" [0-9]{3,}$");
     std::map<QString, NodeId> names;
     for (const NodeId id : scene.structuresBelow(rootId))
-      names[QString::fromStdString(scene.find(id)->name).toLower()] = id;
+      names[QString::fromStdString(scene.find(id)->name).toLower().remove(code)] = id;
     std::vector<std::pair<NodeId, NodeId>> pairs;
     for (const auto& [name, id] : names) {
       const QRegularExpressionMatch match = left.match(name);
