@@ -197,6 +197,11 @@ QVariant PlanTreeModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
     case Qt::EditRole:
       return text(*node, column);
+    case Qt::ToolTipRole:
+      // Names come from files and may look like markup.
+      return column == name || column == file
+                 ? QStringLiteral("<p>%1</p>").arg(text(*node, column).toHtmlEscaped())
+                 : QVariant();
     case sortRole:
       return sortKey(*node, column);
     case Qt::CheckStateRole:

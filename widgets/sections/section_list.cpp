@@ -75,16 +75,13 @@ QVariant SectionList::data(const QModelIndex& index, int role) const {
     return section->enabled ? Qt::Checked : Qt::Unchecked;
   if (role == Qt::TextAlignmentRole && index.column() == position)
     return int(Qt::AlignRight | Qt::AlignVCenter);
-  if (role != Qt::DisplayRole && role != Qt::EditRole)
+  if (role != Qt::DisplayRole && role != Qt::EditRole && role != Qt::ToolTipRole)
     return {};
-  switch (index.column()) {
-    case name:
-      return QString::fromStdString(section->name);
-    case position:
-      return positionText(section->plane);
-    default:
-      return scopeText(m_session, section->scope);
-  }
+  const QString text = index.column() == name       ? QString::fromStdString(section->name)
+                       : index.column() == position ? positionText(section->plane)
+                                                    : scopeText(m_session, section->scope);
+  // What the column has no room for is read as a tip; names may look like markup.
+  return role == Qt::ToolTipRole ? QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped()) : text;
 }
 
 Qt::ItemFlags SectionList::flags(const QModelIndex& index) const {
