@@ -81,6 +81,7 @@ struct Form {
     for (int i = 0; i < 30; ++i)
       rows->addWidget(new QPushButton(QString::number(i)));
     area->setWidget(content);
+    area->verticalScrollBar()->setSingleStep(1);  // so that all stays under the mouse
     auto* layout = new QVBoxLayout(&dialog);
     layout->addWidget(area);
     dialog.resize(300, 240);
@@ -138,10 +139,21 @@ class SafeHandsTest : public QObject {
     QVERIFY(Form::valueOf(&control) != clicked);
     QCOMPARE(form.scrolled(), 0);
     const double turned = Form::valueOf(&control);
+    // A wheel that scrolls does so until it rests, whatever comes under the mouse.
+    turnWheel(*form.area->findChild<QPushButton*>(), -1);
+    const int there = form.scrolled();
+    turnWheel(control, -1);
+    QVERIFY(form.scrolled() > there);
+    QCOMPARE(Form::valueOf(&control), turned);
+    QTest::qWait(600);
+    turnWheel(control, 1);
+    QVERIFY(Form::valueOf(&control) != turned);
+    const double last = Form::valueOf(&control);
     form.controls[(which + 1) % 3]->setFocus(Qt::TabFocusReason);
     control.setFocus(Qt::BacktabFocusReason);
+    form.area->verticalScrollBar()->setValue(0);
     turnWheel(control, -1);
-    QCOMPARE(Form::valueOf(&control), turned);
+    QCOMPARE(Form::valueOf(&control), last);
     QVERIFY(form.scrolled() > 0);
   }
 

@@ -50,6 +50,12 @@ void ControlWheel::follow(const QWidget* focus) {
     m_clicked.clear();
 }
 
+bool ControlWheel::turns(const QWidget* control) const {
+  constexpr qint64 oneGesture = 500;  // milliseconds
+  const bool scrolls = m_scrolling.isValid() && m_scrolling.elapsed() < oneGesture;
+  return control == m_clicked && within(control, QApplication::focusWidget()) && !scrolls;
+}
+
 bool ControlWheel::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
     case QEvent::Polish:
@@ -59,12 +65,17 @@ bool ControlWheel::eventFilter(QObject* watched, QEvent* event) {
         widget->setFocusPolicy(Qt::StrongFocus);
       return false;
     case QEvent::MouseButtonPress:
+      m_scrolling.invalidate();
       if (QWidget* control = controlAround(watched))
         m_clicked = control;
       return false;
     case QEvent::Wheel: {
-      QWidget* control = controlAround(watched);
-      if (!control || (control == m_clicked && within(control, QApplication::focusWidget())))
+      const QWidget* control = controlAround(watched);
+      if (control && turns(control))
+        return false;
+      if (watched->isWidgetType())
+        m_scrolling.start();
+      if (!control)
         return false;
       event->ignore();
       return true;
