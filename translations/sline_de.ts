@@ -887,6 +887,330 @@
         <source>Too many open files</source>
         <translation>zu viele offene Dateien</translation>
     </message>
+    <message>
+        <source>a newer version of the program has written it (schema %1, known here: %2); what is unknown is not shown, and it can only be saved under another name</source>
+        <translation>eine neuere Version des Programms hat sie geschrieben (Schema %1, hier bekannt: %2); Unbekanntes wird nicht gezeigt, und sie lässt sich nur unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>it is no scene of Sline</source>
+        <translation>ist keine Szene von Sline</translation>
+    </message>
+    <message>
+        <source>it is encrypted</source>
+        <translation>ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>it cannot be unpacked: %1</source>
+        <translation>kann nicht entpackt werden: %1</translation>
+    </message>
+    <message>
+        <source>the unit of %1 has no length</source>
+        <translation>die Einheit von %1 hat keine Länge</translation>
+    </message>
+    <message>
+        <source>Choose a unit</source>
+        <translation>Wähle eine Einheit</translation>
+    </message>
+    <message>
+        <source>the steps of smoothing of %1 are out of range</source>
+        <translation>die Zahl der Glättungsschritte von %1 ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the bound for decimation of %1 is out of range</source>
+        <translation>die Grenze für die Vereinfachung von %1 ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>Choose 0 to %1</source>
+        <translation>Wähle 0 bis %1</translation>
+    </message>
+    <message>
+        <source>the name of %1 is empty</source>
+        <translation>der Name von %1 ist leer</translation>
+    </message>
+    <message>
+        <source>Give it a name</source>
+        <translation>Gib ihr einen Namen</translation>
+    </message>
+    <message>
+        <source>Plan the import again</source>
+        <translation>Plane den Import noch einmal</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files gave no answer for this file</source>
+        <translation>der Leser von %1-Dateien gab für diese Datei keine Antwort</translation>
+    </message>
+    <message>
+        <source>the program that reads it gave no answer</source>
+        <translation>das Programm, das sie liest, gab keine Antwort</translation>
+    </message>
+    <message>
+        <source>there is no memory to read it</source>
+        <translation>zum Lesen fehlt Speicher</translation>
+    </message>
+    <message>
+        <source>reading was given up</source>
+        <translation>das Lesen wurde aufgegeben</translation>
+    </message>
+    <message>
+        <source>%1 files are read by sline-reader, which is not beside Sline</source>
+        <translation>%1-Dateien liest sline-reader, das nicht bei Sline liegt</translation>
+    </message>
+    <message>
+        <source>Install Sline again</source>
+        <translation>Installiere Sline noch einmal</translation>
+    </message>
+    <message>
+        <source>Export the file again, or in another format</source>
+        <translation>Exportiere die Datei noch einmal oder in einem anderen Format</translation>
+    </message>
+    <message>
+        <source>needs more memory than there is</source>
+        <translation>braucht mehr Speicher, als es gibt</translation>
+    </message>
+    <message>
+        <source>Import it again</source>
+        <translation>Importiere sie noch einmal</translation>
+    </message>
+    <message>
+        <source>its packed bytes are damaged: they cannot be unpacked beyond byte %1</source>
+        <translation>die gepackten Bytes sind beschädigt: über Byte %1 hinaus lassen sie sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>too short for an STL file: not text, and its %1 bytes do not hold the header of 84</source>
+        <translation>zu kurz für eine STL-Datei: kein Text, und in %1 Byte passt der Kopf von 84 nicht</translation>
+    </message>
+    <message>
+        <source>the file neither begins with &apos;solid&apos; nor has the size of a binary STL file</source>
+        <translation>die Datei beginnt weder mit „solid“ noch hat sie die Größe einer binären STL-Datei</translation>
+    </message>
+    <message>
+        <source>Check that the file is an STL file</source>
+        <translation>Prüfe, ob die Datei eine STL-Datei ist</translation>
+    </message>
+    <message>
+        <source>the header promises %1 triangles, the file ends after %2</source>
+        <translation>der Kopf verspricht %1 Dreiecke, die Datei endet nach %2</translation>
+    </message>
+    <message>
+        <source>the file ends where %1 should follow</source>
+        <translation>die Datei endet, wo %1 folgen sollte</translation>
+    </message>
+    <message>
+        <source>has no element &apos;vertex&apos;</source>
+        <translation>hat kein Element „vertex“</translation>
+    </message>
+    <message>
+        <source>holds points but no element &apos;face&apos; or &apos;tristrips&apos;</source>
+        <translation>enthält Punkte, aber kein Element „face“ oder „tristrips“</translation>
+    </message>
+    <message>
+        <source>the header has no &apos;end_header&apos;</source>
+        <translation>der Kopf hat kein „end_header“</translation>
+    </message>
+    <message>
+        <source>binary OFF is not supported</source>
+        <translation>binäres OFF wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Export the mesh as text OFF</source>
+        <translation>Exportiere das Netz als OFF in Textform</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>the volume holds nothing but background</source>
+        <translation>das Volumen enthält nichts als Hintergrund</translation>
+    </message>
+    <message>
+        <source>Choose a volume with structures</source>
+        <translation>Wähle ein Volumen mit Strukturen</translation>
+    </message>
+    <message>
+        <source>the borders of its structures have more than %1</source>
+        <translation>die Grenzen der Strukturen haben mehr als %1</translation>
+    </message>
+    <message>
+        <source>its structures have more than %1</source>
+        <translation>die Strukturen haben mehr als %1</translation>
+    </message>
+    <message>
+        <source>Check that it is a label volume, or export it with larger voxels</source>
+        <translation>Prüfe, ob es ein Labelvolumen ist, oder exportiere es mit größeren Voxeln</translation>
+    </message>
+    <message>
+        <source>does not begin like a header of NIfTI or Analyze</source>
+        <translation>beginnt nicht wie ein Kopf von NIfTI oder Analyze</translation>
+    </message>
+    <message>
+        <source>has %1 axes, a volume needs three</source>
+        <translation>hat %1 Achsen, ein Volumen braucht drei</translation>
+    </message>
+    <message>
+        <source>Export a volume with three axes in space</source>
+        <translation>Exportiere ein Volumen mit drei Achsen im Raum</translation>
+    </message>
+    <message>
+        <source>does not begin like a volume of FreeSurfer (MGH)</source>
+        <translation>beginnt nicht wie ein Volumen von FreeSurfer (MGH)</translation>
+    </message>
+    <message>
+        <source>Put both files into one folder, or export the volume as one .nii file</source>
+        <translation>Lege beide Dateien in einen Ordner oder exportiere das Volumen als eine .nii-Datei</translation>
+    </message>
+    <message>
+        <source>is DICOM of a kind that is not known here and holds no segmentation</source>
+        <translation>ist DICOM einer hier unbekannten Art und enthält keine Segmentierung</translation>
+    </message>
+    <message>
+        <source>holds no segmentation: its content is of the kind %1</source>
+        <translation>enthält keine Segmentierung: der Inhalt ist von der Art %1</translation>
+    </message>
+    <message>
+        <source>Give the DICOM segmentation or RT structure set that was made from it</source>
+        <translation>Öffne die DICOM-Segmentierung oder den RT-Struktursatz, der daraus gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Copy or export the file again; it is incomplete or damaged</source>
+        <translation>Kopiere oder exportiere die Datei noch einmal; sie ist unvollständig oder beschädigt</translation>
+    </message>
+    <message>
+        <source>the file ends within an element, or an element promises more bytes than are left</source>
+        <translation>die Datei endet in einem Element, oder ein Element verspricht mehr Bytes, als übrig sind</translation>
+    </message>
+    <message>
+        <source>is not a DICOM file: neither &apos;DICM&apos; nor an element stands where it should</source>
+        <translation>ist keine DICOM-Datei: weder „DICM“ noch ein Element steht, wo es stehen sollte</translation>
+    </message>
+    <message>
+        <source>Give the file the extension of its kind</source>
+        <translation>Gib der Datei die Endung ihrer Art</translation>
+    </message>
+    <message>
+        <source>is a single slice, which makes no volume</source>
+        <translation>ist eine einzelne Schicht, die kein Volumen ergibt</translation>
+    </message>
+    <message>
+        <source>its slices do not lie above each other on one grid</source>
+        <translation>die Schichten liegen nicht auf einem Raster übereinander</translation>
+    </message>
+    <message>
+        <source>its slices are not evenly spaced; some moved by %1 mm</source>
+        <translation>die Schichten liegen nicht gleich weit auseinander; manche wurden um %1 mm verschoben</translation>
+    </message>
+    <message>
+        <source>Give all slices of the series, or have another program resample it evenly</source>
+        <translation>Öffne alle Schichten der Serie oder lass ein anderes Programm sie gleichmäßig machen</translation>
+    </message>
+    <message>
+        <source>Give the slices of one series, of one orientation and size</source>
+        <translation>Öffne die Schichten einer Serie, einer Ausrichtung und Größe</translation>
+    </message>
+    <message>
+        <source>none of its segments has a pixel</source>
+        <translation>keines der Segmente hat ein Pixel</translation>
+    </message>
+    <message>
+        <source>its contours enclose nothing; left out</source>
+        <translation>die Konturen umschließen nichts; ausgelassen</translation>
+    </message>
+    <message>
+        <source>has no contour; left out</source>
+        <translation>hat keine Kontur; ausgelassen</translation>
+    </message>
+    <message>
+        <source>holds points or open lines only; left out</source>
+        <translation>enthält nur Punkte oder offene Linien; ausgelassen</translation>
+    </message>
+    <message>
+        <source>the XML is broken: %1</source>
+        <translation>das XML ist fehlerhaft: %1</translation>
+    </message>
+    <message>
+        <source>Save the scene again in 3D Slicer</source>
+        <translation>Speichere die Szene noch einmal in 3D Slicer</translation>
+    </message>
+    <message>
+        <source>it is XML, but no 3D Slicer scene: there is no &lt;MRML&gt;</source>
+        <translation>ist XML, aber keine Szene von 3D Slicer: es gibt kein &lt;MRML&gt;</translation>
+    </message>
+    <message>
+        <source>Choose the .mrml file that 3D Slicer saved</source>
+        <translation>Wähle die .mrml-Datei, die 3D Slicer gespeichert hat</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>Save the fiducials again in 3D Slicer</source>
+        <translation>Speichere die Marken noch einmal in 3D Slicer</translation>
+    </message>
+    <message>
+        <source>the scene has no saved views to tour</source>
+        <translation>die Szene hat keine gespeicherten Ansichten für eine Tour</translation>
+    </message>
+    <message>
+        <source>the scene has one saved view alone: there is no way to go</source>
+        <translation>die Szene hat nur eine gespeicherte Ansicht: es gibt keinen Weg</translation>
+    </message>
+    <message>
+        <source>rests of %1 seconds leave no time to move in a film of %2</source>
+        <translation>bei Pausen von %1 Sekunden bleibt in einem Film von %2 keine Zeit für Bewegung</translation>
+    </message>
+    <message>
+        <source>Make the rests shorter or the film longer</source>
+        <translation>Mache die Pausen kürzer oder den Film länger</translation>
+    </message>
+    <message>
+        <source>frames of %1 pixels are none for a film</source>
+        <translation>Bilder von %1 Pixeln taugen nicht für einen Film</translation>
+    </message>
+    <message>
+        <source>Choose a height for which both sides have 16 to 4320 pixels</source>
+        <translation>Wähle eine Höhe, bei der beide Seiten 16 bis 4320 Pixel haben</translation>
+    </message>
+    <message>
+        <source>the ffmpeg that is installed has no encoder for MP4 films</source>
+        <translation>das installierte ffmpeg hat keinen Encoder für MP4-Filme</translation>
+    </message>
+    <message>
+        <source>Install an ffmpeg with libx264, or write an animated WebP or GIF</source>
+        <translation>Installiere ein ffmpeg mit libx264 oder schreibe ein bewegtes WebP oder GIF</translation>
+    </message>
+    <message>
+        <source>the film cannot be made: %1</source>
+        <translation>der Film kann nicht gemacht werden: %1</translation>
+    </message>
+    <message>
+        <source>Make it smaller, or of another kind</source>
+        <translation>Mache ihn kleiner oder von anderer Art</translation>
+    </message>
+    <message>
+        <source>the part of the program for pictures of this kind cannot be loaded: %1</source>
+        <translation>der Teil des Programms für Bilder dieser Art lässt sich nicht laden: %1</translation>
+    </message>
+    <message>
+        <source>modelling was cancelled</source>
+        <translation>das Modellieren wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the graphics driver gives no second OpenGL context</source>
+        <translation>der Grafiktreiber gibt keinen zweiten OpenGL-Kontext</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1</source>
+        <translation>Aktualisiere den Grafiktreiber oder setze LIBGL_ALWAYS_SOFTWARE=1</translation>
+    </message>
+    <message>
+        <source>does not begin like a NIfTI file</source>
+        <translation>beginnt nicht wie eine NIfTI-Datei</translation>
+    </message>
+    <message>
+        <source>Export it as NIfTI again, or give the file the extension of its kind</source>
+        <translation>Exportiere sie noch einmal als NIfTI oder gib der Datei die Endung ihrer Art</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -887,6 +887,330 @@
         <source>Too many open files</source>
         <translation>for mange åpne filer</translation>
     </message>
+    <message>
+        <source>a newer version of the program has written it (schema %1, known here: %2); what is unknown is not shown, and it can only be saved under another name</source>
+        <translation>en nyere versjon av programmet har skrevet den (skjema %1, kjent her: %2); det ukjente vises ikke, og den kan bare lagres under et annet navn</translation>
+    </message>
+    <message>
+        <source>it is no scene of Sline</source>
+        <translation>er ingen scene fra Sline</translation>
+    </message>
+    <message>
+        <source>it is encrypted</source>
+        <translation>er kryptert</translation>
+    </message>
+    <message>
+        <source>it cannot be unpacked: %1</source>
+        <translation>kan ikke pakkes ut: %1</translation>
+    </message>
+    <message>
+        <source>the unit of %1 has no length</source>
+        <translation>enheten til %1 har ingen lengde</translation>
+    </message>
+    <message>
+        <source>Choose a unit</source>
+        <translation>Velg en enhet</translation>
+    </message>
+    <message>
+        <source>the steps of smoothing of %1 are out of range</source>
+        <translation>antallet glattingssteg for %1 er utenfor området</translation>
+    </message>
+    <message>
+        <source>the bound for decimation of %1 is out of range</source>
+        <translation>grensen for forenkling av %1 er utenfor området</translation>
+    </message>
+    <message>
+        <source>Choose 0 to %1</source>
+        <translation>Velg 0 til %1</translation>
+    </message>
+    <message>
+        <source>the name of %1 is empty</source>
+        <translation>navnet på %1 er tomt</translation>
+    </message>
+    <message>
+        <source>Give it a name</source>
+        <translation>Gi den et navn</translation>
+    </message>
+    <message>
+        <source>Plan the import again</source>
+        <translation>Planlegg importen på nytt</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files gave no answer for this file</source>
+        <translation>leseren av %1-filer ga ikke noe svar for denne filen</translation>
+    </message>
+    <message>
+        <source>the program that reads it gave no answer</source>
+        <translation>programmet som leser den, ga ikke noe svar</translation>
+    </message>
+    <message>
+        <source>there is no memory to read it</source>
+        <translation>det er ikke minne til å lese den</translation>
+    </message>
+    <message>
+        <source>reading was given up</source>
+        <translation>lesingen ble gitt opp</translation>
+    </message>
+    <message>
+        <source>%1 files are read by sline-reader, which is not beside Sline</source>
+        <translation>%1-filer leses av sline-reader, som ikke ligger ved siden av Sline</translation>
+    </message>
+    <message>
+        <source>Install Sline again</source>
+        <translation>Installer Sline på nytt</translation>
+    </message>
+    <message>
+        <source>Export the file again, or in another format</source>
+        <translation>Eksporter filen på nytt, eller i et annet format</translation>
+    </message>
+    <message>
+        <source>needs more memory than there is</source>
+        <translation>trenger mer minne enn det er</translation>
+    </message>
+    <message>
+        <source>Import it again</source>
+        <translation>Importer den på nytt</translation>
+    </message>
+    <message>
+        <source>its packed bytes are damaged: they cannot be unpacked beyond byte %1</source>
+        <translation>de pakkede bytene er skadd: de kan ikke pakkes ut forbi byte %1</translation>
+    </message>
+    <message>
+        <source>too short for an STL file: not text, and its %1 bytes do not hold the header of 84</source>
+        <translation>for kort for en STL-fil: ikke tekst, og %1 byte rommer ikke hodet på 84</translation>
+    </message>
+    <message>
+        <source>the file neither begins with &apos;solid&apos; nor has the size of a binary STL file</source>
+        <translation>filen begynner verken med «solid» eller har størrelsen til en binær STL-fil</translation>
+    </message>
+    <message>
+        <source>Check that the file is an STL file</source>
+        <translation>Kontroller at filen er en STL-fil</translation>
+    </message>
+    <message>
+        <source>the header promises %1 triangles, the file ends after %2</source>
+        <translation>hodet lover %1 trekanter, filen slutter etter %2</translation>
+    </message>
+    <message>
+        <source>the file ends where %1 should follow</source>
+        <translation>filen slutter der %1 skulle fulgt</translation>
+    </message>
+    <message>
+        <source>has no element &apos;vertex&apos;</source>
+        <translation>har ikke noe element «vertex»</translation>
+    </message>
+    <message>
+        <source>holds points but no element &apos;face&apos; or &apos;tristrips&apos;</source>
+        <translation>inneholder punkter, men ikke noe element «face» eller «tristrips»</translation>
+    </message>
+    <message>
+        <source>the header has no &apos;end_header&apos;</source>
+        <translation>hodet har ikke noe «end_header»</translation>
+    </message>
+    <message>
+        <source>binary OFF is not supported</source>
+        <translation>binær OFF støttes ikke</translation>
+    </message>
+    <message>
+        <source>Export the mesh as text OFF</source>
+        <translation>Eksporter nettet som OFF i tekst</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>et tall</translation>
+    </message>
+    <message>
+        <source>the volume holds nothing but background</source>
+        <translation>volumet inneholder ikke annet enn bakgrunn</translation>
+    </message>
+    <message>
+        <source>Choose a volume with structures</source>
+        <translation>Velg et volum med strukturer</translation>
+    </message>
+    <message>
+        <source>the borders of its structures have more than %1</source>
+        <translation>grensene til strukturene har mer enn %1</translation>
+    </message>
+    <message>
+        <source>its structures have more than %1</source>
+        <translation>strukturene har mer enn %1</translation>
+    </message>
+    <message>
+        <source>Check that it is a label volume, or export it with larger voxels</source>
+        <translation>Kontroller at det er et etikettvolum, eller eksporter det med større voksler</translation>
+    </message>
+    <message>
+        <source>does not begin like a header of NIfTI or Analyze</source>
+        <translation>begynner ikke som et hode av NIfTI eller Analyze</translation>
+    </message>
+    <message>
+        <source>has %1 axes, a volume needs three</source>
+        <translation>har %1 akser, et volum trenger tre</translation>
+    </message>
+    <message>
+        <source>Export a volume with three axes in space</source>
+        <translation>Eksporter et volum med tre akser i rommet</translation>
+    </message>
+    <message>
+        <source>does not begin like a volume of FreeSurfer (MGH)</source>
+        <translation>begynner ikke som et volum fra FreeSurfer (MGH)</translation>
+    </message>
+    <message>
+        <source>Put both files into one folder, or export the volume as one .nii file</source>
+        <translation>Legg begge filene i én mappe, eller eksporter volumet som én .nii-fil</translation>
+    </message>
+    <message>
+        <source>is DICOM of a kind that is not known here and holds no segmentation</source>
+        <translation>er DICOM av et slag som ikke er kjent her, og inneholder ingen segmentering</translation>
+    </message>
+    <message>
+        <source>holds no segmentation: its content is of the kind %1</source>
+        <translation>inneholder ingen segmentering: innholdet er av typen %1</translation>
+    </message>
+    <message>
+        <source>Give the DICOM segmentation or RT structure set that was made from it</source>
+        <translation>Åpne DICOM-segmenteringen eller RT-struktursettet som ble laget av den</translation>
+    </message>
+    <message>
+        <source>Copy or export the file again; it is incomplete or damaged</source>
+        <translation>Kopier eller eksporter filen på nytt; den er ufullstendig eller skadd</translation>
+    </message>
+    <message>
+        <source>the file ends within an element, or an element promises more bytes than are left</source>
+        <translation>filen slutter i et element, eller et element lover flere byte enn det er igjen</translation>
+    </message>
+    <message>
+        <source>is not a DICOM file: neither &apos;DICM&apos; nor an element stands where it should</source>
+        <translation>er ingen DICOM-fil: verken «DICM» eller et element står der det skulle</translation>
+    </message>
+    <message>
+        <source>Give the file the extension of its kind</source>
+        <translation>Gi filen endelsen til sin type</translation>
+    </message>
+    <message>
+        <source>is a single slice, which makes no volume</source>
+        <translation>er et enkelt snitt, som ikke gir noe volum</translation>
+    </message>
+    <message>
+        <source>its slices do not lie above each other on one grid</source>
+        <translation>snittene ligger ikke over hverandre på ett rutenett</translation>
+    </message>
+    <message>
+        <source>its slices are not evenly spaced; some moved by %1 mm</source>
+        <translation>snittene ligger ikke like langt fra hverandre; noen ble flyttet %1 mm</translation>
+    </message>
+    <message>
+        <source>Give all slices of the series, or have another program resample it evenly</source>
+        <translation>Åpne alle snittene i serien, eller la et annet program gjøre den jevn</translation>
+    </message>
+    <message>
+        <source>Give the slices of one series, of one orientation and size</source>
+        <translation>Åpne snittene i én serie, med én retning og størrelse</translation>
+    </message>
+    <message>
+        <source>none of its segments has a pixel</source>
+        <translation>ingen av segmentene har en piksel</translation>
+    </message>
+    <message>
+        <source>its contours enclose nothing; left out</source>
+        <translation>konturene omslutter ingenting; utelatt</translation>
+    </message>
+    <message>
+        <source>has no contour; left out</source>
+        <translation>har ingen kontur; utelatt</translation>
+    </message>
+    <message>
+        <source>holds points or open lines only; left out</source>
+        <translation>inneholder bare punkter eller åpne linjer; utelatt</translation>
+    </message>
+    <message>
+        <source>the XML is broken: %1</source>
+        <translation>XML-en er ødelagt: %1</translation>
+    </message>
+    <message>
+        <source>Save the scene again in 3D Slicer</source>
+        <translation>Lagre scenen på nytt i 3D Slicer</translation>
+    </message>
+    <message>
+        <source>it is XML, but no 3D Slicer scene: there is no &lt;MRML&gt;</source>
+        <translation>er XML, men ingen scene fra 3D Slicer: det finnes ingen &lt;MRML&gt;</translation>
+    </message>
+    <message>
+        <source>Choose the .mrml file that 3D Slicer saved</source>
+        <translation>Velg .mrml-filen som 3D Slicer lagret</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>filen er tom</translation>
+    </message>
+    <message>
+        <source>Save the fiducials again in 3D Slicer</source>
+        <translation>Lagre merkene på nytt i 3D Slicer</translation>
+    </message>
+    <message>
+        <source>the scene has no saved views to tour</source>
+        <translation>scenen har ingen lagrede visninger å gå gjennom</translation>
+    </message>
+    <message>
+        <source>the scene has one saved view alone: there is no way to go</source>
+        <translation>scenen har bare én lagret visning: det er ingen vei å gå</translation>
+    </message>
+    <message>
+        <source>rests of %1 seconds leave no time to move in a film of %2</source>
+        <translation>hvil på %1 sekunder gir ingen tid til bevegelse i en film på %2</translation>
+    </message>
+    <message>
+        <source>Make the rests shorter or the film longer</source>
+        <translation>Gjør hvilene kortere eller filmen lengre</translation>
+    </message>
+    <message>
+        <source>frames of %1 pixels are none for a film</source>
+        <translation>bilder på %1 piksler er ikke noe for en film</translation>
+    </message>
+    <message>
+        <source>Choose a height for which both sides have 16 to 4320 pixels</source>
+        <translation>Velg en høyde der begge sider har 16 til 4320 piksler</translation>
+    </message>
+    <message>
+        <source>the ffmpeg that is installed has no encoder for MP4 films</source>
+        <translation>den installerte ffmpeg har ingen koder for MP4-filmer</translation>
+    </message>
+    <message>
+        <source>Install an ffmpeg with libx264, or write an animated WebP or GIF</source>
+        <translation>Installer en ffmpeg med libx264, eller skriv en animert WebP eller GIF</translation>
+    </message>
+    <message>
+        <source>the film cannot be made: %1</source>
+        <translation>filmen kan ikke lages: %1</translation>
+    </message>
+    <message>
+        <source>Make it smaller, or of another kind</source>
+        <translation>Gjør den mindre, eller av en annen type</translation>
+    </message>
+    <message>
+        <source>the part of the program for pictures of this kind cannot be loaded: %1</source>
+        <translation>den delen av programmet som er for bilder av denne typen, kan ikke lastes: %1</translation>
+    </message>
+    <message>
+        <source>modelling was cancelled</source>
+        <translation>modelleringen ble avbrutt</translation>
+    </message>
+    <message>
+        <source>the graphics driver gives no second OpenGL context</source>
+        <translation>grafikkdriveren gir ingen annen OpenGL-kontekst</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1</source>
+        <translation>Oppdater grafikkdriveren, eller sett LIBGL_ALWAYS_SOFTWARE=1</translation>
+    </message>
+    <message>
+        <source>does not begin like a NIfTI file</source>
+        <translation>begynner ikke som en NIfTI-fil</translation>
+    </message>
+    <message>
+        <source>Export it as NIfTI again, or give the file the extension of its kind</source>
+        <translation>Eksporter den på nytt som NIfTI, eller gi filen endelsen til sin type</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

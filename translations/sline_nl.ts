@@ -887,6 +887,330 @@
         <source>Too many open files</source>
         <translation>te veel geopende bestanden</translation>
     </message>
+    <message>
+        <source>a newer version of the program has written it (schema %1, known here: %2); what is unknown is not shown, and it can only be saved under another name</source>
+        <translation>een nieuwere versie van het programma heeft het geschreven (schema %1, hier bekend: %2); wat onbekend is wordt niet getoond, en het kan alleen onder een andere naam worden opgeslagen</translation>
+    </message>
+    <message>
+        <source>it is no scene of Sline</source>
+        <translation>is geen scène van Sline</translation>
+    </message>
+    <message>
+        <source>it is encrypted</source>
+        <translation>is versleuteld</translation>
+    </message>
+    <message>
+        <source>it cannot be unpacked: %1</source>
+        <translation>kan niet worden uitgepakt: %1</translation>
+    </message>
+    <message>
+        <source>the unit of %1 has no length</source>
+        <translation>de eenheid van %1 heeft geen lengte</translation>
+    </message>
+    <message>
+        <source>Choose a unit</source>
+        <translation>Kies een eenheid</translation>
+    </message>
+    <message>
+        <source>the steps of smoothing of %1 are out of range</source>
+        <translation>het aantal stappen van afvlakking van %1 valt buiten het bereik</translation>
+    </message>
+    <message>
+        <source>the bound for decimation of %1 is out of range</source>
+        <translation>de grens voor vereenvoudiging van %1 valt buiten het bereik</translation>
+    </message>
+    <message>
+        <source>Choose 0 to %1</source>
+        <translation>Kies 0 tot %1</translation>
+    </message>
+    <message>
+        <source>the name of %1 is empty</source>
+        <translation>de naam van %1 is leeg</translation>
+    </message>
+    <message>
+        <source>Give it a name</source>
+        <translation>Geef het een naam</translation>
+    </message>
+    <message>
+        <source>Plan the import again</source>
+        <translation>Plan de import opnieuw</translation>
+    </message>
+    <message>
+        <source>the reader of %1 files gave no answer for this file</source>
+        <translation>de lezer van %1-bestanden gaf voor dit bestand geen antwoord</translation>
+    </message>
+    <message>
+        <source>the program that reads it gave no answer</source>
+        <translation>het programma dat het leest gaf geen antwoord</translation>
+    </message>
+    <message>
+        <source>there is no memory to read it</source>
+        <translation>er is geen geheugen om het te lezen</translation>
+    </message>
+    <message>
+        <source>reading was given up</source>
+        <translation>het lezen is opgegeven</translation>
+    </message>
+    <message>
+        <source>%1 files are read by sline-reader, which is not beside Sline</source>
+        <translation>%1-bestanden worden gelezen door sline-reader, dat niet naast Sline staat</translation>
+    </message>
+    <message>
+        <source>Install Sline again</source>
+        <translation>Installeer Sline opnieuw</translation>
+    </message>
+    <message>
+        <source>Export the file again, or in another format</source>
+        <translation>Exporteer het bestand opnieuw of in een ander formaat</translation>
+    </message>
+    <message>
+        <source>needs more memory than there is</source>
+        <translation>heeft meer geheugen nodig dan er is</translation>
+    </message>
+    <message>
+        <source>Import it again</source>
+        <translation>Importeer het opnieuw</translation>
+    </message>
+    <message>
+        <source>its packed bytes are damaged: they cannot be unpacked beyond byte %1</source>
+        <translation>de ingepakte bytes zijn beschadigd: voorbij byte %1 zijn ze niet uit te pakken</translation>
+    </message>
+    <message>
+        <source>too short for an STL file: not text, and its %1 bytes do not hold the header of 84</source>
+        <translation>te kort voor een STL-bestand: geen tekst, en in %1 bytes past de kop van 84 niet</translation>
+    </message>
+    <message>
+        <source>the file neither begins with &apos;solid&apos; nor has the size of a binary STL file</source>
+        <translation>het bestand begint niet met ‘solid’ en heeft ook niet de grootte van een binair STL-bestand</translation>
+    </message>
+    <message>
+        <source>Check that the file is an STL file</source>
+        <translation>Controleer of het een STL-bestand is</translation>
+    </message>
+    <message>
+        <source>the header promises %1 triangles, the file ends after %2</source>
+        <translation>de kop belooft %1 driehoeken, het bestand eindigt na %2</translation>
+    </message>
+    <message>
+        <source>the file ends where %1 should follow</source>
+        <translation>het bestand eindigt waar %1 hoort te volgen</translation>
+    </message>
+    <message>
+        <source>has no element &apos;vertex&apos;</source>
+        <translation>heeft geen element ‘vertex’</translation>
+    </message>
+    <message>
+        <source>holds points but no element &apos;face&apos; or &apos;tristrips&apos;</source>
+        <translation>bevat punten maar geen element ‘face’ of ‘tristrips’</translation>
+    </message>
+    <message>
+        <source>the header has no &apos;end_header&apos;</source>
+        <translation>de kop heeft geen ‘end_header’</translation>
+    </message>
+    <message>
+        <source>binary OFF is not supported</source>
+        <translation>binair OFF wordt niet ondersteund</translation>
+    </message>
+    <message>
+        <source>Export the mesh as text OFF</source>
+        <translation>Exporteer de mesh als OFF in tekst</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>een getal</translation>
+    </message>
+    <message>
+        <source>the volume holds nothing but background</source>
+        <translation>het volume bevat niets dan achtergrond</translation>
+    </message>
+    <message>
+        <source>Choose a volume with structures</source>
+        <translation>Kies een volume met structuren</translation>
+    </message>
+    <message>
+        <source>the borders of its structures have more than %1</source>
+        <translation>de grenzen van de structuren hebben meer dan %1</translation>
+    </message>
+    <message>
+        <source>its structures have more than %1</source>
+        <translation>de structuren hebben meer dan %1</translation>
+    </message>
+    <message>
+        <source>Check that it is a label volume, or export it with larger voxels</source>
+        <translation>Controleer of het een labelvolume is of exporteer het met grotere voxels</translation>
+    </message>
+    <message>
+        <source>does not begin like a header of NIfTI or Analyze</source>
+        <translation>begint niet als een kop van NIfTI of Analyze</translation>
+    </message>
+    <message>
+        <source>has %1 axes, a volume needs three</source>
+        <translation>heeft %1 assen, een volume heeft er drie nodig</translation>
+    </message>
+    <message>
+        <source>Export a volume with three axes in space</source>
+        <translation>Exporteer een volume met drie assen in de ruimte</translation>
+    </message>
+    <message>
+        <source>does not begin like a volume of FreeSurfer (MGH)</source>
+        <translation>begint niet als een volume van FreeSurfer (MGH)</translation>
+    </message>
+    <message>
+        <source>Put both files into one folder, or export the volume as one .nii file</source>
+        <translation>Zet beide bestanden in één map of exporteer het volume als één .nii-bestand</translation>
+    </message>
+    <message>
+        <source>is DICOM of a kind that is not known here and holds no segmentation</source>
+        <translation>is DICOM van een soort die hier onbekend is en bevat geen segmentatie</translation>
+    </message>
+    <message>
+        <source>holds no segmentation: its content is of the kind %1</source>
+        <translation>bevat geen segmentatie: de inhoud is van het soort %1</translation>
+    </message>
+    <message>
+        <source>Give the DICOM segmentation or RT structure set that was made from it</source>
+        <translation>Open de DICOM-segmentatie of RT-structuurset die ervan gemaakt is</translation>
+    </message>
+    <message>
+        <source>Copy or export the file again; it is incomplete or damaged</source>
+        <translation>Kopieer of exporteer het bestand opnieuw; het is onvolledig of beschadigd</translation>
+    </message>
+    <message>
+        <source>the file ends within an element, or an element promises more bytes than are left</source>
+        <translation>het bestand eindigt in een element, of een element belooft meer bytes dan er over zijn</translation>
+    </message>
+    <message>
+        <source>is not a DICOM file: neither &apos;DICM&apos; nor an element stands where it should</source>
+        <translation>is geen DICOM-bestand: ‘DICM’ noch een element staat waar het hoort</translation>
+    </message>
+    <message>
+        <source>Give the file the extension of its kind</source>
+        <translation>Geef het bestand de extensie van zijn soort</translation>
+    </message>
+    <message>
+        <source>is a single slice, which makes no volume</source>
+        <translation>is een enkele plak, die geen volume geeft</translation>
+    </message>
+    <message>
+        <source>its slices do not lie above each other on one grid</source>
+        <translation>de plakken liggen niet op één raster boven elkaar</translation>
+    </message>
+    <message>
+        <source>its slices are not evenly spaced; some moved by %1 mm</source>
+        <translation>de plakken liggen niet even ver uiteen; sommige zijn %1 mm verschoven</translation>
+    </message>
+    <message>
+        <source>Give all slices of the series, or have another program resample it evenly</source>
+        <translation>Open alle plakken van de serie of laat een ander programma haar gelijkmatig maken</translation>
+    </message>
+    <message>
+        <source>Give the slices of one series, of one orientation and size</source>
+        <translation>Open de plakken van één serie, één oriëntatie en één grootte</translation>
+    </message>
+    <message>
+        <source>none of its segments has a pixel</source>
+        <translation>geen van de segmenten heeft een pixel</translation>
+    </message>
+    <message>
+        <source>its contours enclose nothing; left out</source>
+        <translation>de contouren omsluiten niets; weggelaten</translation>
+    </message>
+    <message>
+        <source>has no contour; left out</source>
+        <translation>heeft geen contour; weggelaten</translation>
+    </message>
+    <message>
+        <source>holds points or open lines only; left out</source>
+        <translation>bevat alleen punten of open lijnen; weggelaten</translation>
+    </message>
+    <message>
+        <source>the XML is broken: %1</source>
+        <translation>de XML is kapot: %1</translation>
+    </message>
+    <message>
+        <source>Save the scene again in 3D Slicer</source>
+        <translation>Sla de scène opnieuw op in 3D Slicer</translation>
+    </message>
+    <message>
+        <source>it is XML, but no 3D Slicer scene: there is no &lt;MRML&gt;</source>
+        <translation>is XML maar geen scène van 3D Slicer: er is geen &lt;MRML&gt;</translation>
+    </message>
+    <message>
+        <source>Choose the .mrml file that 3D Slicer saved</source>
+        <translation>Kies het .mrml-bestand dat 3D Slicer heeft opgeslagen</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>het bestand is leeg</translation>
+    </message>
+    <message>
+        <source>Save the fiducials again in 3D Slicer</source>
+        <translation>Sla de markeringen opnieuw op in 3D Slicer</translation>
+    </message>
+    <message>
+        <source>the scene has no saved views to tour</source>
+        <translation>de scène heeft geen bewaarde aanzichten voor een rondgang</translation>
+    </message>
+    <message>
+        <source>the scene has one saved view alone: there is no way to go</source>
+        <translation>de scène heeft maar één bewaard aanzicht: er is geen weg te gaan</translation>
+    </message>
+    <message>
+        <source>rests of %1 seconds leave no time to move in a film of %2</source>
+        <translation>bij rusten van %1 seconden blijft in een film van %2 geen tijd over om te bewegen</translation>
+    </message>
+    <message>
+        <source>Make the rests shorter or the film longer</source>
+        <translation>Maak de rusten korter of de film langer</translation>
+    </message>
+    <message>
+        <source>frames of %1 pixels are none for a film</source>
+        <translation>beelden van %1 pixels zijn niets voor een film</translation>
+    </message>
+    <message>
+        <source>Choose a height for which both sides have 16 to 4320 pixels</source>
+        <translation>Kies een hoogte waarbij beide zijden 16 tot 4320 pixels hebben</translation>
+    </message>
+    <message>
+        <source>the ffmpeg that is installed has no encoder for MP4 films</source>
+        <translation>de geïnstalleerde ffmpeg heeft geen encoder voor MP4-films</translation>
+    </message>
+    <message>
+        <source>Install an ffmpeg with libx264, or write an animated WebP or GIF</source>
+        <translation>Installeer een ffmpeg met libx264 of schrijf een bewegende WebP of GIF</translation>
+    </message>
+    <message>
+        <source>the film cannot be made: %1</source>
+        <translation>de film kan niet worden gemaakt: %1</translation>
+    </message>
+    <message>
+        <source>Make it smaller, or of another kind</source>
+        <translation>Maak hem kleiner of van een ander soort</translation>
+    </message>
+    <message>
+        <source>the part of the program for pictures of this kind cannot be loaded: %1</source>
+        <translation>het deel van het programma voor beelden van dit soort kan niet worden geladen: %1</translation>
+    </message>
+    <message>
+        <source>modelling was cancelled</source>
+        <translation>het modelleren is afgebroken</translation>
+    </message>
+    <message>
+        <source>the graphics driver gives no second OpenGL context</source>
+        <translation>het grafische stuurprogramma geeft geen tweede OpenGL-context</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1</source>
+        <translation>Werk het grafische stuurprogramma bij of stel LIBGL_ALWAYS_SOFTWARE=1 in</translation>
+    </message>
+    <message>
+        <source>does not begin like a NIfTI file</source>
+        <translation>begint niet als een NIfTI-bestand</translation>
+    </message>
+    <message>
+        <source>Export it as NIfTI again, or give the file the extension of its kind</source>
+        <translation>Exporteer het opnieuw als NIfTI of geef het bestand de extensie van zijn soort</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

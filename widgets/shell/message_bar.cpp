@@ -80,10 +80,8 @@ void MessageBar::showError(const Error& error) {
 }
 
 void MessageBar::showRemarks(const QStringList& remarks) {
-  m_remarks.clear();
-  for (const QString& remark : remarks)
-    m_remarks << told(remark);
-  display(Kind::remark, tr("Opened, with remarks"), m_remarks.value(0));
+  m_remarks = remarks;
+  display(Kind::remark, tr("Opened, with remarks"), told(remarks.value(0)));
 }
 
 void MessageBar::showNotice(const QString& heading, const QString& body, QAction& action) {
@@ -186,7 +184,10 @@ void MessageBar::showDetails() {
   dialog->setObjectName(QStringLiteral("messageDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("What was left out or mended"));
-  auto* list = new QPlainTextEdit(m_remarks.join(QLatin1Char('\n')));
+  QStringList lines;
+  for (const QString& remark : m_remarks)
+    lines << told(remark);
+  auto* list = new QPlainTextEdit(lines.join(QLatin1Char('\n')));
   list->setReadOnly(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);

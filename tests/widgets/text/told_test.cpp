@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -48,6 +49,13 @@ class ToldTest : public QObject {
     QTest::newRow("no OFF") << "words.off" << QByteArray("some words\n");
     QTest::newRow("faces of nothing")
         << "beyond.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 7 8 9\n");
+    QTest::newRow("cut STL") << "cut.stl"
+                             << QByteArray(80, ' ') + QByteArray("\x0a\0\0\0", 4) +
+                                    QByteArray(70, '\0');
+    QTest::newRow("short STL") << "short.stl" << QByteArray(20, '\0');
+    QTest::newRow("no NIfTI") << "words.nii" << QByteArray(400, 'w');
+    QTest::newRow("no DICOM") << "words.dcm" << QByteArray(400, 'w');
+    QTest::newRow("no Slicer scene") << "other.mrml" << QByteArray("<html></html>");
     QTest::newRow("a folder without meshes") << "folder" << QByteArray();
   }
   void errorsAreTranslated() {
@@ -111,6 +119,21 @@ class ToldTest : public QObject {
     QVERIFY2(told(read.error().reason).startsWith("ist keine vollständige ZIP-Datei"),
              qPrintable(told(read.error().reason)));
     QCOMPARE(told(read.error().remedy), "Öffne eine ältere Kopie oder importiere die Netze erneut");
+    language.use(QStringLiteral("en"));
+  }
+
+  /// A folder of many meshes has many remarks, and the window reads them out.
+  void manyAreToldSoon() {
+    LanguageSwitch language;
+    language.use(QStringLiteral("de"));
+    QElapsedTimer clock;
+    clock.start();
+    for (int i = 0; i < 1000; ++i)
+      told(
+          QStringLiteral("Structures/structure %1.obj: \"part %1\": 3 faces given twice, 2 without "
+                         "area")
+              .arg(i));
+    QVERIFY(clock.elapsed() < 3000);
     language.use(QStringLiteral("en"));
   }
 
