@@ -64,6 +64,25 @@ class ExportWindowTest : public QObject {
     desk.show();
   }
 
+  /// Exports what is chosen; the summary must have told its size within a factor of two.
+  static void sizeIsTrue(ExportDesk& desk, const QString& kind) {
+    desk.target(desk.out.filePath(kind));
+    const auto summary = [&desk] { return desk.part<QLabel>("exportSummary").text(); };
+    QTRY_VERIFY_WITH_TIMEOUT(summary().contains(QStringLiteral("About")), 240'000);
+    static const QRegularExpression about(QStringLiteral("About ([0-9.,]+) (bytes|kB|MB)"));
+    const QRegularExpressionMatch match = about.match(summary());
+    QVERIFY2(match.hasMatch(), qPrintable(summary()));
+    const double unit = match.captured(2) == "MB" ? 1e6 : match.captured(2) == "kB" ? 1e3 : 1.0;
+    const double said = unit * QLocale().toDouble(match.captured(1));
+    desk.click("exportButton");
+    QVERIFY(desk.finished());
+    const QStringList written = desk.written().filter(kind.left(3));
+    QCOMPARE(written.size(), 1);
+    const auto there = double(QFileInfo(desk.out.filePath(written.front())).size());
+    qInfo("%s: said %.0f bytes, there are %.0f", qPrintable(kind), said, there);
+    QVERIFY(said > 0.5 * there && said < 2.0 * there);
+  }
+
  private slots:
   /// The ground, the labels and the scale bar are the window's, until another choice is made; that
   /// holds until the window shows something else.
@@ -222,20 +241,27 @@ class ExportWindowTest : public QObject {
     desk.chooseKind(kind);
     if (!option.isEmpty())
       desk.pick("export-sheet", QStringLiteral("With title and legend"));
-    desk.target(desk.out.filePath(QStringLiteral("a")));
-    const auto summary = [&desk] { return desk.part<QLabel>("exportSummary").text(); };
-    QTRY_VERIFY_WITH_TIMEOUT(summary().contains(QStringLiteral("About")), 60'000);
-    static const QRegularExpression about(QStringLiteral("About ([0-9.,]+) (bytes|kB|MB)"));
-    const QRegularExpressionMatch match = about.match(summary());
-    QVERIFY2(match.hasMatch(), qPrintable(summary()));
-    const double unit = match.captured(2) == "MB" ? 1e6 : match.captured(2) == "kB" ? 1e3 : 1.0;
-    const double said = unit * QLocale().toDouble(match.captured(1));
-    desk.click("exportButton");
-    QVERIFY(desk.finished());
-    QCOMPARE(desk.written().size(), 1);
-    const auto there = double(QFileInfo(desk.out.filePath(desk.written().front())).size());
-    qInfo("%s: said %.0f bytes, there are %.0f", qPrintable(kind), said, there);
-    QVERIFY(said > 0.5 * there && said < 2.0 * there);
+    sizeIsTrue(desk, kind);
+  }
+
+  void sizesAreTrueOfAnatomy_data() {
+    QTest::addColumn<QString>("scene");
+    QTest::newRow("pelvis") << SLINE_TEST_DATA "/pelvis/bodyparts3d";
+    QTest::newRow("abdomen") << SLINE_TEST_DATA
+        "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
+  }
+  void sizesAreTrueOfAnatomy() {
+    QFETCH(QString, scene);
+    if (!QFileInfo::exists(scene))
+      SLINE_ABSENT("there is no real anatomy to export");
+    ExportDesk desk;
+    desk.session.openPaths({scene.toStdString()});
+    QVERIFY(desk.settled());
+    for (const char* kind : {"glb", "svg", "pdf", "png"}) {
+      again(desk);
+      desk.chooseKind(QLatin1String(kind));
+      sizeIsTrue(desk, QLatin1String(kind));
+    }
   }
 
   /// A legend lists what was asked for, in drawings and in the preview.
