@@ -6,8 +6,11 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
+#include <cmath>
+
 #include "model/edit/look.h"
 #include "render/export/formats/export_formats.h"
+#include "render/export/order/common_options.h"
 #include "tests/gui/export_desk.h"
 #include "tests/gui/file_contents.h"
 #include "tests/support/suite.h"
@@ -123,6 +126,48 @@ class ExportWindowTest : public QObject {
     desk.open(2);
     again(desk);
     QCOMPARE(chosen("export-background"), QStringLiteral("Paper"));
+  }
+
+  /// A window that was never changed exports as the command line does without flags. Two things are
+  /// the window's own: its ground, and the language that it speaks.
+  void defaultsAreThoseOfTheCommandLine() {
+    ExportDesk desk;
+    desk.settings.remove(QStringLiteral("export"));
+    desk.show();
+    render::ExportOrder order;
+    order.labels.mode = render::LabelMode::on;
+    int compared = 0;
+    for (const render::ExportFormat& format : render::exportFormats()) {
+      desk.chooseKind(QLatin1String(format.id));
+      for (const render::ExportOption* option : render::exportOptions()) {
+        auto* control = desk.dialog()->findChild<QWidget*>(QStringLiteral("export-") +
+                                                           QLatin1String(option->id));
+        if (!control || !format.has(*option) || option == &render::backgroundOption ||
+            option == &render::languageOption)
+          continue;
+        const render::OptionValue standard = option->field.read(order);
+        ++compared;
+        if (const auto* box = qobject_cast<QComboBox*>(control))
+          QCOMPARE(box->currentData().toString().toStdString(),
+                   render::optionText(*option, standard));
+        else if (const auto* tick = qobject_cast<QAbstractButton*>(control))
+          QCOMPARE(tick->isChecked(), std::get<bool>(standard));
+        else if (const auto* number = qobject_cast<QDoubleSpinBox*>(control))
+          QCOMPARE(number->value(),
+                   std::visit(
+                       [](const auto& value) {
+                         if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
+                           return double(value);
+                         else
+                           return std::nan("");
+                       },
+                       standard));
+        else
+          --compared;
+      }
+    }
+    QVERIFY(compared > 50);
+    QCOMPARE(desk.part<QDoubleSpinBox>("exportDpi").value(), double(order.page.dpi));
   }
 
   /// Fills, ground and words are in the files as they are on screen.
