@@ -4258,6 +4258,10 @@
         <source>Let it list all structures.</source>
         <translation>Lass sie alle Strukturen nennen.</translation>
     </message>
+    <message>
+        <source>The sheet labels what is seen.</source>
+        <translation>Das Blatt beschriftet, was zu sehen ist.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

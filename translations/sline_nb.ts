@@ -4258,6 +4258,10 @@
         <source>Let it list all structures.</source>
         <translation>La den nevne alle strukturer.</translation>
     </message>
+    <message>
+        <source>The sheet labels what is seen.</source>
+        <translation>Arket merker det som er synlig.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

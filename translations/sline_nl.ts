@@ -4258,6 +4258,10 @@
         <source>Let it list all structures.</source>
         <translation>Laat haar alle structuren noemen.</translation>
     </message>
+    <message>
+        <source>The sheet labels what is seen.</source>
+        <translation>Het blad labelt wat te zien is.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

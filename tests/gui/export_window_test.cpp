@@ -235,6 +235,8 @@ class ExportWindowTest : public QObject {
     QTest::keyClicks(&desk.part<QLineEdit>("export-sheetTitle"), QStringLiteral("Two balls"));
     QVERIFY(desk.previewed());
     QCOMPARE(desk.dialog()->preview().pages(), std::size_t(pages));
+    QVERIFY2(desk.part<QLabel>("exportSummary").text().contains(QStringLiteral("210 × 297 mm")),
+             qPrintable(desk.part<QLabel>("exportSummary").text()));
     std::vector<QImage> shown;
     for (int page = 0; page < pages; ++page) {
       if (page > 0)

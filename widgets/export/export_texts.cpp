@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "widgets/export/finished_page.h"
 #include "widgets/export/note_texts.h"
 #include "widgets/session/names_by_language.h"
 #include "widgets/text/tr.h"
@@ -38,10 +39,19 @@ QString subjectText(const ExportDraft& draft, const std::vector<ExportFile>& fil
              : tr("%n structures as surfaces.", nullptr, structures);
 }
 
-QString labelText(const std::vector<ExportFile>& files) {
+/// Tells whether the sheet labels a scene that has no labels.
+bool sheetAddsLabels(const ExportDraft& draft) {
+  return isSheet(draft) &&
+         (draft.order.labels.mode != render::LabelMode::off ||
+          draft.order.of<render::SheetOptions>().kind != render::SheetKind::figure);
+}
+
+QString labelText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
   int labels = 0;
   for (const ExportFile& file : files)
     labels = std::max(labels, shownLabels(file.order.scene));
+  if (labels == 0 && sheetAddsLabels(draft))
+    return tr("The sheet labels what is seen.");
   const render::LabelStyle& style = files.front().order.labels;
   if (labels == 0 || style.mode == render::LabelMode::off)
     return tr("No labels.");
@@ -54,8 +64,10 @@ QString labelText(const std::vector<ExportFile>& files) {
                        : tr("%n labels, language: %1.", nullptr, labels).arg(languageName(tag));
 }
 
-QString sizeText(const ExportDraft& draft) {
-  const render::ExportPage& page = draft.order.page;
+QString sizeText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
+  render::ExportPage page = draft.order.page;
+  if (isSheet(draft))
+    page.sizeMm = paperMm(files.front().order);
   const render::FilmOptions& film = draft.order.of<render::FilmOptions>();
   if (pageUseOf(draft.kind) == render::PageUse::shape) {
     const glm::ivec2 size = render::filmSize(draft.order);
@@ -120,7 +132,7 @@ QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile
                           std::optional<double> bytes) {
   QStringList sentences{subjectText(draft, files)};
   if (pageUseOf(draft.kind) != render::PageUse::none)
-    sentences << labelText(files) << sizeText(draft);
+    sentences << labelText(draft, files) << sizeText(draft, files);
   sentences << weightText(files, bytes) << privacyText(draft) << creditText(draft);
   sentences.removeAll(QString());
   return sentences;
