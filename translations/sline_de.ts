@@ -4337,6 +4337,10 @@ OpenGL: %3</translation>
         <source>Says (%1)</source>
         <translation>Text (%1)</translation>
     </message>
+    <message>
+        <source>Says (scene’s own)</source>
+        <translation>Text (der Szene)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AnnotationsPanel</name>

@@ -4337,6 +4337,10 @@ OpenGL: %3</translation>
         <source>Says (%1)</source>
         <translation>Tekst (%1)</translation>
     </message>
+    <message>
+        <source>Says (scene’s own)</source>
+        <translation>Tekst (scenens)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AnnotationsPanel</name>

@@ -82,6 +82,7 @@ class LabelsPanelTest : public QObject {
     QCOMPARE(heading(), QStringLiteral("Says (Latin)"));
     f.window.preferences().set("labels/language", "scene");
     QCOMPARE(said->text(), QStringLiteral("The scene's own"));
+    QCOMPARE(heading(), QStringLiteral("Says (scene’s own)"));
     QTest::keyClicks(&f.words(), QStringLiteral("s"));
     QCOMPARE(f.only().texts.at("de"), std::string("Leberlein"));
     // So it is where the label stands.

@@ -85,7 +85,9 @@ QVariant AnnotationList::headerData(int section, Qt::Orientation orientation, in
     case number:
       return tr("No.");
     case text:
-      return tr("Says (%1)").arg(languageName(QString::fromStdString(m_language)));
+      return m_language.empty()
+                 ? tr("Says (scene’s own)")
+                 : tr("Says (%1)").arg(languageName(QString::fromStdString(m_language)));
     case kind:
       return tr("Kind");
     default:
