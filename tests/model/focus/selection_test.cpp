@@ -93,6 +93,18 @@ class SelectionTest : public QObject {
              QStringLiteral("kidney_left,Kidney Right,Niere links"));
     QVERIFY(model::onOtherSide(scene, named(scene, "rib 1 left")).empty());
   }
+
+  /// The number of an atlas' table is another one on the other side; a rib's is not.
+  void codesTellNothingOfKin() {
+    model::Scene scene;
+    const model::MeshPtr ball = test::sphere(10.0f, 1);
+    for (const char* name : {"Insula L 3001", "Insula R 3002", "Putamen L 7011", "Putamen R 7012"})
+      scene.append({.name = name, .mesh = ball});
+    QCOMPARE(text(scene, model::onOtherSide(scene, named(scene, "Insula L 3001"))),
+             QStringLiteral("Insula R 3002"));
+    QCOMPARE(text(scene, model::onOtherSide(scene, named(scene, "Putamen R 7012"))),
+             QStringLiteral("Putamen L 7011"));
+  }
 };
 
 SLINE_TEST(SelectionTest)

@@ -327,6 +327,19 @@ class LetteringTest : public QObject {
     QCOMPARE(label(QString::fromUtf8("骶骨"), 30.0f).lines.size(), std::size_t(1));
   }
 
+  /// Between a structure's names in two languages a line ends behind the slash.
+  void slashesEndLines() {
+    bool broken = false;
+    for (float width = 16.0f; width < 90.0f; width += 2.0f) {
+      const LabelText set =
+          label(QStringLiteral("Harnblase / Vesica urinaria / urinary bladder"), width);
+      broken = broken || set.lines.size() > 1;
+      for (const TextLine& line : set.lines)
+        QVERIFY2(!plainText(line).trimmed().startsWith('/'), qPrintable(plainText(line)));
+    }
+    QVERIFY(broken);
+  }
+
   void widestWordsAreParted_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<bool>("hyphens");
