@@ -152,6 +152,20 @@ class LanguageTest : public QObject {
              model::Visibility::some);
   }
 
+  /// What went wrong is said by rooms that know no language, and read in each.
+  void bannersFollow() {
+    Spoken f;
+    f.session.openPaths({"nowhere/liver.stl"});
+    const auto says = [&f] { return f.control<QLabel>("messageText").text(); };
+    QTRY_VERIFY(says().contains("There is no such file or folder"));
+    QVERIFY(f.speak("de"));
+    QVERIFY2(says().contains(QStringLiteral("Diese Datei oder diesen Ordner gibt es nicht")) &&
+                 says().contains(QStringLiteral("Prüfe den Pfad")) && says().contains("liver.stl"),
+             qPrintable(says()));
+    QVERIFY(f.speak("en"));
+    QVERIFY(says().contains("There is no such file or folder"));
+  }
+
   /// The dialog in which the language is chosen follows, also the second time it is opened.
   void preferencesFollow() {
     Spoken f;

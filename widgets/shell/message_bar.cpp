@@ -28,6 +28,13 @@ QString sentence(const QString& text) {
   return s.endsWith(QLatin1Char('.')) ? s : s + QLatin1Char('.');
 }
 
+QString headed(const QString& heading, const QString& body) {
+  const QString title = heading.isEmpty()
+                            ? QString()
+                            : QStringLiteral("<b>%1</b>&ensp;").arg(heading.toHtmlEscaped());
+  return title + body.trimmed().toHtmlEscaped();
+}
+
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
@@ -72,11 +79,18 @@ QString MessageBar::text() const {
 
 void MessageBar::showError(const Error& error) {
   m_remarks.clear();
+  m_error = error;
+  display(Kind::error, {}, {});
+  displayError();
+}
+
+void MessageBar::displayError() {
+  const Error& error = m_error;
   QString heading = QString::fromStdString(error.file);
   if (!error.where.empty())
     heading += (heading.isEmpty() ? QString() : QStringLiteral(", ")) + told(error.where);
-  display(Kind::error, heading,
-          sentence(told(error.reason)) + QLatin1Char(' ') + sentence(told(error.remedy)));
+  m_text->setText(headed(
+      heading, sentence(told(error.reason)) + QLatin1Char(' ') + sentence(told(error.remedy))));
 }
 
 void MessageBar::showRemarks(const QStringList& remarks) {
@@ -118,10 +132,7 @@ void MessageBar::hideNotice() {
 }
 
 void MessageBar::display(Kind kind, const QString& heading, const QString& body) {
-  const QString title = heading.isEmpty()
-                            ? QString()
-                            : QStringLiteral("<b>%1</b>&ensp;").arg(heading.toHtmlEscaped());
-  m_text->setText(title + body.trimmed().toHtmlEscaped());
+  m_text->setText(headed(heading, body));
   m_kind = kind;
   m_remedy->hide();
   m_other->hide();
@@ -151,8 +162,11 @@ void MessageBar::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange)
     dress();
   // The bar outlives the other controls when the language changes, so that its message is not lost.
-  if (event->type() == QEvent::LanguageChange)
+  if (event->type() == QEvent::LanguageChange) {
     nameControls();
+    if (m_kind == Kind::error)
+      displayError();
+  }
 }
 
 void MessageBar::dress() {

@@ -50,6 +50,7 @@ class MessageBar : public QFrame {
   void dress();
   void offerOn(QPushButton& button, QAction& action);
   void showDetails();
+  void displayError();
   void nameControls();
 
   Kind m_kind = Kind::remark;
@@ -59,6 +60,7 @@ class MessageBar : public QFrame {
   QPushButton* m_remedy;
   QPushButton* m_other;  ///< a second thing that can be done
   QStringList m_remarks;
+  Error m_error;  ///< the last one that was shown
 };
 
 }  // namespace sline::widgets
