@@ -48,6 +48,8 @@ class Finder {
       return std::nullopt;
     if (item.hidden)
       m_labels.unseen.hidden.push_back(annotation.id);
+    if (one && item.found)
+      item.base = m_screen.place(*m_scene.placeOf(*point));
     if (annotation.offset)
       item.offset = m_screen.size().y * *annotation.offset;
     return item;
@@ -83,7 +85,12 @@ class Finder {
     }
     if (!before && !cutAway)
       before = point;
-    const std::optional<SeenPlace> place = map().find(point.structure, before);
+    const std::optional<glm::vec2> stays = m_before.steady ? stayingPlace(before) : std::nullopt;
+    const bool hidden = stays && map().hides(point.structure, *m_scene.placeOf(*before));
+    std::optional<SeenPlace> place =
+        stays && !hidden ? SeenPlace{*before, *stays, false} : map().find(point.structure, before);
+    if (stays && place && place->hidden)
+      place = SeenPlace{*before, *stays, true};
     if (!place)
       return leaveOut(
           map().draws(point.structure) ? m_labels.unseen.offPicture : m_labels.unseen.notDrawn,
@@ -104,6 +111,11 @@ class Finder {
     item.hidden = m_before.hurried ? m_sights.hidden(point, m_screen.sight(*place))
                                    : map().hides(point.structure, *m_scene.placeOf(point));
     return true;
+  }
+
+  /// Returns where the place from before is in this picture; nothing where it cannot stay.
+  std::optional<glm::vec2> stayingPlace(const std::optional<model::Anchor>& before) const {
+    return before && m_sights.shows(*before) ? placeOf(*before) : std::nullopt;
   }
 
   std::optional<glm::vec2> placeOf(const model::Anchor& anchor) const {

@@ -44,6 +44,9 @@ struct LabelsBefore {
   /// The camera moves and must not be held up: places that were found stay on their surface, and
   /// where another structure comes before them they are hidden until the camera rests.
   bool hurried = false;
+  /// Places that were found stay for as long as one sees their structure there, or nowhere: in a
+  /// film places that are somewhat better are no reason to leave.
+  bool steady = false;
 };
 
 /// Finds the labels of a picture. An annotation is not shown if it is not visible (in a scene that

@@ -31,10 +31,13 @@ void Layouter::setColumns() {
   }
   if (m_request.obstacles.extent)
     all = *m_request.obstacles.extent;
-  m_middle = middleBetweenColumns(m_request.items, all.middle().x);
+  m_middle = middleBetweenColumns(m_request.items, all);
   m_width = all.size().x;
   m_near = {all.low.x - anatomyGap, all.high.x + anatomyGap};
-  if (m_before && !m_before->labels.empty()) {
+  if (m_home && !m_home->labels.empty()) {
+    m_near = m_home->edges;
+    m_widths = m_home->widths;
+  } else if (m_before && !m_before->labels.empty()) {
     const float most = anatomyGapMost - anatomyGap;
     m_near[0] = std::clamp(m_before->edges[0], m_near[0] - most, m_near[0]);
     m_near[1] = std::clamp(m_before->edges[1], m_near[1], m_near[1] + most);
@@ -88,7 +91,12 @@ std::vector<Span> Layouter::blockedIn(LabelPost post) const {
           blocked.push_back({place.y - dotRoom, place.y + dotRoom});
   for (const std::optional<PlacedLabel>& placed : m_placed)
     if (placed && placed->post == LabelPost::byHand) {
-      block(placed->box.grown(clearance));
+      // Those beside it may touch it, so that they need not go far.
+      constexpr float before = levelPiece + 3.0f * clearance;
+      const float low = side == 0 ? across.low : across.low - before;
+      const float high = side == 0 ? across.high + before : across.high;
+      if (placed->box.low.x < high && placed->box.high.x > low)
+        blocked.push_back({placed->box.low.y, placed->box.high.y});
       if (const auto heights = heightsWithin(placed->leader, across.low, across.high))
         blocked.push_back({heights->low - clearance, heights->high + clearance});
     }
@@ -101,7 +109,7 @@ std::vector<ColumnItem> Layouter::inColumn(LabelPost post) const {
     if (!m_fates[i].out && m_fates[i].post == post)
       items.push_back({i, placeOf(item(i)), item(i).box, calm(i), wantedHeight(i)});
   const auto height = [&](const ColumnItem& one) {
-    const PlacedLabel* was = before(one.item);
+    const PlacedLabel* was = stands(one.item);
     return was && was->post == post ? was->box.middle().y : one.wanted;
   };
   std::stable_sort(items.begin(), items.end(),
@@ -113,10 +121,12 @@ std::vector<ColumnItem> Layouter::inColumn(LabelPost post) const {
 /// near enough or no farther than it was: it then need not move when others come and go.
 float Layouter::wantedHeight(std::size_t i) const {
   const float height = placeOf(item(i)).y;
-  const PlacedLabel* was = before(i);
+  const PlacedLabel* was = stands(i);
   if (!was || was->post != m_fates[i].post || was->leader.empty())
     return height;
   const float stood = was->box.middle().y;
+  if (was == home(i) || m_request.still)
+    return stood;
   const float far = std::max(slack, std::abs(stood - was->leader.front().y));
   return std::clamp(stood, height - far, height + far);
 }
@@ -138,17 +148,34 @@ void Layouter::place() {
   for (std::size_t i = 0; i < m_fates.size(); ++i)
     if (!m_fates[i].out && m_fates[i].post == LabelPost::beside)
       placeBeside(i);
+  bendApart();
 }
 
 void Layouter::placeByHand(std::size_t i) {
   const glm::vec2 half = 0.5f * item(i).box;
   const glm::vec2 place = placeOf(item(i));
-  const glm::vec2 middle =
-      glm::clamp(place + *item(i).offset, m_frame.low + half, m_frame.high - half);
+  const glm::vec2 middle = glm::clamp(item(i).base.value_or(place) + *item(i).offset,
+                                      m_frame.low + half, m_frame.high - half);
   const LabelBox box =
       besideReserved({middle - half, middle + half}, m_frame, m_request.space.reserved);
   m_placed[i] =
-      PlacedLabel{item(i).id, LabelPost::byHand, box, leaderTo(box, place), item(i).hidden};
+      PlacedLabel{item(i).id, LabelPost::byHand, box, leaderToHand(box, place), item(i).hidden};
+}
+
+Leader Layouter::leaderToHand(const LabelBox& box, const glm::vec2& place) const {
+  const Leader straight = leaderTo(box, place);
+  // Within a column it is level, so that it takes none of its room.
+  for (const LabelPost post : {LabelPost::left, LabelPost::right}) {
+    const bool left = post == LabelPost::left;
+    const float inwards = left ? 1.0f : -1.0f;
+    const float edge = m_edges[left ? 0 : 1];
+    const float end = left ? box.high.x : box.low.x;
+    const float knee = (left ? std::max(edge, end) : std::min(edge, end)) + inwards * levelPiece;
+    if (!straight.empty() && inwards * (edge - end) > -levelPiece &&
+        inwards * (place.x - knee) > levelPiece)
+      return {place, {knee, box.middle().y}, {end, box.middle().y}};
+  }
+  return straight;
 }
 
 bool Layouter::misplaced(std::size_t i) const {
@@ -172,7 +199,7 @@ void Layouter::put(const ColumnItem& one, LabelPost post, const ColumnPlacement&
 
 void Layouter::placeColumn(LabelPost post) {
   std::vector<ColumnItem> items = inColumn(post);
-  if (m_before && placeSteadily(post, items))
+  if ((m_before || m_home) && placeSteadily(post, items))
     return;
   // Leaves air between the items where there is room, so that later ones find a gap.
   Column airy = column(post);
@@ -197,10 +224,10 @@ bool Layouter::placeSteadily(LabelPost post, const std::vector<ColumnItem>& item
   std::vector<ColumnItem> staying;
   std::vector<ColumnItem> coming;
   for (const ColumnItem& one : items) {
-    const PlacedLabel* was = before(one.item);
+    const PlacedLabel* was = stands(one.item);
     (was && was->post == post ? staying : coming).push_back(one);
   }
-  SteadyColumn steady(column(post), m_request.moving);
+  SteadyColumn steady(column(post), m_request.moving || m_request.still);
   if (!steady.fill(std::move(staying), std::move(coming)))
     return false;
   for (std::size_t k = 0; k < steady.items().size(); ++k)

@@ -41,15 +41,19 @@ glm::vec2 placeOf(const LabelItem& item) {
   return sum / float(std::max<std::size_t>(item.places.size(), 1));
 }
 
-float middleBetweenColumns(const std::vector<LabelItem>& items, float anatomyMiddle) {
+float middleBetweenColumns(const std::vector<LabelItem>& items, const LabelBox& anatomy) {
+  constexpr float nearMiddle = 0.02f;  // of the anatomy's width, to either side
+  const float middle = anatomy.middle().x;
   if (items.empty())
-    return anatomyMiddle;
+    return middle;
   std::vector<float> xs;
   xs.reserve(items.size());
   for (const LabelItem& one : items)
     xs.push_back(placeOf(one).x);
   std::sort(xs.begin(), xs.end());
-  return 0.5f * (anatomyMiddle + 0.5f * (xs[(xs.size() - 1) / 2] + xs[xs.size() / 2]));
+  const float half = 0.5f * (xs[(xs.size() - 1) / 2] + xs[xs.size() / 2]);
+  const float most = nearMiddle * anatomy.size().x;
+  return std::clamp(half, middle - most, middle + most);
 }
 
 LabelBox frameOf(const LabelSpace& space) {

@@ -25,9 +25,9 @@ bool jumps(const PlacedLabel& was, const PlacedLabel& is);
 /// Returns what the item points at; for a distance, the middle.
 glm::vec2 placeOf(const LabelItem& item);
 /// Returns the x that decides between the columns: items with a place to the left of it have their
-/// label in the left one. It lies between the middle of the anatomy and that of the places, so that
-/// neither column is crowded.
-float middleBetweenColumns(const std::vector<LabelItem>& items, float anatomyMiddle);
+/// label in the left one. It is the middle of the anatomy, so that what lies on one side of the
+/// patient is labelled there; what lies in the middle itself goes where fewer are.
+float middleBetweenColumns(const std::vector<LabelItem>& items, const LabelBox& anatomy);
 /// Returns the area in which boxes may stand.
 LabelBox frameOf(const LabelSpace& space);
 /// Tells whether there is room in the frame for a box of that size.

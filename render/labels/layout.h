@@ -19,6 +19,9 @@
 
 namespace sline::render {
 
+/// Tells where a label stands; `beside` means beside its place, without a leader.
+enum class LabelPost { left, right, beside, byHand };
+
 struct LabelItem {
   model::AnnotationId id;
   model::AnnotationKind kind = model::AnnotationKind::label;
@@ -27,8 +30,14 @@ struct LabelItem {
   glm::vec2 box{0.0f};  ///< the size that the text needs, with its padding
   /// Where the place was found for this picture; absent where it was set by hand.
   std::optional<model::Anchor> found;
-  /// Set for a label moved by hand: the way from its place to the box's middle.
+  /// Set for a label moved by hand: the way from its base to the box's middle.
   std::optional<glm::vec2> offset;
+  /// Where the annotation's own place is in this picture: a box moved by hand stays with it while
+  /// leaders end at places that are found. Absent: its place.
+  std::optional<glm::vec2> base;
+  /// Set where it is known on which side the label stands in all pictures of a film: in that
+  /// column, or nowhere.
+  std::optional<LabelPost> side;
 };
 
 /// Describes the output, in millimetres.
@@ -50,11 +59,10 @@ struct LabelRequest {
   /// The camera is moving: a label that has just jumped does not jump again, but is left out where
   /// there is no other way, until the camera rests or has turned 20°.
   bool moving = false;
+  /// The picture is one of a film: boxes stay where they were, however far their places go.
+  bool still = false;
   float textWidth = 0.0f;  ///< the width to which texts were broken; kept for later layouts
 };
-
-/// Tells where a label stands; `beside` means beside its place, without a leader.
-enum class LabelPost { left, right, beside, byHand };
 
 struct PlacedLabel {
   model::AnnotationId id;
@@ -82,19 +90,27 @@ struct LabelLayout {
   std::array<float, 2> edges{};              ///< of the left and the right column
   std::array<float, 2> widths{};             ///< of the widest box that has stood in each
   float textWidth = 0.0f;                    ///< LabelRequest::textWidth
+  /// Where all labels would stand if none had been moved by hand, as one layout; empty where none
+  /// has. Others give way from there, and come back.
+  std::vector<LabelLayout> unmoved;
   bool operator==(const LabelLayout&) const = default;
 
   const PlacedLabel* find(model::AnnotationId id) const;
 };
 
+/// Returns the layout for the same camera in an output of another size, as one before the next:
+/// sides and order are as they were, and what is moved by hand.
+LabelLayout resized(const LabelLayout& layout, const glm::vec2& from, const glm::vec2& to);
+
 /// Lays out the labels. Every layout satisfies this: no two boxes overlap, no two leaders cross, no
 /// leader runs through a box, its own or another's, or turns by more than a right angle, no box but
 /// one moved by hand covers its own dot or the line that it measures, all boxes lie within the
 /// space, and no part of them lies where it is reserved, except leaders to labels moved by hand. A
-/// label moved by hand stays where it was put and the others give way: in their column, to the
-/// other side, or they are left out. Labels that find no place are left out: hidden ones before
-/// seen ones, later items before earlier ones. The same request and the same layout before give the
-/// same layout.
+/// label moved by hand stays where it was put and the others stand as if it had not been, except
+/// those that would collide: they give way by as little as helps, with a bend of the leader, in
+/// their column, to the other side, or they are left out. Labels that find no place are left out:
+/// hidden ones before seen ones, later items before earlier ones. The same request and the same
+/// layout before give the same layout.
 LabelLayout layOutLabels(const LabelRequest& request, const LabelLayout* before = nullptr);
 
 }  // namespace sline::render

@@ -48,8 +48,13 @@ glm::vec3 Layouter::lastJump(std::size_t i) const {
 }
 
 LabelPost Layouter::sideOf(std::size_t i) const {
+  if (item(i).side)
+    return *item(i).side;
   const float x = placeOf(item(i)).x - m_middle;
   const PlacedLabel* was = before(i);
+  const PlacedLabel* home = this->home(i);
+  if (home && isColumn(home->post) && !(was && isColumn(was->post) && rests(i)))
+    return home->post;
   if (was && isColumn(was->post)) {
     const float past = was->post == LabelPost::left ? x : -x;
     return past > stay * m_width && calm(i) > restDegrees ? otherSide(was->post) : was->post;
@@ -62,6 +67,7 @@ void Layouter::choosePosts() {
     const LabelItem& one = item(i);
     m_fates[i].out = one.places.empty() || !hasRoom(m_frame, one.box) || !(one.box.x > 0.0f) ||
                      !(one.box.y > 0.0f) || (rests(i) && !before(i));
+    m_fates[i].tried = one.side.has_value();
     m_fates[i].post = one.offset          ? LabelPost::byHand
                       : standsBeside(one) ? LabelPost::beside
                                           : sideOf(i);
@@ -108,13 +114,18 @@ bool Layouter::inConflict(std::size_t i, std::size_t j) const {
 
 /// Decides which of two items gives way. A label moved by hand wins. A label that has another side
 /// to try goes there: first the cause, the one with a leader through the other's box, then the one
-/// that has not jumped for longer. Otherwise a seen label wins over a hidden one, then the earlier.
+/// that has not jumped for longer. In a film, where none may, the one whose place is farther past
+/// the middle is left out. Otherwise a seen label wins over a hidden one, then the earlier.
 std::size_t Layouter::loserOf(std::size_t i, std::size_t j) const {
   const auto rank = [&](std::size_t k, std::size_t other) {
     const bool cause = runsThrough(m_placed[k]->leader, m_placed[other]->box.grown(clearance));
     const float rested = m_fates[k].tried ? 0.0f : calm(k);
-    return std::tuple(m_placed[k]->post != LabelPost::byHand, !m_fates[k].tried, cause, rested,
-                      item(k).hidden, k);
+    const float past = placeOf(item(k)).x - m_middle;
+    const float astray = !item(k).side                     ? 0.0f
+                         : item(k).side == LabelPost::left ? std::max(past, 0.0f)
+                                                           : std::max(-past, 0.0f);
+    return std::tuple(m_placed[k]->post != LabelPost::byHand, !m_fates[k].tried, astray, cause,
+                      rested, item(k).hidden, k);
   };
   return rank(i, j) < rank(j, i) ? j : i;
 }

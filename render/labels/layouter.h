@@ -21,9 +21,12 @@ struct Fate {
 
 class Layouter {
  public:
-  Layouter(const LabelRequest& request, const LabelLayout* before)
+  /// `home`, if given, is where all labels would stand if none had been moved by hand.
+  Layouter(const LabelRequest& request, const LabelLayout* before,
+           const LabelLayout* home = nullptr)
       : m_request(request),
         m_before(before),
+        m_home(home),
         m_frame(frameOf(request.space)),
         m_fates(request.items.size()),
         m_placed(request.items.size()) {}
@@ -34,6 +37,14 @@ class Layouter {
   const LabelItem& item(std::size_t i) const { return m_request.items[i]; }
   const PlacedLabel* before(std::size_t i) const {
     return m_before ? m_before->find(item(i).id) : nullptr;
+  }
+  const PlacedLabel* home(std::size_t i) const {
+    return m_home ? m_home->find(item(i).id) : nullptr;
+  }
+  /// Returns where it stays if it can: at home, or else where it was before.
+  const PlacedLabel* stands(std::size_t i) const {
+    const PlacedLabel* home = this->home(i);
+    return home && home->post == m_fates[i].post ? home : before(i);
   }
   Column column(LabelPost post) const;
 
@@ -65,6 +76,7 @@ class Layouter {
   float wantedHeight(std::size_t i) const;
   void place();
   void placeByHand(std::size_t i);
+  Leader leaderToHand(const LabelBox& box, const glm::vec2& place) const;
   /// Tells whether part of the box is outside the frame or where something is reserved, or whether
   /// it covers what it points at.
   bool misplaced(std::size_t i) const;
@@ -74,6 +86,15 @@ class Layouter {
   bool placeSteadily(LabelPost post, const std::vector<ColumnItem>& items);
   void put(const ColumnItem& one, LabelPost post, const ColumnPlacement& place);
   void placeBeside(std::size_t i);
+  /// Bends leaders so that fewer meet, those to labels moved by hand if others cannot go past them.
+  void bendApart();
+  void bend(std::size_t i, const std::vector<Leader>& ways);
+  void bendRound(std::size_t hand);
+  std::vector<Leader> waysRoundHand(std::size_t i, std::size_t hand) const;
+  std::vector<Leader> bestWaysOf(std::size_t i);
+  std::size_t conflictsOf(std::size_t i) const;
+  /// Returns leaders that the label may have, beginning with its own.
+  std::vector<Leader> waysOf(std::size_t i) const;
   bool fits(std::size_t i, const LabelBox& box) const;
   std::optional<std::size_t> firstLoser() const;
   bool inConflict(std::size_t i, std::size_t j) const;
@@ -83,6 +104,7 @@ class Layouter {
 
   const LabelRequest& m_request;
   const LabelLayout* m_before;
+  const LabelLayout* m_home;
   LabelBox m_frame;
   std::array<float, 2> m_near{};  ///< the edges of columns that have room there
   std::array<float, 2> m_edges{};

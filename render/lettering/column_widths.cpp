@@ -31,7 +31,7 @@ class Trials {
     std::vector<LabelItem> items;
     for (const ShownLabel& label : texts.labels)
       items.push_back(label.item);
-    const float middle = middleBetweenColumns(items, texts.anatomy.middle().x);
+    const float middle = middleBetweenColumns(items, texts.anatomy);
     const float widest = widestTextMm(texts.space.size.x, texts.style);
     const WordRoom words = wordRoom(texts.space.size.x, texts.style);
     for (const ShownLabel& label : texts.labels) {

@@ -208,22 +208,30 @@ LabelPlate numbered(LabelPlate plate, const LabelTurn& turn) {
 
 }  // namespace
 
-LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
-                      model::MeshTrees& trees, const LabelTurn& turn) {
-  LabelsInPicture labels =
-      labelsInPicture(scene, screen, style.language, trees, {turn.before, turn.hurried});
+LabelSights labelSights(const model::Scene& scene, const Screen& screen,
+                        const std::string& language, model::MeshTrees& trees,
+                        const LabelsBefore& before) {
+  LabelSights sights{.labels = labelsInPicture(scene, screen, language, trees, before),
+                     .obstacles = {},
+                     .size = screen.size(),
+                     .towardsEye = model::cameraFrame(screen.camera()).back};
+  if (!sights.labels.shown.empty())
+    sights.obstacles = obstaclesOf(scene, screen);
+  return sights;
+}
+
+LabelPlate labelPlate(LabelSights sights, const LabelStyle& style, const LabelTurn& turn) {
   LabelPlate plate{.style = style,
-                   .labels = std::move(labels.shown),
+                   .labels = std::move(sights.labels.shown),
                    .texts = {},
                    .layout = {},
-                   .unseen = std::move(labels.unseen)};
+                   .unseen = std::move(sights.labels.unseen)};
   LabelRequest request{.items = {},
-                       .space = {screen.size(), 0.0f, style.edges, style.reserved},
-                       .obstacles = {},
-                       .towardsEye = model::cameraFrame(screen.camera()).back,
-                       .moving = turn.moving};
-  if (!plate.labels.empty())
-    request.obstacles = obstaclesOf(scene, screen);
+                       .space = {sights.size, 0.0f, style.edges, style.reserved},
+                       .obstacles = std::move(sights.obstacles),
+                       .towardsEye = sights.towardsEye,
+                       .moving = turn.moving,
+                       .still = turn.still};
   request.textWidth = textWidthFor(plate, request, turn);
   setPlate(plate, request, turn);
   // Beside marks there may be room for long lines where there is none for several.
@@ -231,13 +239,18 @@ LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const Lab
   if (chosen && !plate.layout.leftOut.empty()) {
     LabelPlate wide = plate;
     constexpr float nearlyHalf = 0.42f;
-    request.textWidth =
-        std::max(widestTextMm(screen.size().x, style), nearlyHalf * screen.size().x);
+    request.textWidth = std::max(widestTextMm(sights.size.x, style), nearlyHalf * sights.size.x);
     setPlate(wide, request, turn);
     if (wide.layout.leftOut.size() < plate.layout.leftOut.size())
       return numbered(std::move(wide), turn);
   }
   return numbered(std::move(plate), turn);
+}
+
+LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
+                      model::MeshTrees& trees, const LabelTurn& turn) {
+  return labelPlate(labelSights(scene, screen, style.language, trees, {turn.before, turn.hurried}),
+                    style, turn);
 }
 
 Lettering letteringOf(const LabelPlate& plate) {

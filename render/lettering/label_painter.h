@@ -24,7 +24,22 @@ struct LabelTurn {
   const LabelLayout* before = nullptr;  ///< that of the picture before
   bool moving = false;                  ///< as in LabelRequest: true until the camera rests
   bool hurried = false;                 ///< as in LabelsBefore
+  bool still = false;                   ///< as in LabelRequest
 };
+
+/// Holds what a picture's labels go by before they are laid out.
+struct LabelSights {
+  LabelsInPicture labels;
+  ObstacleMask obstacles;
+  glm::vec2 size{0.0f};        ///< of the output, millimetres
+  glm::vec3 towardsEye{0.0f};  ///< as in LabelRequest
+};
+LabelSights labelSights(const model::Scene& scene, const Screen& screen,
+                        const std::string& language, model::MeshTrees& trees,
+                        const LabelsBefore& before = {});
+
+/// Lays out the labels.
+LabelPlate labelPlate(LabelSights sights, const LabelStyle& style, const LabelTurn& turn);
 
 /// Lays out the scene's labels on that screen.
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,

@@ -104,6 +104,57 @@ class LabelsPictureTest : public QObject {
     QVERIFY2(strayed() < 0.1f, "nearer");
   }
 
+  /// In a window of another size a text that was moved by hand stands where it stood beside its
+  /// structure, and the other label on its side.
+  void anotherSizeOfTheWindowMovesNoText() {
+    Labels f;
+    f.make(f.liver, {});
+    f.make(f.bladder, {}, Qt::Key_T);
+    const model::AnnotationId id = f.annotations().front().id;
+    const model::AnnotationId other = f.annotations().back().id;
+    dragMouse(f.viewport(), f.textAt(id), f.textAt(id) + QPoint(60, -70));
+    const auto beside = [&] {
+      const glm::vec2 from(f.textAt(id).x() - f.placeAt(id).x(),
+                           f.textAt(id).y() - f.placeAt(id).y());
+      return from / f.sheet().wish.size.y;
+    };
+    const glm::vec2 before = beside();
+    const render::LabelPost side = f.sheet().plate.layout.find(other)->post;
+    const QSize size = f.window.size();
+    for (const QSize& now :
+         {QSize(size.width() - 60, size.height()), QSize(size.width() - 60, size.height() - 50),
+          QSize(size.width() - 20, size.height() - 80), size}) {
+      f.window.resize(now);
+      QVERIFY(f.settled());
+      QVERIFY2(glm::distance(beside(), before) * f.sheet().wish.size.y < 3.0f,
+               qPrintable(QStringLiteral("%1 x %2").arg(now.width()).arg(now.height())));
+      QCOMPARE(f.sheet().plate.layout.find(other)->post, side);
+    }
+  }
+
+  /// Fit All leaves the anatomy between the columns.
+  void fitAllLeavesRoomForLabels() {
+    Labels f;
+    f.make(f.liver, QStringLiteral("A text that makes its column wider"));
+    f.make(f.bladder, QStringLiteral("Another such text"));
+    f.key(Qt::Key_P);
+    f.key(Qt::Key_A);
+    for (int i = 0; i < 4; ++i) {
+      QWheelEvent wheel(f.viewport().rect().center(),
+                        f.viewport().mapToGlobal(f.viewport().rect().center()), {}, {0, 120},
+                        Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+      QCoreApplication::sendEvent(&f.viewport(), &wheel);
+    }
+    f.control<QAction>("fit").trigger();
+    const widgets::LabelSheet& sheet = f.sheet();
+    const render::ObstacleMask anatomy = render::obstaclesOf(
+        f.session.scene(),
+        render::Screen(f.viewport().camera(), sheet.wish.size / sheet.wish.pixelsPerMm));
+    QCOMPARE(sheet.plate.layout.labels.size(), std::size_t(2));
+    for (const render::PlacedLabel& label : sheet.plate.layout.labels)
+      QVERIFY(!render::overlap(label.box, *anatomy.extent));
+  }
+
   /// A place that is hidden in exports is hidden here, too.
   void hiddenPlacesAreTold() {
     Labels f;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the columns of labels, what they go around, and what stands in none.
 #include <QtTest>
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <random>
 
 #include "render/labels/layout.h"
@@ -10,6 +12,49 @@
 using namespace sline;
 using namespace sline::test;
 using namespace sline::render;
+
+namespace {
+
+LabelRequest twelve() {
+  LabelRequest request = roomy();
+  for (int i = 0; i < 4; ++i)
+    request.items.push_back({.id = {std::uint64_t(i + 9)},
+                             .places = {{136.0f + 23.0f * float(i), 150.0f - 31.0f * float(i)}},
+                             .box = {24.0f, 4.5f}});
+  return request;
+}
+
+/// Counts the labels that a dragged one makes move.
+struct Moves {
+  int drags = 0;
+  int moves = 0;
+  int most = 0;           ///< at once
+  float farthest = 0.0f;  ///< in heights of the box
+  int covered = 0;        ///< those over whose dot the label is
+
+  void add(const LabelLayout& first, const LabelLayout& now, model::AnnotationId dragged) {
+    constexpr float near = 3.0f;
+    constexpr float gone = 1000.0f;
+    int others = 0;
+    for (const PlacedLabel& was : first.labels) {
+      const PlacedLabel* is = now.find(was.id);
+      if (was.id == dragged || (is && is->box == was.box))
+        continue;
+      if (now.find(dragged)->box.grown(near).contains(was.leader.front())) {
+        ++covered;
+        continue;
+      }
+      ++others;
+      const float way = is ? glm::distance(is->box.middle(), was.box.middle()) : gone;
+      farthest = std::max(farthest, way / was.box.size().y);
+    }
+    most = std::max(most, others);
+    moves += others;
+    ++drags;
+  }
+};
+
+}  // namespace
 
 class LabelColumnsTest : public QObject {
   Q_OBJECT
@@ -32,6 +77,25 @@ class LabelColumnsTest : public QObject {
     });
     QVERIFY2(above >= 2 && below >= 2,
              qPrintable(QString("%1 above, %2 below").arg(above).arg(below)));
+  }
+
+  /// What lies on a side is labelled there, however few the others are, as long as there is room.
+  void sidesAreThoseOfPlaces() {
+    std::mt19937 random(5);
+    for (int run = 0; run < 40; ++run) {
+      LabelRequest request = roomy();
+      const LabelBox anatomy = *request.obstacles.extent;
+      for (LabelItem& item : request.items)
+        item.places.front() = {
+            anatomy.low.x + anatomy.size().x *
+                                float(item.id.value == 1 ? random() % 48 : 53 + random() % 47) /
+                                100.0f,
+            10.0f + 22.0f * float(item.id.value - 1) + float(random() % 10)};
+      const LabelLayout layout = layOutLabels(request);
+      QCOMPARE(layout.labels.size(), request.items.size());
+      for (const PlacedLabel& label : layout.labels)
+        QCOMPARE(label.post, label.id.value == 1 ? LabelPost::left : LabelPost::right);
+    }
   }
 
   /// Places lie one below the other, and their labels stand in that order.
@@ -96,6 +160,97 @@ class LabelColumnsTest : public QObject {
     QCOMPARE(layout.labels.front().id, model::AnnotationId{1});
     QCOMPARE(broken(request, layout), QString());
     QVERIFY(layOutLabels(request, &layout).find({1}));
+  }
+
+  /// Each of twelve labels is dragged across the picture in eight directions. Wherever it is, at
+  /// most two others are anywhere but where they stood, none by more than its own height, and all
+  /// go back. Only if it is dragged over another's dot, that one may go.
+  void othersHoldStillWhileOneIsDragged() {
+    const LabelRequest request = twelve();
+    const LabelLayout first = layOutLabels(request);
+    QCOMPARE(first.labels.size(), std::size_t(12));
+    Moves all;
+    for (const LabelItem& dragged : request.items)
+      for (const glm::vec2 way : {glm::vec2(0.0f, 9.0f),
+                                  {0.0f, -9.0f},
+                                  {11.0f, 0.0f},
+                                  {-11.0f, 0.0f},
+                                  {10.0f, 6.0f},
+                                  {-10.0f, -6.0f},
+                                  {10.0f, -6.0f},
+                                  {-10.0f, 6.0f}}) {
+        LabelRequest moved = request;
+        LabelLayout layout = first;
+        LabelItem& item = moved.items[std::size_t(dragged.id.value - 1)];
+        for (int step = 1; step <= 20; ++step) {
+          const glm::vec2 to = first.find(dragged.id)->box.middle() + float(step) * way;
+          item.offset = to - dragged.places.front();
+          layout = layOutLabels(moved, &layout);
+          QVERIFY2(broken(moved, layout).isEmpty(), qPrintable(broken(moved, layout)));
+          all.add(first, layout, dragged.id);
+          // Who opens the scene sees the same.
+          const LabelLayout opened = layOutLabels(moved);
+          for (const PlacedLabel& label : opened.labels)
+            QCOMPARE(layout.find(label.id)->box, label.box);
+        }
+        item.offset.reset();
+        layout = layOutLabels(moved, &layout);
+        for (const PlacedLabel& label : first.labels)
+          QCOMPARE(layout.find(label.id)->box, label.box);
+      }
+    qInfo(
+        "in %d places of a dragged label %d others move, at most %d at once, by %.2f heights; it "
+        "is over the dot of %d",
+        all.drags, all.moves, all.most, double(all.farthest), all.covered);
+    QVERIFY(all.most <= 2);
+    QVERIFY(all.farthest <= 1.0f);
+    QVERIFY(all.moves > 50 && all.covered < 100);
+  }
+
+  /// In a picture of another size what is moved by hand stays where it was put, and no other
+  /// changes sides or passes another.
+  void anotherSizeChangesNoOrder() {
+    LabelRequest request = twelve();
+    request.items[4].offset = glm::vec2(26.0f, -31.0f);
+    const LabelLayout first = layOutLabels(request);
+    for (const glm::vec2 size : {glm::vec2(300.0f, 190.0f), {440.0f, 190.0f}, {340.0f, 160.0f}}) {
+      LabelRequest other = request;
+      const float scale = size.y / request.space.size.y;
+      const auto moved = [&](const glm::vec2& p) {
+        return 0.5f * size + scale * (p - 0.5f * request.space.size);
+      };
+      other.space.size = size;
+      other.obstacles.extent = {moved(request.obstacles.extent->low),
+                                moved(request.obstacles.extent->high)};
+      for (LabelItem& item : other.items)
+        item.places.front() = moved(item.places.front());
+      *other.items[4].offset *= scale;
+      const LabelLayout before = resized(first, request.space.size, size);
+      const LabelLayout layout = layOutLabels(other, &before);
+      QCOMPARE(broken(other, layout), QString());
+      QCOMPARE(layout.labels.size(), first.labels.size());
+      QVERIFY(glm::distance(layout.find({5})->box.middle(), moved(first.find({5})->box.middle())) <
+              0.01f);
+      for (const PlacedLabel& one : layout.labels) {
+        QCOMPARE(one.post, first.find(one.id)->post);
+        for (const PlacedLabel& two : layout.labels)
+          if (one.post == two.post && one.post != LabelPost::byHand)
+            QCOMPARE(one.box.low.y < two.box.low.y,
+                     first.find(one.id)->box.low.y < first.find(two.id)->box.low.y);
+      }
+    }
+  }
+
+  /// A box moved by hand stays with the annotation's own place when its leader ends elsewhere.
+  void aFoundPlaceMovesNoBox() {
+    LabelRequest request = roomy();
+    request.items[3].offset = glm::vec2(-20.0f, 5.0f);
+    const LabelLayout first = layOutLabels(request);
+    request.items[3].base = request.items[3].places.front();
+    request.items[3].places.front() += glm::vec2(9.0f, 4.0f);
+    const LabelLayout layout = layOutLabels(request, &first);
+    QCOMPARE(layout.find({4})->box, first.find({4})->box);
+    QCOMPARE(layout.find({4})->leader.front(), request.items[3].places.front());
   }
 
   /// When a label is put into a column, those there make room in their column, and none is lost.

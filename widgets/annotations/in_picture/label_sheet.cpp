@@ -175,16 +175,20 @@ void LabelDrawer::paint(LabelSheet& sheet) {
   sheet.image.setDevicePixelRatio(wish.ratio);
 }
 
-const render::LabelLayout* LabelDrawer::before(const model::Camera& camera,
-                                               const LabelWish& wish) const {
+std::optional<render::LabelLayout> LabelDrawer::before(const model::Camera& camera,
+                                                       const LabelWish& wish) const {
   constexpr float another = 0.85f;  // cosine of the largest angle of a turn that is followed
   if (!m_last || m_last->empty() || m_last->wish.document != wish.document ||
-      m_last->wish.size != wish.size || m_last->wish.style.points != wish.style.points ||
+      m_last->wish.style.points != wish.style.points ||
       m_last->wish.style.mode != wish.style.mode || m_last->wish.arrivals != wish.arrivals ||
       (!wish.moving && outgrown(m_last->settled, camera)))
-    return nullptr;
+    return std::nullopt;
   const glm::vec3 was = model::cameraFrame(m_last->camera).back;
-  return glm::dot(was, model::cameraFrame(camera).back) < another ? nullptr : &m_last->plate.layout;
+  if (glm::dot(was, model::cameraFrame(camera).back) < another)
+    return std::nullopt;
+  const glm::vec2 from = m_last->wish.size / m_last->wish.pixelsPerMm;
+  const glm::vec2 to = wish.size / wish.pixelsPerMm;
+  return from == to ? m_last->plate.layout : render::resized(m_last->plate.layout, from, to);
 }
 
 LabelSheetPtr LabelDrawer::draw(const model::Scene& scene, const model::Camera& camera,
@@ -200,9 +204,10 @@ LabelSheetPtr LabelDrawer::draw(const model::Scene& scene, const model::Camera& 
     if (!render::Sights(scene, m_trees).withoutTree().empty())
       return nullptr;
     const render::Screen screen(camera, wish.size / wish.pixelsPerMm);
-    const render::LabelLayout* follows = before(camera, wish);
-    sheet->plate =
-        render::labelPlate(scene, screen, wish.style, m_trees, {follows, wish.moving, wish.moving});
+    const std::optional<render::LabelLayout> follows = before(camera, wish);
+    sheet->plate = render::labelPlate(
+        scene, screen, wish.style, m_trees,
+        {.before = follows ? &*follows : nullptr, .moving = wish.moving, .hurried = wish.moving});
     sheet->settled = follows ? m_last->settled : camera;
     if (!sheet->empty())
       paint(*sheet);

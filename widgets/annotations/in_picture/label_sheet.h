@@ -53,7 +53,8 @@ class LabelDrawer {
   bool prepare(const model::Scene& scene);
 
  private:
-  const render::LabelLayout* before(const model::Camera& camera, const LabelWish& wish) const;
+  std::optional<render::LabelLayout> before(const model::Camera& camera,
+                                            const LabelWish& wish) const;
   void paint(LabelSheet& sheet);
   void paintTexts(QPainter& painter, const LabelSheet& sheet);
 

@@ -7,8 +7,8 @@ namespace sline::widgets {
 
 namespace {
 
-/// Returns the way from the middle of its places to the middle of its text, in heights of the
-/// picture.
+/// Returns the way from the annotation's own place, the middle of a distance, to the middle of its
+/// text, in heights of the picture.
 glm::vec2 offsetIn(const LabelSheet& sheet, model::AnnotationId id) {
   const render::PlacedLabel* placed = sheet.plate.layout.find(id);
   for (const render::ShownLabel& label : sheet.plate.labels)
@@ -16,7 +16,8 @@ glm::vec2 offsetIn(const LabelSheet& sheet, model::AnnotationId id) {
       glm::vec2 place(0.0f);
       for (const glm::vec2& each : label.item.places)
         place += each / float(label.item.places.size());
-      return (placed->box.middle() - place) * sheet.wish.pixelsPerMm / sheet.wish.size.y;
+      const glm::vec2 base = label.item.base.value_or(place);
+      return (placed->box.middle() - base) * sheet.wish.pixelsPerMm / sheet.wish.size.y;
     }
   return glm::vec2(0.0f);
 }
