@@ -77,12 +77,14 @@ class Filming {
   }
 
   Status run(FilmSink& sink) {
-    m_painter->settle(*m_film);
+    if (!m_painter->settle(*m_film,
+                           [this](double share) { return tell(0.1 * share, "placing labels"); }))
+      return givenUp(m_target);
     const int count = m_film->frames();
     for (int i = 0; i < count; ++i) {
       const std::string what =
           "drawing frame " + std::to_string(i + 1) + " of " + std::to_string(count);
-      if (!tell(0.99 * double(i) / double(count), what))
+      if (!tell(0.1 + 0.89 * double(i) / double(count), what))
         return givenUp(m_target);
       const Result<Image> image = m_painter->draw(*m_film, i);
       if (!image.ok())

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "model/scene/label_words.h"
-#include "render/export/plate/figure_plate.h"
+#include "render/export/motion/film_labels.h"
 #include "render/export/plate/plate_image.h"
 #include "render/picture/headless/headless_picture.h"
 
@@ -68,15 +68,11 @@ struct FilmPainter::Data {
   const ExportOrder& order;
   std::unique_ptr<Typesetting> typesetting;
   HeadlessPicture picture;
-  model::MeshTrees trees;
-  std::optional<LabelLayout> layout;  ///< that of the frame before
-  EdgeRoom edges;  ///< the room that marks take in any frame: labels keep out of it
+  FilmLabels labels;
   Sightings sightings;
 
   bool labelled() const { return order.labels.mode != LabelMode::off; }
   bool bare() const { return order.bare(); }
-  ExportOrder orderOf(const FilmFrame& frame) const;
-  FigurePlate plateOf(const FilmFrame& frame);
   Result<Image> drawFrame(const FilmFrame& frame, const glm::ivec2& size);
   void paint(Image& image, const FigurePlate& plate) const;
 };
@@ -89,7 +85,7 @@ Result<std::unique_ptr<FilmPainter>> FilmPainter::create(const ExportOrder& orde
   if (!picture.ok())
     return picture.error();
   std::unique_ptr<Data> data(
-      new Data{order, nullptr, std::move(picture).value(), {}, std::nullopt, {}, {}});
+      new Data{order, nullptr, std::move(picture).value(), FilmLabels(order), {}});
   if (!data->bare()) {
     Result<std::unique_ptr<Typesetting>> typesetting = Typesetting::create();
     if (!typesetting.ok())
@@ -103,50 +99,8 @@ glm::vec2 FilmPainter::anatomyShare() const {
   return m_data->bare() ? glm::vec2(1.0f) : shareBesidePlate(m_data->order, *m_data->typesetting);
 }
 
-ExportOrder FilmPainter::Data::orderOf(const FilmFrame& frame) const {
-  ExportOrder now;
-  now.scene = frame.scene;
-  now.camera = frame.camera;
-  now.viewName = frame.viewName;
-  now.page = order.page;
-  now.environment = order.environment;
-  now.labels = order.labels;
-  now.marks = order.marks;
-  now.legend = order.legend;
-  return now;
-}
-
-FigurePlate FilmPainter::Data::plateOf(const FilmFrame& frame) {
-  FigurePlate plate{.labels = {}, .marks = marksOf(orderOf(frame)), .notes = {}};
-  if (!labelled())
-    return plate;
-  LabelStyle style = order.labels;
-  style.onDark = order.environment.background == Background::dark;
-  style.edges = edges;
-  if (plate.marks.legend)
-    style.reserved = {*plate.marks.legend};
-  plate.labels = labelPlate(frame.scene, Screen(frame.camera, order.page.sizeMm), style, trees,
-                            {.before = layout ? &*layout : nullptr, .moving = frame.moving});
-  layout = plate.labels->layout;
-  return plate;
-}
-
-void FilmPainter::settle(const Film& film) {
-  if (!m_data->labelled())
-    return;
-  // Marks come and go; labels should not give way each time.
-  const int step = std::max(film.frames() / 48, 1);
-  EdgeRoom& edges = m_data->edges;
-  for (int i = 0; i < film.frames(); i += step) {
-    const EdgeRoom now = marksOf(m_data->orderOf(film.at(i))).edges;
-    edges = {.left = std::max(edges.left, now.left),
-             .top = std::max(edges.top, now.top),
-             .right = std::max(edges.right, now.right),
-             .bottom = std::max(edges.bottom, now.bottom)};
-  }
-  if (film.loops())
-    for (int i = 0; i < film.frames(); ++i)
-      m_data->plateOf(film.at(i));
+bool FilmPainter::settle(const Film& film, const std::function<bool(double)>& go) {
+  return m_data->labels.settle(film, go);
 }
 
 Result<Image> FilmPainter::Data::drawFrame(const FilmFrame& frame, const glm::ivec2& size) {
@@ -178,21 +132,22 @@ Result<Image> FilmPainter::draw(const Film& film, int frame) {
   Result<Image> image = m_data->drawFrame(shown, film.size());
   if (!image.ok() || m_data->bare())
     return image;
-  const FigurePlate plate = m_data->plateOf(shown);
+  const FigurePlate plate = m_data->labels.plateOf(film, frame);
   m_data->sightings.add(shown, plate, m_data->order.labels.language);
   m_data->paint(*image, plate);
   return image;
 }
 
-ExportNotes FilmPainter::notes() const {
-  return m_data->sightings.notes();
+Result<Image> FilmPainter::drawAlone(const Film& film, int frame) {
+  const FilmFrame shown = film.at(frame);
+  Result<Image> image = m_data->drawFrame(shown, film.size());
+  if (image.ok() && !m_data->bare())
+    m_data->paint(*image, m_data->labels.alone(shown));
+  return image;
 }
 
-Result<Image> FilmPainter::drawAlone(const Film& film, int frame) {
-  const std::optional<LabelLayout> before = m_data->layout;
-  Result<Image> image = draw(film, frame);
-  m_data->layout = before;
-  return image;
+ExportNotes FilmPainter::notes() const {
+  return m_data->sightings.notes();
 }
 
 }  // namespace sline::render

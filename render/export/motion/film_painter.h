@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -9,8 +10,7 @@
 
 namespace sline::render {
 
-/// Draws a film's frames one after the other. It keeps what it can from one frame to the next, and
-/// labels start from where they were.
+/// Draws a film's frames one after the other. It keeps what it can from one frame to the next.
 class FilmPainter {
  public:
   /// Makes a context without a display and what text needs. The order must outlive the painter.
@@ -19,9 +19,9 @@ class FilmPainter {
 
   /// Returns the share of the width and the height that labels and marks leave to the anatomy.
   glm::vec2 anatomyShare() const;
-  /// Finds the room that marks take in any of the frames, and where labels stand when the film
-  /// repeats: in a film that loops, the first frame follows the last like any other.
-  void settle(const Film& film);
+  /// Finds where labels stand in each frame, which must be done before frames are drawn. `go`
+  /// receives the share that is done; if it returns false, so does this.
+  bool settle(const Film& film, const std::function<bool(double)>& go);
   Result<Image> draw(const Film& film, int frame);
   /// Returns the labels and marks that were in none of the frames drawn.
   ExportNotes notes() const;

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lays out what is written over a film's frames, so that it holds still while the film is watched:
+// all frames are known before the first is drawn.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "render/export/motion/film.h"
+#include "render/export/plate/figure_plate.h"
+
+namespace sline::render {
+
+class FilmLabels {
+ public:
+  /// The order must outlive this object.
+  explicit FilmLabels(const ExportOrder& order) : m_order(order) {}
+
+  /// Finds the room that marks take in any of the frames, on which side each label stands, and
+  /// where it stands in each frame. A label changes sides at most once in eight seconds, and in a
+  /// film that loops never; it is there or gone for a second at least. `go` receives the share that
+  /// is done; if it returns false, this does, with nothing found.
+  bool settle(const Film& film, const std::function<bool(double)>& go);
+  /// Returns what is written over the frame; `settle` must have been called.
+  FigurePlate plateOf(const Film& film, int frame) const;
+  /// Returns the same for a frame as if there were no others.
+  FigurePlate alone(const FilmFrame& frame);
+
+ private:
+  ExportOrder orderOf(const FilmFrame& frame) const;
+  LabelStyle style() const;
+  void keepMarksFree(const Film& film);
+  /// Looks for the labels' places in all frames.
+  bool lookAt(const Film& film, const std::function<bool(double)>& go);
+  void layOut(const Film& film);
+
+  const ExportOrder& m_order;
+  model::MeshTrees m_trees;
+  EdgeRoom m_edges;  ///< the room that marks take in any frame: labels keep out of it
+  std::optional<LabelBox> m_legend;   ///< what the legend takes in any frame, likewise
+  std::vector<LabelSights> m_sights;  ///< of each frame, until they are laid out
+  std::vector<LabelPlate> m_plates;   ///< of each frame
+};
+
+}  // namespace sline::render
