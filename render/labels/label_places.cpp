@@ -16,6 +16,7 @@ namespace {
 
 constexpr float anatomyGapMost = 14.0f;  // the anatomy recedes this far before a column follows
 constexpr float slack = 12.0f;           // between a place's height and that of its box
+constexpr float stillGlide = 0.6f;       // that a box in a film goes towards its place, per picture
 constexpr float mostAir = 4.0f;          // between boxes of a column, where there is room
 constexpr float leastAir = 1.2f;         // the same, for columns that are higher than the anatomy
 constexpr float besideGap = 1.8f;        // between a place and a box beside it
@@ -125,8 +126,11 @@ float Layouter::wantedHeight(std::size_t i) const {
   if (!was || was->post != m_fates[i].post || was->leader.empty())
     return height;
   const float stood = was->box.middle().y;
-  if (was == home(i) || m_request.still)
+  if (was == home(i))
     return stood;
+  if (m_request.still)  // slowly, so that none is seen to hop
+    return stood - std::clamp(stood - std::clamp(stood, height - slack, height + slack),
+                              -stillGlide, stillGlide);
   const float far = std::max(slack, std::abs(stood - was->leader.front().y));
   return std::clamp(stood, height - far, height + far);
 }

@@ -59,7 +59,7 @@ struct LabelRequest {
   /// The camera is moving: a label that has just jumped does not jump again, but is left out where
   /// there is no other way, until the camera rests or has turned 20°.
   bool moving = false;
-  /// The picture is one of a film: boxes stay where they were, however far their places go.
+  /// The picture is one of a film: boxes stay where they were, and go slowly after their places.
   bool still = false;
   float textWidth = 0.0f;  ///< the width to which texts were broken; kept for later layouts
 };
