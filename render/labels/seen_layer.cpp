@@ -43,9 +43,12 @@ std::optional<Weights> weightsAt(const std::array<glm::vec2, 3>& p, const glm::v
 
 }  // namespace
 
+SeenLayer::SeenLayer(const model::Node& node, const model::ResolvedStyle& style)
+    : m_node(&node), m_mesh(node.mesh), m_style(style), m_look(style) {}
+
 SeenLayer::SeenLayer(const model::Scene& scene, const model::Node& node,
                      const model::ResolvedStyle& style)
-    : m_node(&node), m_look(style) {
+    : SeenLayer(node, style) {
   const std::vector<model::Section> sections = scene.sectionsOf(node.id);
   m_planes = model::planesOf(sections);
   if (!sections.empty())
@@ -53,7 +56,7 @@ SeenLayer::SeenLayer(const model::Scene& scene, const model::Node& node,
 }
 
 SeenLayer SeenLayer::undrawn() const {
-  SeenLayer layer(*m_node, m_look);
+  SeenLayer layer(*m_node, m_style);
   layer.m_faces = m_faces;
   layer.m_planes = m_planes;
   return layer;
@@ -71,7 +74,7 @@ SeenFill SeenLayer::fillOf(const SeenCell& cell) const {
 }
 
 void SeenLayer::project(const Screen& screen, const SeenGrid& grid) {
-  const auto positions = m_node->mesh->positions();
+  const auto positions = m_mesh->positions();
   m_corners.resize(positions.size());
   glm::vec2 low(1e9f);
   glm::vec2 high(-1e9f);
@@ -86,7 +89,8 @@ void SeenLayer::project(const Screen& screen, const SeenGrid& grid) {
     high = glm::max(high, m_corners[i].cell);
   }
   m_side = grid.side;
-  constexpr float around = 2.0f;
+  m_perspective = screen.camera().projection == model::Projection::perspective;
+  constexpr float around = 4.0f;
   low = glm::clamp(glm::floor(low) - around, glm::vec2(0.0f), glm::vec2(grid.columns, grid.rows));
   high = glm::clamp(glm::ceil(high) + around, glm::vec2(0.0f), glm::vec2(grid.columns, grid.rows));
   m_left = int(low.x);
@@ -103,7 +107,7 @@ void SeenLayer::take(int x, int y, const SeenCell& cell) {
 }
 
 void SeenLayer::drawTriangle(const Screen& screen, std::uint32_t triangle) {
-  const model::Mesh& mesh = *m_node->mesh;
+  const model::Mesh& mesh = *m_mesh;
   const model::Triangle& t = mesh.triangles()[triangle];
   const std::array<const Corner*, 3> c{&m_corners[t[0]], &m_corners[t[1]], &m_corners[t[2]]};
   if (!c[0]->seen || !c[1]->seen || !c[2]->seen)
@@ -147,7 +151,7 @@ void SeenLayer::drawTriangle(const Screen& screen, std::uint32_t triangle) {
 
 /// Tells whether the surface is closed but for specks, so that cutting it makes faces.
 bool SeenLayer::isSolid() const {
-  const auto triangles = m_node->mesh->triangles();
+  const auto triangles = m_mesh->triangles();
   std::vector<std::uint64_t> edges;
   edges.reserve(3 * triangles.size());
   for (const model::Triangle& t : triangles)
@@ -190,7 +194,7 @@ void SeenLayer::findCutFaces(const Screen& screen, const SeenGrid& grid) {
 
 /// Surfaces that fall between the middles of cells are seen all the same.
 void SeenLayer::plotSmall(const Screen& screen) {
-  const model::Mesh& mesh = *m_node->mesh;
+  const model::Mesh& mesh = *m_mesh;
   for (std::uint32_t i = 0; i < mesh.triangleCount(); ++i) {
     const model::SurfacePoint middle{m_node->id, i, {1.0f / 3.0f, 1.0f / 3.0f}};
     const glm::vec3 at = model::placeOn(mesh, middle);
@@ -211,8 +215,17 @@ void SeenLayer::plotSmall(const Screen& screen) {
   }
 }
 
-void SeenLayer::findOutlines() {
-  std::vector<std::pair<std::size_t, float>> besides;
+void SeenLayer::findOutlines(float pen) {
+  struct Beside {
+    std::size_t cell;
+    float depth;
+    float ink;
+  };
+  std::vector<Beside> besides;
+  // The pen's inner edge lies half a λ within the surface, the rest outside.
+  const int reach = pen > 1.5f ? 2 : 1;
+  const float inner = reach > 1 ? 0.5f : 1.0f;
+  const float outer = std::clamp(pen - 1.0f, 0.0f, 1.0f);
   constexpr std::array<std::array<int, 2>, 4> ways{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   for (int y = m_top; y < m_top + m_rows; ++y)
     for (int x = m_left; x < m_left + m_columns; ++x) {
@@ -221,27 +234,33 @@ void SeenLayer::findOutlines() {
       for (const auto& [dx, dy] : ways) {
         const SeenCell& other = at(x + dx, y + dy);
         const bool there = covers(x + dx, y + dy);
-        if (here)
+        if (here) {
           cell.outline = cell.outline || !there || other.depth - cell.depth > m_fold;
-        else if (there)
-          besides.emplace_back(index(x, y), other.depth);
+        } else if (there) {
+          besides.push_back({index(x, y), other.depth, 1.0f});
+        } else if (reach > 1 && covers(x + 2 * dx, y + 2 * dy)) {
+          besides.push_back({index(x, y), at(x + 2 * dx, y + 2 * dy).depth, outer});
+        }
       }
+      cell.ink = cell.outline ? inner : 0.0f;
       cell.facing = std::abs(cell.facing);
     }
   // Ink lies outside the surface.
-  for (const auto& [i, depth] : besides) {
-    SeenCell& cell = m_cells[i];
-    if (cell.what == SeenCell::What::nothing || depth < cell.depth)
-      cell = {.depth = depth,
+  for (const Beside& one : besides) {
+    SeenCell& cell = m_cells[one.cell];
+    if (cell.what == SeenCell::What::nothing || one.ink > cell.ink ||
+        (one.ink == cell.ink && one.depth < cell.depth))
+      cell = {.depth = one.depth,
               .triangle = 0,
               .facing = 0.0f,
               .what = SeenCell::What::beside,
-              .outline = true};
+              .outline = true,
+              .ink = one.ink};
   }
 }
 
 void SeenLayer::draw(const Screen& screen, const SeenGrid& grid) {
-  const model::Mesh& mesh = *m_node->mesh;
+  const model::Mesh& mesh = *m_mesh;
   m_remains = std::any_of(mesh.positions().begin(), mesh.positions().end(),
                           [this](const glm::vec3& p) { return model::keptByAll(m_planes, p); });
   project(screen, grid);
@@ -260,7 +279,8 @@ void SeenLayer::draw(const Screen& screen, const SeenGrid& grid) {
   const glm::vec3 back = model::cameraFrame(screen.camera()).back;
   m_fold = std::abs(screen.depthKey(middle - fold * back) - screen.depthKey(middle));
   findCutFaces(screen, grid);
-  findOutlines();
+  const float lambda = screen.size().y / 720.0f;
+  findOutlines(m_look.pen() * lambda / grid.side);
 }
 
 SeenLayer::Spot SeenLayer::spotAt(const Screen& screen, const SeenGrid& grid, int x, int y) const {
@@ -271,12 +291,12 @@ SeenLayer::Spot SeenLayer::spotAt(const Screen& screen, const SeenGrid& grid, in
     const model::KeptSpan kept = model::keptSpan(ray, m_planes);
     return {ray.origin + float(kept.nearest) * ray.direction, place};
   }
-  const model::Triangle& t = m_node->mesh->triangles()[cell.triangle];
+  const model::Triangle& t = m_mesh->triangles()[cell.triangle];
   const std::array<const Corner*, 3> c{&m_corners[t[0]], &m_corners[t[1]], &m_corners[t[2]]};
   const auto w = weightsAt({c[0]->cell, c[1]->cell, c[2]->cell}, glm::vec2(x, y) + 0.5f);
   model::SurfacePoint point{m_node->id, cell.triangle, {1.0f / 3.0f, 1.0f / 3.0f}};
   if (!w)
-    return {point, screen.place(model::placeOn(*m_node->mesh, point)).value_or(place)};
+    return {point, screen.place(model::placeOn(*m_mesh, point)).value_or(place)};
   const Weights s = inSpace(*w, {screen.inverseDepth(c[0]->depth), screen.inverseDepth(c[1]->depth),
                                  screen.inverseDepth(c[2]->depth)});
   point.weights = {std::max(s.second, 0.0f), std::max(s.third, 0.0f)};
@@ -306,26 +326,16 @@ std::optional<glm::vec2> SeenLayer::outwards(int x, int y) const {
   return out;
 }
 
-glm::vec2 SeenLayer::silhouette(const glm::vec2& from, const glm::vec2& way, float far) const {
-  constexpr int steps = 40;
-  const glm::vec2 low = glm::min(from, from + far * way);
-  const glm::vec2 high = glm::max(from, from + far * way);
-  int last = 0;
-  for (const model::Triangle& t : m_node->mesh->triangles()) {
-    std::array<glm::vec2, 3> p;
-    bool seen = true;
-    for (std::size_t k = 0; k < 3 && seen; ++k) {
-      seen = m_corners[t[k]].seen;
-      p[k] = m_corners[t[k]].cell * m_side;
-    }
-    if (!seen || glm::any(glm::greaterThan(glm::min(glm::min(p[0], p[1]), p[2]), high)) ||
-        glm::any(glm::lessThan(glm::max(glm::max(p[0], p[1]), p[2]), low)))
-      continue;
-    for (int k = last + 1; k <= steps; ++k)
-      if (weightsAt(p, from + far * (float(k) / float(steps)) * way))
-        last = k;
-  }
-  return from + far * (float(last) / float(steps)) * way;
+std::optional<glm::ivec2> SeenLayer::coveredNear(int x, int y, int far) const {
+  std::optional<glm::ivec2> nearest;
+  int distance2 = far * far + 1;
+  for (int dy = -far; dy <= far; ++dy)
+    for (int dx = -far; dx <= far; ++dx)
+      if (dx * dx + dy * dy < distance2 && covers(x + dx, y + dy)) {
+        nearest = glm::ivec2(x + dx, y + dy);
+        distance2 = dx * dx + dy * dy;
+      }
+  return nearest;
 }
 
 }  // namespace sline::render

@@ -12,6 +12,7 @@
 #include "model/scene/scene.h"
 #include "render/labels/screen.h"
 #include "render/labels/seen_look.h"
+#include "render/strokes/structure_lines.h"
 
 namespace sline::render {
 
@@ -31,14 +32,18 @@ struct SeenCell {
   float facing = 1.0f;  ///< cosine between the surface's normal and the line of sight
   enum class What : std::uint8_t { nothing, surface, cutFace, beside } what = What::nothing;
   bool outline = false;  ///< the structure's outline runs through it
+  float ink = 0.0f;      ///< the share of it that the outline's pen covers
 };
 
 class SeenLayer {
  public:
   SeenLayer(const model::Scene& scene, const model::Node& node, const model::ResolvedStyle& style);
 
-  /// Draws the structure as its sections leave it.
+  /// Draws the structure as its sections leave it; its outlines are where its cells end.
   void draw(const Screen& screen, const SeenGrid& grid);
+  /// Draws it with the surface and the curves that pictures have (METHOD §11): takes longer. Cells
+  /// must be λ wide and the grid must be the whole picture's.
+  void drawAsInPictures(const model::Scene& scene, const Screen& screen, const SeenGrid& grid);
 
   /// Returns the same structure with nothing drawn.
   SeenLayer undrawn() const;
@@ -70,15 +75,22 @@ class SeenLayer {
     glm::vec2 place{0.0f};
   };
   Spot spotAt(const Screen& screen, const SeenGrid& grid, int x, int y) const;
+  /// Returns the nearest cell that the surface covers, at most `far` cells away.
+  std::optional<glm::ivec2> coveredNear(int x, int y, int far) const;
   /// Returns the unit vector in the picture that leads out of the surface at a cell, if its outline
   /// there bounds a body and is no thin strip, end or fold of it.
   std::optional<glm::vec2> outwards(int x, int y) const;
-  /// Returns the last place on the way from a place, which is a unit vector, where the surface is;
-  /// at most `far` from it.
-  glm::vec2 silhouette(const glm::vec2& from, const glm::vec2& way, float far) const;
 
  private:
-  SeenLayer(const model::Node& node, const SeenLook& look) : m_node(&node), m_look(look) {}
+  SeenLayer(const model::Node& node, const model::ResolvedStyle& style);
+  struct PenPoint {
+    glm::vec2 on{0.0f};     ///< the line itself, cells
+    glm::vec2 place{0.0f};  ///< where the pen draws it
+    glm::vec2 outward{0.0f};
+    float depth = 0.0f;
+    float halfWidth = 0.5f;
+    float opacity = 1.0f;
+  };
   struct Corner {
     glm::vec2 cell{0.0f};
     float depth = 0.0f;
@@ -92,11 +104,19 @@ class SeenLayer {
   void take(int x, int y, const SeenCell& cell);
   bool isSolid() const;
   void findCutFaces(const Screen& screen, const SeenGrid& grid);
-  void findOutlines();
+  void findOutlines(float pen);
+  void drawCurves(const StructureLines& drawn, const model::Surface& surface, const Screen& screen,
+                  const PictureView& view);
+  bool showsAt(PenPoint& point, const ContourProbes& probes, float tolerance) const;
+  void takeInk(const PenPoint& point);
+  float distanceAt(const glm::vec2& cell) const;
   void plotSmall(const Screen& screen);
 
   const model::Node* m_node;
+  model::MeshPtr m_mesh;  ///< the one that is drawn, of the node's triangles
+  model::ResolvedStyle m_style;
   SeenLook m_look;
+  bool m_perspective = true;
   model::CutFaces m_faces = model::CutFaces::tissue;
   std::vector<model::Plane> m_planes;
   std::vector<Corner> m_corners;

@@ -16,6 +16,17 @@ constexpr float suggestiveInk = 0.1f;
 constexpr float hatchingInk = 0.2f;
 /// The least shade that is taken to be somewhere near on a shaded surface, as surfaces are rough.
 constexpr float unevenShade = 0.3f;
+constexpr float usualPen = 2.0f;  // λ, METHOD §4
+
+/// Returns how much a shade shows of its colour where the surface has that cosine between its
+/// normal and the line of sight, as phong.glsl has it without highlights, which are white.
+float tone(float facing, float entered) {
+  constexpr float inShadow = 0.3f;  // a pure colour's
+  constexpr float inLight = 1.0f;
+  const float light = facing * (1.3f - 0.3f * facing);
+  const float shaded = inShadow + light * (inLight - inShadow);
+  return entered * shaded + (1.0f - entered) * inLight;
+}
 }  // namespace
 
 SeenLook::SeenLook(const model::ResolvedStyle& style)
@@ -25,6 +36,7 @@ SeenLook::SeenLook(const model::ResolvedStyle& style)
   m_complete = t.complete;
   // The eye follows a pen of half the usual width as well as any wider one.
   m_lines = t.lines * m_opacity * std::min(2.0f * style.penWeight, 1.0f);
+  m_pen = usualPen * style.penWeight;
   m_strokes = m_lines * (suggestiveInk * t.suggestive + hatchingInk * t.hatching) +
               m_opacity * unevenShade * t.shading;
 }
@@ -47,7 +59,8 @@ SeenFill SeenLook::surface(float facing) const {
           : 0.0f;
   const float entered = byAngle * m_shading + (1.0f - byAngle * m_shading) * m_complete;
   const float shade = entered * m_opacity;
-  return {shade + wash.colour * (1.0f - shade), shade + wash.cover * (1.0f - shade)};
+  const float own = shade * tone(std::clamp(facing, 0.0f, 1.0f), entered);
+  return {own + wash.colour * (1.0f - shade), shade + wash.cover * (1.0f - shade)};
 }
 
 SeenFill SeenLook::cutFace(model::CutFaces faces) const {

@@ -9,7 +9,7 @@ namespace sline::render {
 
 /// How a layer shows at one place, each 0 … 1.
 struct SeenFill {
-  float colour = 0.0f;  ///< the share of its own colour
+  float colour = 0.0f;  ///< the share of its own colour; what is dark shows less of it
   float cover = 0.0f;   ///< how much it hides of what is behind it
 };
 
@@ -23,6 +23,8 @@ class SeenLook {
   SeenFill cutFace(model::CutFaces faces) const;
   /// The strength of its outlines.
   float outline() const { return m_lines; }
+  /// The width of the pen that draws them, in λ.
+  float pen() const { return m_pen; }
   /// Returns the share that suggestive contours, hatching and unevenness of the shade take of a
   /// place on the surface, which nobody knows before they are drawn: about as much as they do on
   /// the average.
@@ -35,6 +37,7 @@ class SeenLook {
   float m_shading;
   float m_complete;
   float m_lines;
+  float m_pen;
   float m_strokes;
 };
 

@@ -34,12 +34,23 @@ SeenMap::SeenMap(const model::Scene& scene, const Screen& screen)
   compose();
 }
 
-SeenMap::SeenMap(const SeenMap& other, const SeenGrid& grid, const std::set<std::uint32_t>& layers)
-    : m_scene(other.m_scene), m_screen(other.m_screen), m_grid(grid) {
-  for (const std::uint32_t layer : layers)
-    m_layers.push_back(other.m_layers[layer].undrawn());
+SeenMap::SeenMap(const SeenMap& other, const SeenGrid& grid)
+    : m_scene(other.m_scene), m_screen(other.m_screen), m_grid(grid), m_index(other.m_index) {
+  for (const SeenLayer& layer : other.m_layers)
+    m_layers.push_back(layer.undrawn());
   parallelFor(m_layers.size(), 1, [&](std::size_t i) { m_layers[i].draw(m_screen, m_grid); });
   compose();
+}
+
+const SeenMap& SeenMap::fine() const {
+  if (!m_fine) {
+    SeenGrid grid = m_grid;
+    grid.side *= 0.5f;
+    grid.columns *= 2;
+    grid.rows *= 2;
+    m_fine.reset(new SeenMap(*this, grid));
+  }
+  return *m_fine;
 }
 
 const SeenLayer* SeenMap::layerOf(model::NodeId id) const {
@@ -82,7 +93,7 @@ void SeenMap::compose() {
         .depth = cell.depth,
         .reach = fill.cover,
         .colour = fill.colour,
-        .ink = cell.outline ? look.outline() : 0.0f,
+        .ink = cell.ink * look.outline(),
         .strokes = cell.what == SeenCell::What::surface ? look.strokes() : 0.0f};
   });
   for (std::size_t i = 0; i < cells; ++i) {

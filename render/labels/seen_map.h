@@ -5,8 +5,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <vector>
 
@@ -30,9 +30,10 @@ class SeenMap {
   bool draws(model::NodeId structure) const;
   /// Returns where to point at the structure: on its own fill where nothing else shows, as far as
   /// possible from where that ends; else on its own fill where that is most of what one sees; else
-  /// on its own outline; else inside it where only the ground shows. Where it shows nowhere the
-  /// place is hidden. A place from before, or one that the user has chosen, is kept where it is as
-  /// good. Nothing is returned where the structure is not in the picture.
+  /// where a dot lies on its own ink and colour more than on others'; else inside it where only the
+  /// ground shows. Where it shows nowhere the place is hidden. A place from before, or one that the
+  /// user has chosen, is kept where it is as good. Nothing is returned where the structure is not
+  /// in the picture.
   std::optional<SeenPlace> find(model::NodeId structure,
                                 const std::optional<model::Anchor>& before = {}) const;
   /// Returns a label that names the structure and has its place found anew in each picture, with
@@ -62,14 +63,25 @@ class SeenMap {
   Worth worthOf(std::uint32_t layer, int x, int y) const;
   Candidates candidates(std::uint32_t layer) const;
   std::optional<SeenPlace> kept(const Candidates& candidates, const model::Anchor& before) const;
-  /// Draws some of another map's layers into finer cells.
-  SeenMap(const SeenMap& other, const SeenGrid& grid, const std::set<std::uint32_t>& layers);
-  /// Returns a place in a narrow part of the structure that cells are too coarse for.
-  std::optional<SeenPlace> slimPlace(const Candidates& candidates) const;
-  /// Returns the place near that one where most of a dot lies on the structure, if it is enough.
-  std::optional<SeenPlace> lookClosely(std::uint32_t layer, const glm::vec2& at) const;
-  std::optional<SeenPlace> outlinePlace(const Candidates& candidates,
-                                        const std::optional<model::Anchor>& before) const;
+  /// Draws another map's layers into cells of half the size, where outlines are as wide as pens.
+  SeenMap(const SeenMap& other, const SeenGrid& grid);
+  /// Returns that map, which is made when it is first needed.
+  const SeenMap& fine() const;
+  /// What a dot would lie on in a fine map.
+  struct Dots;
+  Dots dots(std::uint32_t layer) const;
+  /// How much of a structure one sees in a cell, and of the other of which one sees most.
+  struct Shares {
+    float own = 0.0f;
+    float others = 0.0f;
+  };
+  Shares sharesAt(const SeenLayer& own, std::uint32_t layer, int x, int y) const;
+  /// Returns where a dot lies on the structure's own ink and colour; else, where it shows nowhere,
+  /// a hidden place. Of equally good ones it is the one nearest to the place before.
+  std::optional<SeenPlace> dotPlace(std::uint32_t layer,
+                                    const std::optional<model::Anchor>& before) const;
+  std::optional<SeenPlace> hiddenPlace(const Dots& dots) const;
+  SeenPlace placeAt(const SeenLayer& own, int x, int y, bool hidden) const;
 
   const model::Scene& m_scene;
   Screen m_screen;
@@ -78,6 +90,7 @@ class SeenMap {
   std::map<model::NodeId, std::uint32_t> m_index;
   std::vector<std::uint32_t> m_first;  ///< of each cell's fragments, and their end
   std::vector<Fragment> m_fragments;   ///< of each cell from front to back
+  mutable std::unique_ptr<SeenMap> m_fine;
 };
 
 }  // namespace sline::render

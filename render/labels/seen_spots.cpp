@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <set>
 
 #include "render/labels/seen_map.h"
 
@@ -142,137 +141,6 @@ std::optional<SeenPlace> SeenMap::kept(const Candidates& all, const model::Ancho
   return SeenPlace{before, *place, false};
 }
 
-std::optional<SeenPlace> SeenMap::outlinePlace(const Candidates& all,
-                                               const std::optional<model::Anchor>& before) const {
-  const SeenLayer& own = m_layers[all.layer];
-  std::optional<glm::vec2> was;
-  if (before)
-    if (const std::optional<glm::vec3> p = m_scene.placeOf(*before))
-      was = m_screen.place(*p);
-  // The farther others' lines are the better.
-  std::vector<bool> calm(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    calm[i] = true;
-    for (const Fragment& one : fragments(all.x(i), all.y(i)))
-      calm[i] = calm[i] && (one.layer == all.layer || one.most() < 0.08f);
-  }
-  const std::vector<float> room = depths(calm, all.columns, all.rows);
-  std::optional<std::size_t> best;
-  float bestWorth = 0.0f;
-  constexpr float enoughRoom = 8.0f;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all.worth[i] != Worth::outline)
-      continue;
-    const glm::vec2 place = m_grid.middle(all.x(i), all.y(i));
-    const float far = was ? glm::length(place - *was) / m_grid.side : 0.0f;
-    const float worth = std::min(room[i], enoughRoom) - 0.1f * far;
-    if (!best || worth > bestWorth) {
-      best = i;
-      bestWorth = worth;
-    }
-  }
-  if (!best)
-    return std::nullopt;
-  const int x = all.x(*best);
-  const int y = all.y(*best);
-  SeenLayer::Spot spot = own.spotAt(m_screen, m_grid, x, y);
-  // Ink lies outside the surface: the dot goes where the pen has its middle.
-  if (const std::optional<glm::vec2> way = own.outwards(x, y))
-    spot.place = own.silhouette(spot.place, *way, 2.5f * m_grid.side) + 0.3f * m_grid.side * *way;
-  return SeenPlace{spot.anchor, spot.place, false};
-}
-
-std::optional<SeenPlace> SeenMap::slimPlace(const Candidates& all) const {
-  struct Narrow {
-    std::size_t cell;
-    int around;
-  };
-  std::vector<Narrow> narrow;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all.worth[i] != Worth::slim)
-      continue;
-    int around = 0;
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx)
-        if (const auto index = all.indexAt(all.x(i) + dx, all.y(i) + dy))
-          around += all.worth[*index] == Worth::slim ? 1 : 0;
-    narrow.push_back({i, around});
-  }
-  std::stable_sort(narrow.begin(), narrow.end(),
-                   [](const Narrow& a, const Narrow& b) { return a.around > b.around; });
-  constexpr std::size_t tries = 3;
-  constexpr float apart = 3.0f;  // cells
-  std::vector<glm::vec2> tried;
-  for (const Narrow& one : narrow) {
-    const glm::vec2 cell(all.x(one.cell), all.y(one.cell));
-    if (std::any_of(tried.begin(), tried.end(),
-                    [&](const glm::vec2& t) { return glm::length(t - cell) < apart; }))
-      continue;
-    if (auto place = lookClosely(all.layer, m_grid.middle(int(cell.x), int(cell.y))))
-      return place;
-    tried.push_back(cell);
-    if (tried.size() == tries)
-      break;
-  }
-  return std::nullopt;
-}
-
-std::optional<SeenPlace> SeenMap::lookClosely(std::uint32_t layer, const glm::vec2& at) const {
-  constexpr int across = 32;
-  constexpr float dot = 0.5f;      // millimetres, the dot's radius
-  constexpr float enough = 0.55f;  // of the dot
-  SeenGrid fine{.columns = across, .rows = across, .side = 0.11f};
-  fine.corner = at - 0.5f * float(across) * fine.side;
-  std::set<std::uint32_t> near;
-  const int x0 = int(std::floor(fine.corner.x / m_grid.side)) - 1;
-  const int y0 = int(std::floor(fine.corner.y / m_grid.side)) - 1;
-  const int cells = int(std::ceil(float(across) * fine.side / m_grid.side)) + 2;
-  for (int y = y0; y <= y0 + cells; ++y)
-    for (int x = x0; x <= x0 + cells; ++x)
-      for (const Fragment& one : fragments(x, y))
-        near.insert(one.layer);
-  const SeenMap map(*this, fine, near);
-  const auto own = std::find_if(map.m_layers.begin(), map.m_layers.end(), [&](const SeenLayer& l) {
-    return l.node().id == m_layers[layer].node().id;
-  });
-  if (own == map.m_layers.end())
-    return std::nullopt;
-  const auto index = std::uint32_t(own - map.m_layers.begin());
-  std::vector<bool> mine(std::size_t(across) * std::size_t(across));
-  for (int y = 0; y < across; ++y)
-    for (int x = 0; x < across; ++x) {
-      std::optional<Fragment> most;
-      for (const Fragment& one : map.fragments(x, y))
-        if (!most || one.colour > most->colour)
-          most = one;
-      mine[std::size_t(y * across + x)] = most && most->layer == index && most->colour > 0.1f;
-    }
-  const int reach = int(std::lround(dot / fine.side));
-  std::optional<glm::ivec2> best;
-  float bestShare = enough;
-  for (int y = reach; y < across - reach; ++y)
-    for (int x = reach; x < across - reach; ++x) {
-      if (!mine[std::size_t(y * across + x)])
-        continue;
-      int count = 0;
-      int all = 0;
-      for (int dy = -reach; dy <= reach; ++dy)
-        for (int dx = -reach; dx <= reach; ++dx)
-          if (dx * dx + dy * dy <= reach * reach) {
-            ++all;
-            count += mine[std::size_t((y + dy) * across + x + dx)] ? 1 : 0;
-          }
-      if (float(count) > bestShare * float(all)) {
-        best = glm::ivec2(x, y);
-        bestShare = float(count) / float(all);
-      }
-    }
-  if (!best)
-    return std::nullopt;
-  const SeenLayer::Spot spot = own->spotAt(m_screen, fine, best->x, best->y);
-  return SeenPlace{spot.anchor, spot.place, false};
-}
-
 std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
                                        const std::optional<model::Anchor>& before) const {
   const auto index = m_index.find(structure);
@@ -288,40 +156,27 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
       counts[i] = is(all.worth[i]) && (!firm || all.firm[i]);
     return deepest(counts, all.columns, all.rows);
   };
-  const auto placed = [&](const Spot& spot, bool hidden) {
-    const SeenLayer::Spot found =
-        m_layers[all.layer].spotAt(m_screen, m_grid, all.x(spot.cell), all.y(spot.cell));
-    return SeenPlace{found.anchor, found.place, hidden};
-  };
-  const auto any = spotOf([](Worth worth) { return worth > Worth::slim; }, false);
-  if (!any) {
-    if (auto slim = slimPlace(all))
-      return slim;
-    const auto hidden = spotOf([](Worth worth) { return worth != Worth::none; }, false);
-    return hidden ? std::optional(placed(*hidden, true)) : std::nullopt;
-  }
   constexpr float roomForDot = 1.2f;  // millimetres
-  constexpr float mostLost = 0.6f;    // share of the depth where it is seen
-  const float least = std::min(roomForDot / m_grid.side, mostLost * any->depth);
+  const float enough = roomForDot / m_grid.side;
   // A corner that lies beyond everything else is no place for a structure that is seen at large.
   constexpr float cornerShare = 0.4f;
-  const auto isPlain = [](Worth worth) { return worth >= Worth::most && worth != Worth::outline; };
+  const auto isPlain = [](Worth worth) { return worth >= Worth::most; };
   const auto plain = spotOf(isPlain, false);
   const float ownRoom = plain ? cornerShare * plain->depth : 0.0f;
-  for (const float room : {least, 0.0f})
-    for (const Worth worth : {Worth::alone, Worth::most, Worth::outline, Worth::ground}) {
-      if (worth == Worth::outline) {
-        if (auto found = outlinePlace(all, before))
-          return found;
-        continue;
-      }
-      const auto is = [worth](Worth one) { return one >= worth && one != Worth::outline; };
-      const float enough = worth == Worth::alone ? std::max(room, ownRoom) : room;
-      for (const bool firm : {true, false})
-        if (const auto spot = spotOf(is, firm); spot && spot->depth >= enough)
-          return placed(*spot, false);
-    }
-  return placed(*any, false);
+  for (const Worth worth : {Worth::alone, Worth::most}) {
+    const auto is = [worth](Worth one) { return one >= worth; };
+    const float room = worth == Worth::alone ? std::max(enough, ownRoom) : enough;
+    for (const bool firm : {true, false})
+      if (const auto spot = spotOf(is, firm); spot && spot->depth >= room)
+        return placeAt(m_layers[all.layer], all.x(spot->cell), all.y(spot->cell), false);
+  }
+  const std::optional<SeenPlace> dot = fine().dotPlace(all.layer, before);
+  if (dot && !dot->hidden)
+    return dot;
+  const auto ground = spotOf([](Worth one) { return one == Worth::ground; }, false);
+  if (ground)
+    return placeAt(m_layers[all.layer], all.x(ground->cell), all.y(ground->cell), false);
+  return dot;
 }
 
 std::optional<model::Annotation> SeenMap::labelFor(model::NodeId structure) const {

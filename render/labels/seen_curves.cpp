@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws a structure's outlines into its cells where the pen draws them: as smoothed curves, which
+// lie beside the surface's own edge.
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "render/labels/seen_layer.h"
+#include "render/lines/stages.h"
+#include "render/strokes/sectioned_surface.h"
+
+namespace sline::render {
+
+namespace {
+
+// The share of a pen's width that contours within their own mask have (structure_lines.cpp).
+constexpr float withinOwnMask = 0.75f;
+
+/// Returns the key's distance from the eye's plane, mm.
+float distanceOf(float key, bool perspective) {
+  return perspective ? -1.0f / key : key;
+}
+
+}  // namespace
+
+float SeenLayer::distanceAt(const glm::vec2& cell) const {
+  const int x = int(std::floor(cell.x));
+  const int y = int(std::floor(cell.y));
+  return covers(x, y) ? distanceOf(at(x, y).depth, m_perspective)
+                      : std::numeric_limits<float>::max();
+}
+
+bool SeenLayer::showsAt(PenPoint& point, const ContourProbes& probes, float tolerance) const {
+  // As contour_visibility.glsl has it.
+  const float distance = distanceOf(point.depth, m_perspective);
+  const float here = distanceAt(point.on);
+  float wide = 0.0f;
+  float behind = std::max(here, distanceAt(point.on + probes.reach.x * point.outward));
+  if (distance > behind + tolerance) {
+    if (distance > here + probes.sheet)
+      return false;
+    wide = probes.reach.y;
+    behind =
+        std::max(distanceAt(point.on + 0.5f * (probes.reach.x + probes.reach.y) * point.outward),
+                 distanceAt(point.on + probes.reach.y * point.outward));
+    if (distance > behind + tolerance)
+      return false;
+  }
+  const glm::vec2 beyond = point.on + (wide + probes.probe) * point.outward;
+  if (covers(int(std::floor(beyond.x)), int(std::floor(beyond.y)))) {
+    const float entered = transitions(m_style.gamma).contours;
+    point.opacity *= std::min(1.0f, 2.0f * withinOwnMask * entered * point.halfWidth);
+    point.halfWidth = std::max(withinOwnMask * entered * point.halfWidth, 0.5f);
+  }
+  return true;
+}
+
+void SeenLayer::takeInk(const PenPoint& point) {
+  const glm::vec2 middle = point.place + (point.halfWidth - 0.5f) * point.outward;
+  const float reach = point.halfWidth + 0.5f;
+  for (int y = int(std::floor(middle.y - reach)); y <= int(std::floor(middle.y + reach)); ++y)
+    for (int x = int(std::floor(middle.x - reach)); x <= int(std::floor(middle.x + reach)); ++x) {
+      if (x < m_left || y < m_top || x >= m_left + m_columns || y >= m_top + m_rows)
+        continue;
+      const float off = glm::length(glm::vec2(x, y) + 0.5f - middle);
+      const float ink = std::clamp(reach - off, 0.0f, 1.0f) * point.opacity;
+      SeenCell& cell = m_cells[index(x, y)];
+      if (ink <= cell.ink)
+        continue;
+      if (cell.what == SeenCell::What::nothing)
+        cell = {.depth = point.depth, .facing = 0.0f, .what = SeenCell::What::beside};
+      cell.outline = true;
+      cell.ink = ink;
+    }
+}
+
+void SeenLayer::drawCurves(const StructureLines& drawn, const model::Surface& surface,
+                           const Screen& screen, const PictureView& view) {
+  const float lines = transitions(m_style.gamma).lines;
+  const float pen = penWidth(surface, view, m_style.penWeight);
+  const ContourProbes probes = contourProbes(surface, view, m_style);
+  // Columns are rounded up, so that the view's middle may lie beside the screen's.
+  const float aside = 0.5f * (view.size().x - screen.size().x / m_side);
+  const auto cellOf = [&](const glm::vec3& p) {
+    const glm::vec2 pixel = view.project(p).pixel;
+    return glm::vec2(pixel.x - aside, view.size().y - pixel.y);
+  };
+  const auto draw = [&](const Segment& s, float width, bool outside) {
+    if (!screen.place(s.a) || !screen.place(s.b))
+      return;
+    const glm::vec2 from = cellOf(s.a);
+    const glm::vec2 to = cellOf(s.b);
+    const glm::vec2 fromPlace = cellOf(s.a + s.moveA);
+    const glm::vec2 toPlace = cellOf(s.b + s.moveB);
+    const glm::vec2 out = view.projectedDirection(s.a, s.normalA) +
+                          view.projectedDirection(s.b, s.normalB) + glm::vec2(1e-6f, 0.0f);
+    const glm::vec2 outward = glm::normalize(glm::vec2(out.x, -out.y));
+    const float tolerance = 0.5f * surface.meanEdge + 1e-3f * surface.filigreeSize +
+                            (outside ? 0.0f : 3.0f * view.millimetresPerPixel(s.a));
+    const int steps = std::clamp(int(std::ceil(2.0f * glm::length(toPlace - fromPlace))), 1, 200);
+    for (int k = 0; k <= steps; ++k) {
+      const float t = float(k) / float(steps);
+      const float full = width * lines * glm::mix(s.pressureA, s.pressureB, t);
+      PenPoint point{.on = glm::mix(from, to, t),
+                     .place = glm::mix(fromPlace, toPlace, t),
+                     .outward = outward,
+                     .depth = glm::mix(screen.depthKey(s.a), screen.depthKey(s.b), t),
+                     .halfWidth = 0.5f * std::max(full, 1.0f),
+                     .opacity = lines * glm::mix(s.opacityA, s.opacityB, t) * std::min(full, 1.0f)};
+      if (!showsAt(point, probes, tolerance))
+        continue;
+      if (!outside)
+        point.outward = glm::vec2(0.0f);
+      takeInk(point);
+    }
+  };
+  for (const Segment& s : drawn.lines[LineKind::contour])
+    draw(s, pen, true);
+  for (const Segment& s : drawn.lines[LineKind::section])
+    draw(s, 0.5f * pen, false);
+}
+
+void SeenLayer::drawAsInPictures(const model::Scene& scene, const Screen& screen,
+                                 const SeenGrid& grid) {
+  // Outlines need no curvature that is averaged over rings, which takes most of the time.
+  model::Provenance provenance = m_node->provenance;
+  provenance.smoothingSteps = 0;
+  provenance.refinementSteps = 0;
+  PreparedSurface prepared;
+  prepared.take(m_node->mesh, provenance);
+  m_mesh = prepared.surface->mesh;
+  draw(screen, grid);
+  for (SeenCell& cell : m_cells) {
+    cell.ink = 0.0f;
+    if (cell.what == SeenCell::What::beside)
+      cell = {};
+  }
+  if (!showsLines(m_style) || m_cells.empty())
+    return;
+  const PictureView view(screen.camera(), scene.visibleBounds(), grid.columns, grid.rows);
+  model::ResolvedStyle style = m_style;
+  style.gamma = Gamma::clamped(std::min(style.gamma.value(), 1.0f));
+  StructureLines drawn;
+  drawn.lines = styledLines(prepared, view, style);
+  if (!m_planes.empty())
+    cutLines(sectioned(prepared.surface, m_planes), drawn);
+  joinLines(*prepared.surface, view, style, scene.keyLight().value_or(model::KeyLight()).towards,
+            drawn);
+  drawCurves(drawn, *prepared.surface, screen, view);
+}
+
+}  // namespace sline::render
