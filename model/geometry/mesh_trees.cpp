@@ -69,7 +69,9 @@ const Bvh& MeshTrees::of(const MeshPtr& mesh) {
 }
 
 void MeshTrees::keepOnly(const std::set<MeshPtr>& meshes) {
-  std::erase_if(m_trees, [&](const auto& entry) { return !meshes.contains(entry.first); });
+  const auto isOther = [&](const auto& entry) { return !meshes.contains(entry.first); };
+  std::erase_if(m_trees, isOther);
+  std::erase_if(m_surfaces, isOther);
 }
 
 }  // namespace sline::model

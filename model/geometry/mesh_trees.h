@@ -7,6 +7,7 @@
 #include <set>
 
 #include "model/geometry/bvh.h"
+#include "model/geometry/surface.h"
 
 namespace sline::model {
 
@@ -20,16 +21,20 @@ BvhPtr treeOf(const MeshPtr& mesh);
 /// Returns how many trees of all meshes there are in memory.
 std::size_t treesInMemory();
 
-/// Holds the trees that its owner uses again and again until told otherwise. For one thread.
+/// Holds the trees that its owner uses again and again until told otherwise, and surfaces that were
+/// made of their meshes. For one thread.
 class MeshTrees {
  public:
   const Bvh& of(const MeshPtr& mesh);
+  /// Returns the place for the mesh's surface, which is null until a caller has made it.
+  SurfacePtr& surfaceOf(const MeshPtr& mesh) { return m_surfaces[mesh]; }
   bool has(const MeshPtr& mesh) const { return m_trees.contains(mesh); }
-  /// Lets go of the trees of all other meshes.
+  /// Lets go of the trees and surfaces of all other meshes.
   void keepOnly(const std::set<MeshPtr>& meshes);
 
  private:
   std::map<MeshPtr, BvhPtr> m_trees;
+  std::map<MeshPtr, SurfacePtr> m_surfaces;
 };
 
 }  // namespace sline::model

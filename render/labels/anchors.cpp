@@ -23,7 +23,11 @@ class Finder {
  public:
   Finder(const model::Scene& scene, const Screen& screen, model::MeshTrees& trees,
          const LabelsBefore& before)
-      : m_scene(scene), m_screen(screen), m_sights(scene, trees), m_before(before) {}
+      : m_scene(scene),
+        m_screen(screen),
+        m_trees(trees),
+        m_sights(scene, trees),
+        m_before(before) {}
 
   LabelsInPicture find(const std::string& language) {
     int number = 0;
@@ -131,12 +135,13 @@ class Finder {
   /// Made when it is first needed.
   const SeenMap& map() {
     if (!m_map)
-      m_map.emplace(m_scene, m_screen);
+      m_map.emplace(m_scene, m_screen, &m_trees);
     return *m_map;
   }
 
   const model::Scene& m_scene;
   const Screen& m_screen;
+  model::MeshTrees& m_trees;
   Sights m_sights;
   LabelsBefore m_before;
   std::optional<SeenMap> m_map;

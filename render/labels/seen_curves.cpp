@@ -123,13 +123,17 @@ void SeenLayer::drawCurves(const StructureLines& drawn, const model::Surface& su
 }
 
 void SeenLayer::drawAsInPictures(const model::Scene& scene, const Screen& screen,
-                                 const SeenGrid& grid) {
-  // Outlines need no curvature that is averaged over rings, which takes most of the time.
-  model::Provenance provenance = m_node->provenance;
-  provenance.smoothingSteps = 0;
-  provenance.refinementSteps = 0;
+                                 const SeenGrid& grid, model::MeshTrees& surfaces) {
+  model::SurfacePtr& known = surfaces.surfaceOf(m_node->mesh);
+  if (!known) {
+    // Outlines need no curvature that is averaged over rings, which takes most of the time.
+    model::Provenance provenance = m_node->provenance;
+    provenance.smoothingSteps = 0;
+    provenance.refinementSteps = 0;
+    known = pictureSurface(m_node->mesh, provenance);
+  }
   PreparedSurface prepared;
-  prepared.take(m_node->mesh, provenance);
+  prepared.surface = known;
   m_mesh = prepared.surface->mesh;
   draw(screen, grid);
   for (SeenCell& cell : m_cells) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/geometry/mesh_trees.h"
 #include "model/geometry/plane.h"
 #include "model/scene/scene.h"
 #include "render/labels/screen.h"
@@ -42,8 +43,9 @@ class SeenLayer {
   /// Draws the structure as its sections leave it; its outlines are where its cells end.
   void draw(const Screen& screen, const SeenGrid& grid);
   /// Draws it with the surface and the curves that pictures have (METHOD §11): takes longer. Cells
-  /// must be λ wide and the grid must be the whole picture's.
-  void drawAsInPictures(const model::Scene& scene, const Screen& screen, const SeenGrid& grid);
+  /// must be λ wide and the grid must be the whole picture's. The surface is kept in `surfaces`.
+  void drawAsInPictures(const model::Scene& scene, const Screen& screen, const SeenGrid& grid,
+                        model::MeshTrees& surfaces);
 
   /// Returns the same structure with nothing drawn.
   SeenLayer undrawn() const;

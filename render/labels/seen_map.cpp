@@ -19,8 +19,8 @@ constexpr int cellsHigh = 360;
 
 }  // namespace
 
-SeenMap::SeenMap(const model::Scene& scene, const Screen& screen)
-    : m_scene(scene), m_screen(screen) {
+SeenMap::SeenMap(const model::Scene& scene, const Screen& screen, model::MeshTrees* meshes)
+    : m_scene(scene), m_screen(screen), m_meshes(meshes) {
   m_grid.side = screen.size().y / float(cellsHigh);
   m_grid.rows = cellsHigh;
   m_grid.columns = std::clamp(int(std::ceil(screen.size().x / m_grid.side)), 1, 8 * cellsHigh);
@@ -35,7 +35,11 @@ SeenMap::SeenMap(const model::Scene& scene, const Screen& screen)
 }
 
 SeenMap::SeenMap(const SeenMap& other, const SeenGrid& grid)
-    : m_scene(other.m_scene), m_screen(other.m_screen), m_grid(grid), m_index(other.m_index) {
+    : m_scene(other.m_scene),
+      m_screen(other.m_screen),
+      m_grid(grid),
+      m_index(other.m_index),
+      m_meshes(other.m_meshes) {
   for (const SeenLayer& layer : other.m_layers)
     m_layers.push_back(layer.undrawn());
   parallelFor(m_layers.size(), 1, [&](std::size_t i) { m_layers[i].draw(m_screen, m_grid); });

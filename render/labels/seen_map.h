@@ -23,8 +23,9 @@ struct SeenPlace {
 
 class SeenMap {
  public:
-  /// Draws the visible structures as the screen shows them.
-  SeenMap(const model::Scene& scene, const Screen& screen);
+  /// Draws the visible structures as the screen shows them. What takes long to make of their meshes
+  /// is kept in `meshes`, which with the scene must outlive this object.
+  SeenMap(const model::Scene& scene, const Screen& screen, model::MeshTrees* meshes = nullptr);
 
   /// Tells whether the structure is drawn, in the picture or not, and not wholly cut away.
   bool draws(model::NodeId structure) const;
@@ -91,6 +92,8 @@ class SeenMap {
   std::vector<std::uint32_t> m_first;  ///< of each cell's fragments, and their end
   std::vector<Fragment> m_fragments;   ///< of each cell from front to back
   mutable std::unique_ptr<SeenMap> m_fine;
+  model::MeshTrees* m_meshes;  ///< null: none of others
+  mutable model::MeshTrees m_own;
 };
 
 }  // namespace sline::render
