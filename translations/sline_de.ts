@@ -1688,6 +1688,14 @@
         <source>Legend</source>
         <translation>Legende</translation>
     </message>
+    <message>
+        <source>Ask for &amp;callouts, too</source>
+        <translation>Auch nach Te&amp;xtfeldern fragen</translation>
+    </message>
+    <message>
+        <source>Callouts explain; only labels name what a card can ask for</source>
+        <translation>Textfelder erklären; nur Beschriftungen nennen, wonach eine Karte fragen kann</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>

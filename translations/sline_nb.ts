@@ -1688,6 +1688,14 @@
         <source>Legend</source>
         <translation>Tegnforklaring</translation>
     </message>
+    <message>
+        <source>Ask for &amp;callouts, too</source>
+        <translation>Spør etter f&amp;orklaringer også</translation>
+    </message>
+    <message>
+        <source>Callouts explain; only labels name what a card can ask for</source>
+        <translation>Forklaringer forklarer; bare etiketter nevner det et kort kan spørre om</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>

@@ -1688,6 +1688,14 @@
         <source>Legend</source>
         <translation>Legenda</translation>
     </message>
+    <message>
+        <source>Ask for &amp;callouts, too</source>
+        <translation>Ook naar bijsc&amp;hriften vragen</translation>
+    </message>
+    <message>
+        <source>Callouts explain; only labels name what a card can ask for</source>
+        <translation>Bijschriften leggen uit; alleen labels noemen waar een kaart naar kan vragen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>

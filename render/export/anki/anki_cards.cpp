@@ -173,7 +173,11 @@ Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progr
       note.kind = ExportNote::Kind::cardsWithoutRoom;
     progress.note(std::move(note));
   }
-  if (plate.layout.labels.empty())
+  const auto isAsked = [&](const ShownLabel& label) {
+    return plate.layout.find(label.item.id) && (label.item.kind != model::AnnotationKind::callout ||
+                                                order.of<AnkiOptions>().calloutsAsked);
+  };
+  if (std::none_of(plate.labels.begin(), plate.labels.end(), isAsked))
     return Error{.reason = "the picture has no labels to ask for",
                  .remedy = "Label structures, or choose a view that shows some"};
   const Result<Image> ground = groundOf(order);
@@ -183,7 +187,7 @@ Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progr
   AnkiDeck deck = emptyDeck(order);
   for (std::size_t i = 0; i < plate.labels.size(); ++i) {
     const ShownLabel& label = plate.labels[i];
-    if (!plate.layout.find(label.item.id))
+    if (!isAsked(label))
       continue;
     const double share = 0.2 + 0.7 * double(i) / double(plate.labels.size());
     if (!goesOn(share, "drawing card " + std::to_string(i + 1)))

@@ -29,10 +29,19 @@ constexpr ExportOption othersShown{
                              "A card asks for one label and shows the others"),
     .field = boundTo([](auto& o) -> auto& { return o.template of<AnkiOptions>().othersShown; })};
 
+constexpr ExportOption calloutsAsked{
+    .id = "calloutsAsked",
+    .flag = "--ask-callouts,!--no-ask-callouts",
+    .help = "Anki's cards ask for callouts, too, not for labels alone",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Ask for &callouts, too"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "Callouts explain; only labels name what a card can ask for"),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<AnkiOptions>().calloutsAsked; })};
+
 }  // namespace
 
 OptionList ankiOptions() {
-  static constexpr std::array all{&deck, &othersShown};
+  static constexpr std::array all{&deck, &othersShown, &calloutsAsked};
   return all;
 }
 

@@ -9,8 +9,9 @@
 namespace sline::render {
 
 struct AnkiOptions {
-  std::string deck;          ///< the deck's name; empty: the view's, or "Anatomy"
-  bool othersShown = false;  ///< a card also shows the other labels
+  std::string deck;            ///< the deck's name; empty: the view's, or "Anatomy"
+  bool othersShown = false;    ///< a card also shows the other labels
+  bool calloutsAsked = false;  ///< callouts, which are sentences, are questions, too
 };
 
 OptionList ankiOptions();

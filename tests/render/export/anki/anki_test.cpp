@@ -193,6 +193,21 @@ class AnkiTest : public QObject {
     QCOMPARE(changed(first, second).isEmpty(), others);
   }
 
+  /// A callout is a sentence; nobody can guess it.
+  void calloutsAreAskedOnlyIfWanted() {
+    render::ExportOrder asked = order();
+    std::vector<model::Annotation> annotations = asked.scene.annotations();
+    annotations[1].kind = model::AnnotationKind::callout;
+    asked.scene.setAnnotations(annotations);
+    const auto labels = render::ankiCards(asked, {});
+    QVERIFY(labels.ok());
+    QCOMPARE(int(labels->notes.size()), 2);
+    asked.of<render::AnkiOptions>().calloutsAsked = true;
+    const auto all = render::ankiCards(asked, {});
+    QVERIFY(all.ok());
+    QCOMPARE(int(all->notes.size()), 3);
+  }
+
   void questionGivesNoLengthAway() {
     render::ExportOrder asked = order();
     const auto before = render::ankiCards(asked, {});
