@@ -16,7 +16,7 @@ constexpr float faintest = 0.09f;
 // How much more of a structure than of any other is to be there, as both are estimates.
 constexpr float clearlyMore = 1.2f;
 // Strokes on a surface are somewhere near, more seldom just here.
-constexpr float strokesHere = 0.35f;
+constexpr float strokesHere = 0.5f;
 constexpr float dotRadius = 0.5f;  // millimetres
 // A drawn outline is a smoothed curve, which lies up to so many cells beside the surface's own.
 constexpr float smoothed = 1.25f;
