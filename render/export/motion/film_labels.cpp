@@ -129,8 +129,13 @@ void FilmLabels::layOut(const Film& film) {
   std::map<model::AnnotationId, int> gone;
   const auto plateAt = [&](std::size_t i) {
     LabelSights sights = m_sights[i];
-    std::erase_if(sights.labels.shown,
-                  [&](const ShownLabel& label) { return gone[label.item.id]-- > 0; });
+    std::vector<model::AnnotationId> waiting;
+    std::erase_if(sights.labels.shown, [&](const ShownLabel& label) {
+      if (gone[label.item.id]-- <= 0)
+        return false;
+      waiting.push_back(label.item.id);
+      return true;
+    });
     LabelPlate plate = labelPlate(std::move(sights), style(),
                                   {.before = before ? &*before : nullptr, .still = true});
     LabelLayout now = plate.layout;
@@ -142,6 +147,8 @@ void FilmLabels::layOut(const Film& film) {
     before = std::move(now);
     for (const model::AnnotationId id : plate.layout.leftOut)
       gone[id] = film.framesPerSecond() - 1;
+    std::vector<model::AnnotationId>& without = plate.layout.leftOut;
+    without.insert(without.end(), waiting.begin(), waiting.end());
     return plate;
   };
   // In a film that loops the first frame follows the last like any other.

@@ -30,6 +30,8 @@ class Sightings {
         m_wanted.try_emplace(annotation.id, model::writtenIn(annotation, language));
     for (const ShownLabel& label : plate.labels->labels)
       m_met.insert(label.item.id);
+    for (const model::AnnotationId id : plate.labels->layout.leftOut)
+      m_met.insert(id);
     for (const PlacedLabel& placed : plate.labels->layout.labels)
       m_placed.insert(placed.id);
   }
