@@ -40,6 +40,8 @@ class SeenMap {
   /// Returns a label that names the structure and has its place found anew in each picture, with
   /// the best place of this one; nothing where the structure is not in the picture.
   std::optional<model::Annotation> labelFor(model::NodeId structure) const;
+  /// Returns the label with a place that `find` has returned.
+  static model::Annotation labelAt(model::NodeId structure, const SeenPlace& place);
   /// Tells whether the structure is not what one sees at that place of its surface.
   bool hides(model::NodeId structure, const glm::vec3& p) const;
 

@@ -181,11 +181,13 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
 
 std::optional<model::Annotation> SeenMap::labelFor(model::NodeId structure) const {
   const std::optional<SeenPlace> place = find(structure);
-  if (!place)
-    return std::nullopt;
+  return place ? std::optional(labelAt(structure, *place)) : std::nullopt;
+}
+
+model::Annotation SeenMap::labelAt(model::NodeId structure, const SeenPlace& place) {
   // A cut face has no triangle to point at; the next picture finds the face again.
-  const auto* point = std::get_if<model::SurfacePoint>(&place->anchor);
-  return model::Annotation{
+  const auto* point = std::get_if<model::SurfacePoint>(&place.anchor);
+  return {
       .anchors = {point ? *point : model::SurfacePoint{structure, 0, {1.0f / 3.0f, 1.0f / 3.0f}}},
       .found = true};
 }

@@ -37,11 +37,10 @@ std::vector<Candidate> candidates(const ExportOrder& order) {
     if (node.isGroup())
       continue;
     const std::optional<SeenPlace> place = map.find(node.id);
-    const std::optional<model::Annotation> label = map.labelFor(node.id);
-    if (!place || !label || place->hidden)
+    if (!place || place->hidden)
       continue;
     Candidate one;
-    one.label = *label;
+    one.label = SeenMap::labelAt(node.id, *place);
     one.label.text = structureName(node.name, order.labels.language);
     one.x = place->place.x - 0.5f * order.page.sizeMm.x;
     one.size = glm::length(node.mesh->bounds().size());
