@@ -1168,8 +1168,8 @@
         <translation>Bilder von %1 Pixeln taugen nicht für einen Film</translation>
     </message>
     <message>
-        <source>Choose a height for which both sides have 16 to 4320 pixels</source>
-        <translation>Wähle eine Höhe, bei der beide Seiten 16 bis 4320 Pixel haben</translation>
+        <source>Choose a size of which both sides have 16 to 4320 pixels</source>
+        <translation>Wähle eine Größe, bei der beide Seiten 16 bis 4320 Pixel haben</translation>
     </message>
     <message>
         <source>the ffmpeg that is installed has no encoder for MP4 films</source>

@@ -1168,8 +1168,8 @@
         <translation>bilder på %1 piksler er ikke noe for en film</translation>
     </message>
     <message>
-        <source>Choose a height for which both sides have 16 to 4320 pixels</source>
-        <translation>Velg en høyde der begge sider har 16 til 4320 piksler</translation>
+        <source>Choose a size of which both sides have 16 to 4320 pixels</source>
+        <translation>Velg en størrelse der begge sider har 16 til 4320 piksler</translation>
     </message>
     <message>
         <source>the ffmpeg that is installed has no encoder for MP4 films</source>

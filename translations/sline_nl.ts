@@ -1168,8 +1168,8 @@
         <translation>beelden van %1 pixels zijn niets voor een film</translation>
     </message>
     <message>
-        <source>Choose a height for which both sides have 16 to 4320 pixels</source>
-        <translation>Kies een hoogte waarbij beide zijden 16 tot 4320 pixels hebben</translation>
+        <source>Choose a size of which both sides have 16 to 4320 pixels</source>
+        <translation>Kies een grootte waarbij beide zijden 16 tot 4320 pixels hebben</translation>
     </message>
     <message>
         <source>the ffmpeg that is installed has no encoder for MP4 films</source>

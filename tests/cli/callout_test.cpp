@@ -166,9 +166,12 @@ void CalloutTest::picturesDiffer() {
 }
 
 void CalloutTest::cardsAndModels() {
-  QCOMPARE(
-      runSline({"export", path("scene.sline"), "--anki", path("cards"), "--view", "anterior"}).code,
-      0);
+  const QStringList cards{"export", path("scene.sline"), "--anki", path("cards"),
+                          "--view", "anterior"};
+  // There is only the callout, which is no question unless that is asked for.
+  const auto none = runSline(cards);
+  QVERIFY(none.code != 0 && none.err.contains("no labels to ask for"));
+  QCOMPARE(runSline(cards + QStringList{"--ask-callouts"}).code, 0);
   const QByteArray deck = contents(path("cards/deck.txt"));
   QVERIFY2(deck.contains("<br>Kidney &amp; ren • a hilum • 5 * 3 &lt;b&gt;cm&lt;/b&gt;*\t"), deck);
   const QByteArray glb = exported("model.glb", {});

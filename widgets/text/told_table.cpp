@@ -332,7 +332,7 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told", "rests of %1 seconds leave no time to move in a film of %2"),
     QT_TRANSLATE_NOOP("Told", "Make the rests shorter or the film longer"),
     QT_TRANSLATE_NOOP("Told", "frames of %1 pixels are none for a film"),
-    QT_TRANSLATE_NOOP("Told", "Choose a height for which both sides have 16 to 4320 pixels"),
+    QT_TRANSLATE_NOOP("Told", "Choose a size of which both sides have 16 to 4320 pixels"),
     QT_TRANSLATE_NOOP("Told", "the ffmpeg that is installed has no encoder for MP4 films"),
     QT_TRANSLATE_NOOP("Told", "Install an ffmpeg with libx264, or write an animated WebP or GIF"),
     QT_TRANSLATE_NOOP("Told", "the film cannot be made: %1"),
