@@ -153,17 +153,13 @@ Result<model::Anchor> anchorFor(const Where& where, std::optional<model::NodeId>
 
 /// Names the annotation after the structure in the languages that the table of names has.
 void nameAfter(const std::string& name, Annotation& annotation) {
-  static constexpr std::array<std::pair<const char*, model::NameLanguage>, 4> languages{
-      {{"de", model::NameLanguage::german},
-       {"la", model::NameLanguage::latin},
-       {"nb", model::NameLanguage::norwegian},
-       {"nl", model::NameLanguage::dutch}}};
   const model::AnatomicalNames names;
   annotation.text = name;
   if (!names.knows(name))
     return;
-  for (const auto& [tag, language] : languages)
-    annotation.texts.emplace(tag, names.displayName(name, language));
+  for (std::size_t i = 0; i < model::nameLanguages; ++i)
+    if (const auto language = model::NameLanguage(i); language != model::NameLanguage::english)
+      annotation.texts.emplace(model::nameLanguageTags[i], names.displayName(name, language));
 }
 
 Result<Annotation> annotationFor(const AnnotateFlags& flags, const Where& where,

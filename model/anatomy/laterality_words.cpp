@@ -77,4 +77,14 @@ std::string withSide(const std::string& name, Side side, NameLanguage language,
   return name;
 }
 
+std::optional<NameLanguage> nameLanguageOf(std::string_view tag) {
+  const std::string_view primary = tag.substr(0, tag.find_first_of("-_"));
+  if (primary == "no")  // Norwegian of either form
+    return NameLanguage::norwegian;
+  const auto found = std::find(nameLanguageTags.begin(), nameLanguageTags.end(), primary);
+  if (found == nameLanguageTags.end())
+    return std::nullopt;
+  return NameLanguage(found - nameLanguageTags.begin());
+}
+
 }  // namespace sline::model

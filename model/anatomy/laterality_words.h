@@ -2,6 +2,8 @@
 // Knows "left" and "right" in the languages in which structures are named.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +13,11 @@ namespace sline::model {
 
 enum class NameLanguage { english, latin, german, dutch, norwegian };
 constexpr std::size_t nameLanguages = 5;
+/// The languages' tags (BCP 47), in their order.
+inline constexpr std::array<std::string_view, nameLanguages> nameLanguageTags{"en", "la", "de",
+                                                                              "nl", "nb"};
+/// Returns the language of a tag, whatever its region ("de-AT"); nothing for other languages.
+std::optional<NameLanguage> nameLanguageOf(std::string_view tag);
 
 /// Lists the genders with which "left" and "right" agree in Latin and German.
 enum class Gender { none, masculine, feminine, neuter };

@@ -155,24 +155,10 @@ std::optional<OpeningLook> openingLook(const Scene& scene, FormIndex& forms,
   return look;
 }
 
-namespace {
-
-/// Returns the structures that carry visible annotations, which a picture must show.
-Ids annotated(const Scene& scene) {
-  Ids ids;
-  for (const Annotation& annotation : scene.annotations())
-    for (const Anchor& anchor : annotation.anchors)
-      if (const auto* point = std::get_if<SurfacePoint>(&anchor); point && annotation.visible)
-        ids.insert(point->structure.value);
-  return ids;
-}
-
-}  // namespace
-
 Camera framedCamera(const OpeningLook& look, float aspect, const FreeSides& sides) {
   const Scene& scene = look.scene;
   const Ids subject = idsOf(look.subject.structures);
-  const Ids noted = annotated(scene);
+  const Ids noted = annotatedStructures(scene);  // a picture must show them
   Box box;
   for (const VisibleStructure& each : visibleStructures(scene))
     if (subject.contains(each.node->id.value))

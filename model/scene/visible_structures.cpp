@@ -17,6 +17,15 @@ std::vector<VisibleStructure> visibleStructures(const Scene& scene) {
   return visible;
 }
 
+std::unordered_set<std::uint64_t> annotatedStructures(const Scene& scene) {
+  std::unordered_set<std::uint64_t> ids;
+  for (const Annotation& annotation : scene.annotations())
+    for (const Anchor& anchor : annotation.anchors)
+      if (const auto* point = std::get_if<SurfacePoint>(&anchor); point && annotation.visible)
+        ids.insert(point->structure.value);
+  return ids;
+}
+
 std::vector<glm::vec3> visiblePoints(const Scene& scene) {
   std::vector<glm::vec3> points;
   for (const VisibleStructure& structure : visibleStructures(scene)) {

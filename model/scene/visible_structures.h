@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 #include "model/scene/free_sides.h"
@@ -16,6 +18,9 @@ struct VisibleStructure {
 /// Returns the visible structures in tree order, in one pass: those that have triangles and are
 /// hidden neither by their own style nor by a group.
 std::vector<VisibleStructure> visibleStructures(const Scene& scene);
+
+/// Returns the ids, by value, of the structures that visible annotations point at.
+std::unordered_set<std::uint64_t> annotatedStructures(const Scene& scene);
 
 /// Returns the points of all visible structures that no section takes away, and those where
 /// sections cut edges; LPS, millimetres.

@@ -15,9 +15,6 @@ namespace sline::render {
 
 namespace {
 
-// The share of a pen's width that contours within their own mask have (structure_lines.cpp).
-constexpr float withinOwnMask = 0.75f;
-
 /// Returns the key's distance from the eye's plane, mm.
 float distanceOf(float key, bool perspective) {
   return perspective ? -1.0f / key : key;
@@ -50,9 +47,9 @@ bool SeenLayer::showsAt(PenPoint& point, const ContourProbes& probes, float tole
   }
   const glm::vec2 beyond = point.on + (wide + probes.probe) * point.outward;
   if (covers(int(std::floor(beyond.x)), int(std::floor(beyond.y)))) {
-    const float entered = transitions(m_style.gamma).contours;
-    point.opacity *= std::min(1.0f, 2.0f * withinOwnMask * entered * point.halfWidth);
-    point.halfWidth = std::max(withinOwnMask * entered * point.halfWidth, 0.5f);
+    const float share = innerContourShare(m_style) * transitions(m_style.gamma).contours;
+    point.opacity *= std::min(1.0f, 2.0f * share * point.halfWidth);
+    point.halfWidth = std::max(share * point.halfWidth, 0.5f);
   }
   return true;
 }

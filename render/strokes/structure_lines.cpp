@@ -167,13 +167,17 @@ ContourProbes contourProbes(const model::Surface& surface, const PictureView& vi
                        view.millimetresPerPixel(surface.boundingSphere.centre)};
 }
 
+float innerContourShare(const model::ResolvedStyle& style) {
+  return glm::mix(1.0f, innerContour, style.lineVariation);
+}
+
 std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& view,
                             const model::ResolvedStyle& style, const StructureLines& drawn,
                             const PixelRect& area) {
   StrokeMaker maker(surface, view, area);
   const Transitions t = transitions(style.gamma);
   const float pen = penWidth(surface, view, style.penWeight);
-  const float innerShare = glm::mix(1.0f, innerContour, style.lineVariation);
+  const float innerShare = innerContourShare(style);
   const auto set = [&](const LineTechnique& technique) {
     const float entered = technique.entered(style.gamma);
     for (const Segment& s : drawn.lines[technique.kind])

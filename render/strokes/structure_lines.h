@@ -59,6 +59,9 @@ struct ContourProbes {
 ContourProbes contourProbes(const model::Surface& surface, const PictureView& view,
                             const model::ResolvedStyle& style);
 
+/// Returns the share of a pen's width that contours within their own mask have.
+float innerContourShare(const model::ResolvedStyle& style);
+
 /// Returns the strokes within `area`: lines on the surface, then contours, each farthest first.
 std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& view,
                             const model::ResolvedStyle& style, const StructureLines& drawn,

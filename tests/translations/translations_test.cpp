@@ -279,7 +279,7 @@ void TranslationsTest::contextsOfTables() {
 void TranslationsTest::messagesAreMade() {
   // Strings that stand side by side are one; quotation marks in them are masked.
   static const QRegularExpression joint(QStringLiteral("\"\\s*\\n\\s*\""));
-  static const QRegularExpression placeholder(QStringLiteral("%[1-9]"));
+  static const QRegularExpression marker(QStringLiteral("%[1-9]"));
   QString made;
   for (const char* layer : {"model", "render", "widgets/session", "widgets/viewport"}) {
     QDirIterator sources(QStringLiteral(SLINE_SOURCE "/") + QLatin1String(layer), {"*.cpp", "*.h"},
@@ -296,7 +296,7 @@ void TranslationsTest::messagesAreMade() {
     if (!key.startsWith(QStringLiteral("Told|")))
       continue;
     ++seen;
-    for (const QString& piece : message.source.split(placeholder))
+    for (const QString& piece : message.source.split(marker))
       if (piece.trimmed().size() > 3 && !isMade(made, piece, 2))
         strange << message.source;
   }

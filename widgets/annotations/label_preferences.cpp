@@ -15,8 +15,7 @@ constexpr std::array<const char*, 4> modes{"off", "texts", "numbers", "blank"};
 }  // namespace
 
 std::string tagOf(std::optional<model::NameLanguage> language) {
-  static constexpr std::array<const char*, model::nameLanguages> tags{"en", "la", "de", "nl", "nb"};
-  return language ? tags[std::size_t(*language)] : "";
+  return std::string(language ? model::nameLanguageTags[std::size_t(*language)] : "");
 }
 
 render::LabelStyle labelStyle(const Preferences& preferences, const DisplayNames& names) {

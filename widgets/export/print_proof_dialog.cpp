@@ -11,8 +11,8 @@
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
-#include <cstring>
 
+#include "widgets/export/straight_image.h"
 #include "widgets/text/told.h"
 
 namespace sline::widgets {
@@ -67,14 +67,8 @@ QIcon swatch(const Colour& colour) {
 
 /// Returns the picture as those eyes see it, or as the press prints it.
 QImage seenAs(const QImage& picture, render::Vision vision) {
-  const QImage straight = picture.convertToFormat(QImage::Format_RGBA8888);
-  const std::size_t row = std::size_t(4) * std::size_t(straight.width());
-  render::Image image{straight.width(), straight.height(), {}};
-  image.rgba.resize(row * std::size_t(straight.height()));
-  for (int y = 0; y < straight.height(); ++y)
-    std::memcpy(&image.rgba[std::size_t(y) * row], straight.constScanLine(y), row);
-  image = render::simulateVision(image, vision);
-  return QImage(image.rgba.data(), image.width, image.height, qsizetype(row),
+  const render::Image image = render::simulateVision(straightImage(picture), vision);
+  return QImage(image.rgba.data(), image.width, image.height, qsizetype(4) * image.width,
                 QImage::Format_RGBA8888)
       .copy();
 }

@@ -2,7 +2,8 @@
 #include "widgets/export/size_gauge.h"
 
 #include <algorithm>
-#include <cstring>
+
+#include "widgets/export/straight_image.h"
 
 namespace sline::widgets {
 
@@ -22,16 +23,6 @@ bool alike(const ExportFile& a, const ExportFile& b) {
          a.order.scene == b.order.scene;
 }
 
-render::Image imageOf(const QImage& picture) {
-  const QImage straight = picture.convertToFormat(QImage::Format_RGBA8888);
-  render::Image image{.width = straight.width(), .height = straight.height(), .rgba = {}};
-  const std::size_t row = std::size_t(4) * std::size_t(image.width);
-  image.rgba.resize(row * std::size_t(image.height));
-  for (int y = 0; y < image.height; ++y)
-    std::memcpy(&image.rgba[row * std::size_t(y)], straight.constScanLine(y), row);
-  return image;
-}
-
 }  // namespace
 
 void SizeGauge::measure(const QString& kind, const ExportFile& file, const QImage& page) {
@@ -48,7 +39,7 @@ void SizeGauge::measure(const QString& kind, const ExportFile& file, const QImag
   m_queue.add([this, number, format, file, page](const std::stop_token& stop) {
     const auto goOn = [&stop](double, std::string_view) { return !stop.stop_requested(); };
     const double bytes =
-        stop.stop_requested() ? 0.0 : format->weigh(readyOrder(file), imageOf(page), goOn);
+        stop.stop_requested() ? 0.0 : format->weigh(readyOrder(file), straightImage(page), goOn);
     return BackgroundQueue::Sequel([this, number, bytes] {
       if (m_retired) {
         deleteLater();

@@ -25,12 +25,8 @@ QString DisplayNames::shown(const QString& name) const {
 }
 
 QString DisplayNames::calledIn(const std::string& name, std::string_view tag) const {
-  static constexpr std::array<std::string_view, model::nameLanguages> tags{"en", "la", "de", "nl",
-                                                                           "nb"};
-  const auto found = std::find(tags.begin(), tags.end(), tag);
-  return QString::fromStdString(
-      found == tags.end() ? name
-                          : m_table.displayName(name, model::NameLanguage(found - tags.begin())));
+  const auto language = model::nameLanguageOf(tag);
+  return QString::fromStdString(language ? m_table.displayName(name, *language) : name);
 }
 
 QStringList DisplayNames::alsoCalled(const QString& name) const {

@@ -9,7 +9,7 @@ namespace sline::widgets {
 
 namespace {
 
-const QRegularExpression& placeholder() {
+const QRegularExpression& marker() {
   static const QRegularExpression pattern(QStringLiteral("%([1-9])"));
   return pattern;
 }
@@ -17,20 +17,20 @@ const QRegularExpression& placeholder() {
 struct Pattern {
   const char* source;
   QRegularExpression form;
-  std::vector<int> numbers;  ///< of the placeholders, in their order in the message
-  qsizetype letters = 0;     ///< beside the placeholders
-  QString words;             ///< the longest part between placeholders; looked for first
+  std::vector<int> numbers;  ///< of the markers, in their order in the message
+  qsizetype letters = 0;     ///< beside the markers
+  QString words;             ///< the longest part between markers; looked for first
 };
 
 Pattern patternOf(const char* source) {
   const QString text = QString::fromUtf8(source);
   Pattern pattern{source, {}, {}, 0, {}};
-  for (const QString& part : text.split(placeholder()))
+  for (const QString& part : text.split(marker()))
     if (part.size() > pattern.words.size())
       pattern.words = part;
   QString form;
   qsizetype from = 0;
-  for (auto match = placeholder().globalMatch(text); match.hasNext();) {
+  for (auto match = marker().globalMatch(text); match.hasNext();) {
     const QRegularExpressionMatch at = match.next();
     form += QRegularExpression::escape(text.mid(from, at.capturedStart() - from));
     form += QStringLiteral("(.+?)");
@@ -55,11 +55,11 @@ const std::vector<Pattern>& patterns() {
   return all;
 }
 
-/// Puts the parts in place of the placeholders; `QString::arg` would look into the parts, too.
+/// Puts the parts in place of the markers; `QString::arg` would look into the parts, too.
 QString filled(const QString& text, const QStringList& parts) {
   QString whole;
   qsizetype from = 0;
-  for (auto match = placeholder().globalMatch(text); match.hasNext();) {
+  for (auto match = marker().globalMatch(text); match.hasNext();) {
     const QRegularExpressionMatch at = match.next();
     whole += text.mid(from, at.capturedStart() - from) + parts.value(at.captured(1).toInt());
     from = at.capturedEnd();

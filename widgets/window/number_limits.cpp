@@ -10,6 +10,8 @@
 #include <QSpinBox>
 #include <QToolTip>
 
+#include "widgets/window/number_line.h"
+
 namespace sline::widgets {
 
 namespace {
@@ -74,8 +76,7 @@ bool NumberLimits::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress && event->type() != QEvent::FocusOut)
     return false;
   auto* box = qobject_cast<QAbstractSpinBox*>(watched);
-  const auto* line =
-      box ? box->findChild<QLineEdit*>(QString(), Qt::FindDirectChildrenOnly) : nullptr;
+  const QLineEdit* line = box ? lineOf(*box) : nullptr;
   if (!line || line->isReadOnly())
     return false;
   const auto* key = event->type() == QEvent::KeyPress ? static_cast<QKeyEvent*>(event) : nullptr;

@@ -11,14 +11,11 @@
 #include <QTextEdit>
 
 #include "widgets/shell/window_actions.h"
+#include "widgets/window/number_line.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QLineEdit* lineOf(const QWidget& widget) {
-  return widget.findChild<QLineEdit*>(QString(), Qt::FindDirectChildrenOnly);
-}
 
 bool takesBack(const QTextDocument& text) {
   return text.isUndoAvailable() || text.isRedoAvailable();

@@ -16,21 +16,15 @@ namespace sline::render {
 
 namespace {
 
-/// Returns the image half as wide and high; each pixel is the average of four.
+/// Returns the image half as wide and high; an odd last row or column is left out.
 Image halved(const Image& image) {
-  Image half{.width = image.width / 2, .height = image.height / 2, .rgba = {}};
-  half.rgba.resize(std::size_t(4) * std::size_t(half.width) * std::size_t(half.height));
-  const auto at = [&image](int x, int y, int channel) {
-    return int(image.rgba[std::size_t(4 * (y * image.width + x) + channel)]);
-  };
-  for (int y = 0; y < half.height; ++y)
-    for (int x = 0; x < half.width; ++x)
-      for (int c = 0; c < 4; ++c)
-        half.rgba[std::size_t(4 * (y * half.width + x) + c)] =
-            std::uint8_t((at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) +
-                          at(2 * x + 1, 2 * y + 1, c) + 2) /
-                         4);
-  return half;
+  Image even{.width = image.width / 2 * 2, .height = image.height / 2 * 2, .rgba = {}};
+  const std::size_t row = std::size_t(4) * std::size_t(even.width);
+  for (int y = 0; y < even.height; ++y) {
+    const auto from = image.rgba.begin() + std::ptrdiff_t(4) * image.width * y;
+    even.rgba.insert(even.rgba.end(), from, from + std::ptrdiff_t(row));
+  }
+  return averaged(even, 2);
 }
 
 /// Puts noise into what 8 bits do not tell of tones that change from pixel to pixel: such tones

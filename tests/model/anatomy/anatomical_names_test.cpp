@@ -21,6 +21,7 @@ class AnatomicalNamesTest : public QObject {
   bool knows(const std::string& name) const { return m_names.searchWords(name).size() > 1; }
 
  private slots:
+  void tagsOfLanguages();
   void display_data();
   void display();
   void unknownStaysAsItIs_data();
@@ -34,6 +35,14 @@ class AnatomicalNamesTest : public QObject {
   void knowsTheDemos_data();
   void knowsTheDemos();
 };
+
+void AnatomicalNamesTest::tagsOfLanguages() {
+  for (std::size_t i = 0; i < nameLanguages; ++i)
+    QVERIFY(nameLanguageOf(nameLanguageTags[i]) == NameLanguage(i));
+  QVERIFY(nameLanguageOf("de-AT") == NameLanguage::german);
+  QVERIFY(nameLanguageOf("no") == NameLanguage::norwegian);
+  QVERIFY(!nameLanguageOf("fr") && !nameLanguageOf("") && !nameLanguageOf("deu"));
+}
 
 void AnatomicalNamesTest::display_data() {
   QTest::addColumn<QStringList>("shown");  // English, Latin, German, Dutch, Norwegian
