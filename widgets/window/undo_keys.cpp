@@ -35,6 +35,15 @@ bool isTyping(const QWidget& widget) {
   return text && !text->isReadOnly() && takesBack(*text->document());
 }
 
+/// Tells whether the widget holds text, and so would take the keys for itself. What else takes them
+/// has its reasons, as a presentation has, in which nothing is edited.
+bool holdsText(const QWidget& widget) {
+  return qobject_cast<const QLineEdit*>(&widget) ||
+         qobject_cast<const QAbstractSpinBox*>(&widget) ||
+         qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QPlainTextEdit*>(&widget) ||
+         qobject_cast<const QTextEdit*>(&widget);
+}
+
 /// Returns the box that a line belongs to, or else the widget itself.
 const QWidget& field(const QWidget& widget) {
   const QWidget* around = widget.parentWidget();
@@ -82,6 +91,8 @@ bool UndoKeys::eventFilter(QObject* watched, QEvent* event) {
   if (!action || isTyping(field(widget)))
     return false;
   if (event->type() == QEvent::ShortcutOverride) {
+    if (!holdsText(widget))
+      return false;
     event->ignore();
     return true;
   }
