@@ -6,6 +6,7 @@
 
 #include "model/edit/look.h"
 #include "model/edit/style_edits.h"
+#include "model/scene/resolved_styles.h"
 
 namespace sline::model {
 

@@ -78,6 +78,7 @@ struct Candidate {
 Candidate across(const glm::vec3& normal, const std::vector<glm::vec3>& centres) {
   Candidate plane{.middle = {.normal = normal}};
   std::vector<float> values;
+  values.reserve(centres.size());
   for (const glm::vec3& centre : centres)
     values.push_back(glm::dot(normal, centre));
   plane.middle.offset = medianOf(values);

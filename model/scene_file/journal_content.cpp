@@ -112,7 +112,8 @@ class ContentReader {
       to.states.push_front(std::move(state));
       to.first = place;
     } else {  // nothing leads there from the others
-      to.states.assign(1, std::move(state));
+      to.states.clear();
+      to.states.push_back(std::move(state));
       to.first = place;
     }
     to.current = place;

@@ -169,11 +169,12 @@ Focus SceneJsonReader::focus(const JsonValue& value) const {
   }
   if (const auto roles = object.take("roles")) {
     JsonObject inner(*roles);
-    for (std::size_t i = 0; i < contextRoleNames.size(); ++i)
-      if (const auto list = inner.take(contextRoleNames[i]))
-        list->forEach([&, role = ContextRole(i)](const JsonValue& id) {
-          focus.wishes.roles[NodeId{idOf(id)}] = role;
-        });
+    auto role = ContextRole(0);
+    for (const auto& name : contextRoleNames) {
+      if (const auto list = inner.take(name))
+        list->forEach([&](const JsonValue& id) { focus.wishes.roles[NodeId{idOf(id)}] = role; });
+      role = ContextRole(int(role) + 1);
+    }
     object.giveBack("roles", inner.rest());
   }
   if (const auto too = object.take("hidden_too"))

@@ -167,7 +167,7 @@ void Layouter::placeByHand(std::size_t i) {
 }
 
 Leader Layouter::leaderToHand(const LabelBox& box, const glm::vec2& place) const {
-  const Leader straight = leaderTo(box, place);
+  Leader straight = leaderTo(box, place);
   // Within a column it is level, so that it takes none of its room.
   for (const LabelPost post : {LabelPost::left, LabelPost::right}) {
     const bool left = post == LabelPost::left;

@@ -70,7 +70,8 @@ std::vector<float> depths(const std::vector<bool>& counts, int columns, int rows
 std::optional<Spot> deepest(const std::vector<bool>& counts, int columns, int rows) {
   const std::vector<float> depth = depths(counts, columns, rows);
   const auto place = [columns](std::size_t i) {
-    return glm::vec2(float(i % std::size_t(columns)), float(i / std::size_t(columns)));
+    const std::size_t row = i / std::size_t(columns);
+    return glm::vec2(float(i % std::size_t(columns)), float(row));
   };
   glm::vec2 middle(0.0f);
   float number = 0.0f;

@@ -304,10 +304,12 @@ void MarkLayout::addLegend() {
   const glm::vec2 size{float(across) * (width + measure.between) - measure.between,
                        float(down) * measure.row};
   const glm::vec2 corner = m_size - margin - size;
-  for (std::size_t i = 0; i < shown; ++i)
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::size_t column = i / down;
     addLegendRow(*structures[i], names[i],
-                 corner + glm::vec2(float(i / down) * (width + measure.between),
+                 corner + glm::vec2(float(column) * (width + measure.between),
                                     float(i % down + 1) * measure.row));
+  }
   m_boxes.push_back({corner, corner + size});
   m_marks.legend = m_boxes.back().grown(gap);
   m_marks.boxes.push_back(*m_marks.legend);
