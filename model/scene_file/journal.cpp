@@ -82,12 +82,28 @@ SceneDocument restOf(std::vector<ZipMember> members) {
   return rest;
 }
 
-/// Tells whether the journal from which this one goes on is still there.
-bool isPreceded(const JournalContent& content) {
-  std::error_code none;
-  return std::any_of(content.members.begin(), content.members.end(), [&](const ZipMember& member) {
-    return member.name == successionMember && fs::exists(member.bytes, none);
-  });
+/// Returns the journal from which this one goes on, which is beside it; empty where there is none.
+fs::path predecessorOf(const fs::path& journal, const JournalContent& content) {
+  const auto found = std::find_if(content.members.begin(), content.members.end(),
+                                  [](const ZipMember& m) { return m.name == successionMember; });
+  return found == content.members.end() ? fs::path()
+                                        : journal.parent_path() / fs::path(found->bytes).filename();
+}
+
+/// Calls visit(file, content) for each journal whose program is no longer running.
+template <class Visit>
+void forEachLeft(const fs::path& folder, const Visit& visit) {
+  std::error_code fault;
+  for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
+       entry.increment(fault)) {
+    const fs::path file = entry->path();
+    std::error_code gone;
+    // An empty one was killed before it had anything.
+    if (!isJournal(file) || FileLock::held(file) || fs::file_size(file, gone) == 0 || gone)
+      continue;
+    const Result<std::string> bytes = readText(file, largestJournal);
+    visit(file, bytes.ok() ? journalContent(*bytes) : JournalContent());
+  }
 }
 
 /// Returns the meshes of the journal and, where a state calls for others, of the scene file.
@@ -237,20 +253,13 @@ void Journal::discardAll() {
 
 std::vector<Recoverable> recoverableIn(const fs::path& folder) {
   std::vector<Recoverable> all;
-  std::error_code fault;
-  for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
-       entry.increment(fault)) {
-    const fs::path file = entry->path();
+  forEachLeft(folder, [&all](const fs::path& file, const JournalContent& content) {
     std::error_code gone;
     const fs::file_time_type when = fs::last_write_time(file, gone);
-    // An empty one was killed before it had anything.
-    if (gone || !isJournal(file) || FileLock::held(file) || fs::file_size(file, gone) == 0)
-      continue;
-    const Result<std::string> bytes = readText(file, largestJournal);
-    const JournalContent content = bytes.ok() ? journalContent(*bytes) : JournalContent();
-    if (!isPreceded(content))
+    // As long as the one before it is there, that one has more.
+    if (!gone && !fs::exists(predecessorOf(file, content), gone))
       all.push_back({file, content.source, when});
-  }
+  });
   std::sort(all.begin(), all.end(), [](const Recoverable& a, const Recoverable& b) {
     return a.when != b.when ? a.when > b.when : a.journal < b.journal;
   });
@@ -305,8 +314,18 @@ ZipMember successionOf(const Recoverable& left) {
 
 void forget(const Recoverable& found) {
   const Result<FileLock> lock = FileLock::acquire(found.journal);
-  if (lock.ok())
-    removeFiles(found.journal);
+  if (!lock.ok())
+    return;
+  // Where a program was killed while it took this one over, what it had begun has less.
+  std::vector<fs::path> begun;
+  forEachLeft(found.journal.parent_path(),
+              [&](const fs::path& file, const JournalContent& content) {
+                if (predecessorOf(file, content) == found.journal)
+                  begun.push_back(file);
+              });
+  for (const fs::path& file : begun)
+    removeFiles(file);
+  removeFiles(found.journal);
 }
 
 }  // namespace sline::model

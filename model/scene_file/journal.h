@@ -104,7 +104,8 @@ std::vector<Recoverable> recoverableIn(const std::filesystem::path& folder);
 /// Returns what the journal has, to its last whole record. Meshes that it had no time to write are
 /// taken from the document's scene file.
 Result<Recovered> recovered(const Recoverable& found);
-/// Removes the journal, unless a program has taken it meanwhile.
+/// Removes the journal, unless a program has taken it meanwhile, and with it those of programs that
+/// were killed before they had taken it over.
 void forget(const Recoverable& found);
 
 }  // namespace sline::model

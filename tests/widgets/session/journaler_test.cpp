@@ -288,13 +288,6 @@ class JournalerTest : public QObject {
         std::size_t i = log.size();
         while (i > 0 && !each.isOf(log, i - 1))
           --i;
-        if (i == 0) {
-          const auto byScene = std::find_if(log.begin(), log.end(),
-                                            [&](const auto& l) { return l.scene == each.scene; });
-          qInfo("DEBUG round %d steps %zu sel %u scene %s at %ld of %zu; lefts %zu", round,
-                each.steps, each.selection, byScene == log.end() ? "no" : "yes",
-                long(byScene - log.begin()), log.size(), left.size());
-        }
         QVERIFY2(i > 0, "what is left was never there");
         QVERIFY(each.before == 0 || log[i - 1].before == 0 || each.before == log[i - 1].before);
         newest = std::max(newest, i - 1);
