@@ -13,13 +13,15 @@ inline constexpr float widestGap = 2.0f;
 
 /// Tells whether a line that ends with direction `a` goes on in one that ends with direction `b`,
 /// `way` further; directions are unit and point away from their lines. They may turn by 45°, over a
-/// gap by 60°. `unit` is λ in the unit of `way`.
-inline bool goesOnIn(const glm::vec2& a, const glm::vec2& b, const glm::vec2& way, float unit) {
+/// gap by 60°, over one for which a pen would lift by 30°. `unit` is λ in the unit of `way`,
+/// `widest` the gap in λ.
+inline bool goesOnIn(const glm::vec2& a, const glm::vec2& b, const glm::vec2& way, float unit,
+                     float widest = widestGap) {
   constexpr float straight = 0.7071f;
-  constexpr float leading = 0.5f;
   constexpr float samePlace = 0.5f;  // λ
   const float distance = glm::length(way);
-  return distance <= widestGap * unit && glm::dot(a, b) <= -straight &&
+  const float leading = distance > widestGap * unit ? 0.866f : 0.5f;
+  return distance <= widest * unit && glm::dot(a, b) <= -straight &&
          (distance <= samePlace * unit || glm::dot(way, a) >= leading * distance);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "render/strokes/continuation.h"
@@ -15,6 +16,9 @@ namespace {
 
 // λ over which an end's direction is taken.
 constexpr float directionReach = 3.0f;
+// Pieces of so much of the shortest length stay in a row of so many of it.
+constexpr float leastOfRow = 0.6f;
+constexpr float leastRow = 2.0f;
 // Strokes that are veiled this much alike are one.
 constexpr float sameVeil = 0.03f;
 
@@ -44,25 +48,35 @@ StrokeEnd endOf(const VisibleStroke& stroke, std::size_t index, bool atBack, flo
   return {index, atBack, point(0), length > 0.0f ? (point(0) - inner) / length : glm::vec2(0.0f)};
 }
 
+std::vector<StrokeEnd> endsOf(const std::vector<VisibleStroke>& strokes, float unit) {
+  std::vector<StrokeEnd> ends;
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+    if (!strokes[i].closed && !strokes[i].points.empty())
+      for (const bool atBack : {false, true})
+        ends.push_back(endOf(strokes[i], i, atBack, directionReach * unit));
+  return ends;
+}
+
 struct Joint {
   float distance;
   std::size_t a;  ///< of the ends
   std::size_t b;
 };
 
-/// Returns the pairs of ends by which strokes continue each other, nearest first.
-std::vector<Joint> joints(const std::vector<StrokeEnd>& ends, float unit) {
+/// Returns the pairs of ends by which strokes continue each other over gaps of up to `widest` λ,
+/// nearest first.
+std::vector<Joint> joints(const std::vector<StrokeEnd>& ends, float unit, float widest) {
   std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
   std::vector<Joint> found;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const int column = int(std::floor(ends[i].at.x / (widestGap * unit)));
-    const int row = int(std::floor(ends[i].at.y / (widestGap * unit)));
+    const int column = int(std::floor(ends[i].at.x / (widest * unit)));
+    const int row = int(std::floor(ends[i].at.y / (widest * unit)));
     for (int y = row - 1; y <= row + 1; ++y)
       for (int x = column - 1; x <= column + 1; ++x)
         if (const auto cell = cells.find({x, y}); cell != cells.end())
           for (const std::size_t k : cell->second)
-            if (ends[k].stroke != ends[i].stroke &&
-                goesOnIn(ends[k].direction, ends[i].direction, ends[i].at - ends[k].at, unit))
+            if (ends[k].stroke != ends[i].stroke && goesOnIn(ends[k].direction, ends[i].direction,
+                                                             ends[i].at - ends[k].at, unit, widest))
               found.push_back({glm::distance(ends[k].at, ends[i].at), k, i});
     cells[{column, row}].push_back(i);
   }
@@ -81,13 +95,9 @@ class Joiner {
  public:
   Joiner(std::vector<VisibleStroke> strokes, float unit)
       : m_strokes(std::move(strokes)), m_next(2 * m_strokes.size(), none) {
-    std::vector<StrokeEnd> ends;
-    for (std::size_t i = 0; i < m_strokes.size(); ++i)
-      if (!m_strokes[i].closed && !m_strokes[i].points.empty())
-        for (const bool atBack : {false, true})
-          ends.push_back(endOf(m_strokes[i], i, atBack, directionReach * unit));
+    const std::vector<StrokeEnd> ends = endsOf(m_strokes, unit);
     m_continued.resize(m_strokes.size());
-    for (const Joint& joint : joints(ends, unit)) {
+    for (const Joint& joint : joints(ends, unit, widestGap)) {
       const StrokeEnd& a = ends[joint.a];
       const StrokeEnd& b = ends[joint.b];
       const std::size_t from = 2 * a.stroke + (a.atBack ? 1 : 0);
@@ -148,22 +158,58 @@ class Joiner {
   std::vector<bool> m_taken;
 };
 
+/// Returns for each stroke the length of all that lie in a row with it, with gaps shorter than a
+/// crumb: what is left of one line where another surface comes to the front now and then.
+std::vector<float> rowLengths(const std::vector<VisibleStroke>& strokes, float unit,
+                              float shortest) {
+  const std::vector<StrokeEnd> ends = endsOf(strokes, unit);
+  std::vector<std::size_t> row(strokes.size());
+  std::iota(row.begin(), row.end(), std::size_t(0));
+  const auto rowOf = [&row](std::size_t i) {
+    while (row[i] != i)
+      i = row[i] = row[row[i]];
+    return i;
+  };
+  std::vector<bool> joined(ends.size());
+  for (const Joint& joint : joints(ends, unit, std::max(shortest, widestGap))) {
+    if (joined[joint.a] || joined[joint.b])
+      continue;
+    joined[joint.a] = joined[joint.b] = true;
+    row[rowOf(ends[joint.a].stroke)] = rowOf(ends[joint.b].stroke);
+  }
+  std::vector<float> lengths(strokes.size());
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+    lengths[rowOf(i)] += lengthOf(strokes[i]);
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+    lengths[i] = lengths[rowOf(i)];
+  return lengths;
+}
+
 }  // namespace
 
 std::vector<VisibleStroke> withoutCrumbs(std::vector<VisibleStroke> strokes, float outputUnit,
                                          float shortest) {
   if (strokes.empty())
     return strokes;
-  std::vector<Joiner::Joined> joined = Joiner(std::move(strokes), outputUnit).take();
+  std::vector<bool> continued;
+  std::vector<VisibleStroke> all;
+  for (Joiner::Joined& one : Joiner(std::move(strokes), outputUnit).take()) {
+    continued.push_back(one.continued);
+    all.push_back(std::move(one.stroke));
+  }
   float longest = 0.0f;
-  for (const Joiner::Joined& one : joined)
-    longest = std::max(longest, lengthOf(one.stroke));
+  for (const VisibleStroke& stroke : all)
+    longest = std::max(longest, lengthOf(stroke));
   const float least = std::min(shortest * outputUnit, longest);
+  const std::vector<float> rows = rowLengths(all, outputUnit, shortest);
   std::vector<VisibleStroke> kept;
-  kept.reserve(joined.size());
-  for (Joiner::Joined& one : joined)
-    if (one.stroke.closed || one.continued || lengthOf(one.stroke) >= least)
-      kept.push_back(std::move(one.stroke));
+  kept.reserve(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const float length = lengthOf(all[i]);
+    if (all[i].closed || continued[i] || length >= least ||
+        (length >= leastOfRow * least && rows[i] >= leastRow * least))
+      kept.push_back(std::move(all[i]));
+  }
   return kept;
 }
 

@@ -41,6 +41,16 @@ class CrumbsTest : public QObject {
     QCOMPARE(kept({stroke(0, 20, 50), stroke(0, 4), stroke(5, 9)}), std::size_t(2));
     QCOMPARE(kept({stroke(0, 20, 50), stroke(0, 3), stroke(4, 7)}), std::size_t(1));
   }
+  void piecesInARowStay() {
+    QCOMPARE(kept({stroke(0, 15), stroke(20, 27.5f), stroke(32, 37), stroke(42, 49)}),
+             std::size_t(4));
+    // Shorter ones go, and such as lie too far from the others, or beside the line.
+    QCOMPARE(kept({stroke(0, 15), stroke(20, 24), stroke(28, 35)}), std::size_t(2));
+    QCOMPARE(kept({stroke(0, 15), stroke(24, 31)}), std::size_t(1));
+    QCOMPARE(kept({stroke(0, 15), stroke(20, 27.5f, 6)}), std::size_t(1));
+    // A row that is short itself is a crumb in pieces.
+    QCOMPARE(kept({stroke(0, 20, 50), stroke(0, 6), stroke(10, 16)}), std::size_t(1));
+  }
   void spursGo() {
     VisibleStroke spur;
     for (int i = 0; i <= 10; ++i)
