@@ -6,10 +6,13 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "model/demo/abdomen/parts.h"
+#include "model/sculpting/lamina.h"
 #include "model/sculpting/swept.h"
 
 namespace sline::model {
@@ -192,39 +195,48 @@ DemoStructure spleen() {
   return s;
 }
 
-/// Models a thin cap on the kidney's upper pole: a ridge with two or three wings.
-DemoStructure adrenal(const char* name, const glm::vec3& apex, float side, bool crescent) {
-  const auto wing = [&](std::array<glm::vec3, 3> at) {
-    std::array<SweptPoint, 3> points{};
-    constexpr std::array<float, 3> radius{2.6f, 3.4f, 2.2f};
-    constexpr std::array<float, 3> depth{2.2f, 2.6f, 1.8f};
-    for (std::size_t i = 0; i < 3; ++i)
-      points[i] = {apex + glm::vec3(side, 1, 1) * at[i], radius[i], depth[i]};
-    return std::make_shared<Swept>(points, glm::vec3(0, -0.35f, 1));
-  };
-  const float drop = crescent ? -30.0f : -20.0f;
-  const auto medial = wing({{{0, 0, 0}, {-4, -1, -10}, {-9, 2, drop}}});
-  const auto lateral = wing({{{0, 0, 0}, {9, -1, -8}, {20, 2, drop + 4.0f}}});
-  const auto crest = wing({{{1, 3, 0}, {2, -4, -7}, {3, -8, -15}}});
-  const Field field = [=](const glm::vec3& p) {
-    float d = blendedUnion(medial->distance(p), lateral->distance(p), 4.0f);
-    d = blendedUnion(d, crest->distance(p), 5.0f);
-    return d;
-  };
-  Box box = medial->bounds();
-  box.add(lateral->bounds());
-  box.add(crest->bounds());
-  DemoStructure s =
-      gland(name, {"Glands and spleen", adrenalColour, 4.0f}, field, grown(box, 3.0f));
+/// Models a gland on the kidney's upper pole: two thin leaves that meet in a crest in front and
+/// part towards the back. `leaves` run from the lateral edge over the crest to the medial edge,
+/// five places a row, from above down; x is lateral, y to the back.
+DemoStructure adrenal(const char* name, const glm::vec3& middle, float side,
+                      std::span<const glm::vec3> leaves) {
+  constexpr std::size_t columns = 5;
+  std::vector<LaminaPoint> points;
+  points.reserve(leaves.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+    points.push_back({middle + glm::vec3(side, 1, 1) * leaves[i], i % columns == 2 ? 2.7f : 2.0f});
+  const auto sheet = std::make_shared<const Lamina>(points, columns);
+  DemoStructure s = gland(
+      name, {"Glands and spleen", adrenalColour, 4.0f},
+      [sheet](const glm::vec3& p) { return sheet->distance(p); }, grown(sheet->bounds(), 3.0f));
   s.edge = 1.3f;
-  s.smoothing = 0.9f;
+  s.smoothing = 1.2f;
   return s;
+}
+
+/// The right gland is a pyramid behind the vena cava.
+DemoStructure rightAdrenal() {
+  static constexpr std::array<glm::vec3, 20> leaves{
+      {{3, 5, 15},    {2, 2.5f, 16},  {0.5f, 0, 16}, {-1, 2.5f, 15}, {-2, 5, 14},
+       {7, 9, 5},     {4, 3, 6},      {0, -3, 6},    {-3, 3, 5},     {-4.5f, 9, 4},
+       {11, 12, -4},  {6, 4, -4},     {0, -6, -4},   {-4, 4, -4},    {-6, 12, -4},
+       {15, 12, -12}, {8, 4.5f, -13}, {1, -7, -14},  {-4, 4, -13},   {-7, 12, -12}}};
+  return adrenal("right adrenal gland", {-38, 20, 42}, -1.0f, leaves);
+}
+
+/// The left gland is a crescent along the kidney's upper pole and medial border.
+DemoStructure leftAdrenal() {
+  static constexpr std::array<glm::vec3, 20> leaves{
+      {{6, 8, 15},   {4, 4, 16},   {2, 0, 16},    {0, 4, 15},   {-1, 8, 14},
+       {10, 12, 4},  {5, 4, 4},    {-1, -5, 5},   {-4, 4, 4},   {-6, 11, 3},
+       {9, 13, -9},  {4, 4, -9},   {-4, -8, -8},  {-7, 3, -9},  {-9, 11, -9},
+       {3, 10, -19}, {-1, 2, -20}, {-7, -6, -20}, {-9, 1, -20}, {-10, 8, -19}}};
+  return adrenal("left adrenal gland", {40, 20, 50}, 1.0f, leaves);
 }
 }  // namespace
 
 std::vector<DemoStructure> abdomenGlands() {
-  return {gallbladder(), bileDucts(), adrenal("right adrenal gland", {-42, 28, 46}, -1.0f, false),
-          adrenal("left adrenal gland", {40, 24, 60}, 1.0f, true), pancreas()};
+  return {gallbladder(), bileDucts(), rightAdrenal(), leftAdrenal(), pancreas()};
 }
 
 std::vector<DemoStructure> abdomenSpleenAndLiver() {

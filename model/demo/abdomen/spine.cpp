@@ -28,13 +28,14 @@ struct Level {
   float tilt;
   float size;
   float transverse;  ///< length of its transverse processes, mm
+  float stoutness;   ///< their thickness relative to the third lumbar vertebra's
 };
-constexpr std::array<Level, 6> levels{{{"T12 vertebra", {0, 24, 49}, -0.10f, 0.88f, 12},
-                                       {"L1 vertebra", {0, 20, 14}, -0.08f, 0.93f, 20},
-                                       {"L2 vertebra", {0, 17, -23}, -0.04f, 0.97f, 25},
-                                       {"L3 vertebra", {0, 15, -61}, 0.03f, 1.0f, 29},
-                                       {"L4 vertebra", {0, 17, -99}, 0.13f, 1.02f, 25},
-                                       {"L5 vertebra", {0, 24, -136}, 0.30f, 1.04f, 23}}};
+constexpr std::array<Level, 6> levels{{{"T12 vertebra", {0, 24, 49}, -0.10f, 0.88f, 12, 0.9f},
+                                       {"L1 vertebra", {0, 20, 14}, -0.08f, 0.93f, 20, 0.95f},
+                                       {"L2 vertebra", {0, 17, -23}, -0.04f, 0.97f, 25, 1.0f},
+                                       {"L3 vertebra", {0, 15, -61}, 0.03f, 1.0f, 29, 1.0f},
+                                       {"L4 vertebra", {0, 17, -99}, 0.13f, 1.02f, 25, 1.05f},
+                                       {"L5 vertebra", {0, 24, -136}, 0.30f, 1.04f, 23, 1.45f}}};
 constexpr float bodyHalfHeight = 13.6f;
 
 /// Converts a point into the frame of a vertebra the size of the third lumbar: middle of its body,
@@ -62,35 +63,34 @@ float outline(const glm::vec2& p, float halfWidth, float halfDepth) {
   return blendedDifference(oval, canal, 4.0f);
 }
 
-/// Holds the processes of the right side; the left ones are their mirror image.
+/// Holds the processes of the left side; the right ones are their mirror image. The foramen between
+/// them is a triangle, wider than deep. The articular facets stand obliquely: the superior ones are
+/// turned back and to the middle, the inferior ones forward and outwards.
 struct Arch {
-  explicit Arch(float transverseLength)
-      : pedicle(std::array<SweptPoint, 3>{{{{11, 10, 5}, 5.5f, 1.4f},
-                                           {{13.5f, 19, 4.5f}, 4.8f, 1.5f},
-                                           {{15, 27, 3}, 5.4f, 1.4f}}},
+  Arch(float transverseLength, float stoutness)
+      : pedicle(std::array<SweptPoint, 3>{{{{13, 10, 5}, 5.2f, 1.4f},
+                                           {{15.2f, 18, 4.5f}, 4.4f, 1.6f},
+                                           {{15.5f, 25, 2}, 5.0f, 1.5f}}},
                 {0, 0, 1}),
-        lamina(
-            std::array<SweptPoint, 3>{
-                {{{15, 27, 2}, 4.6f, 1.7f}, {{9, 36, -2}, 4.0f, 2.3f}, {{0, 42, -4}, 3.8f, 2.1f}}},
-            {0, 0, 1}),
+        lamina(std::array<SweptPoint, 3>{{{{15, 25, -1}, 4.4f, 1.9f},
+                                          {{8.5f, 32, -6}, 3.6f, 3.0f},
+                                          {{0, 38, -8}, 3.4f, 3.1f}}},
+               {0, 0, 1}),
         transverse(
-            std::array<SweptPoint, 3>{{{{14, 26, 4}, 5.0f, 1.2f},
-                                       {{18.0f + 0.5f * transverseLength, 29, 4.5f}, 3.3f, 1.7f},
-                                       {{17.0f + transverseLength, 34, 7}, 2.2f, 1.7f}}},
+            std::array<SweptPoint, 4>{
+                {{{14, 24, 2}, 5.0f * stoutness, 1.3f},
+                 {{17.0f + 0.4f * transverseLength, 27, 3}, 3.3f * stoutness, 1.9f},
+                 {{17.0f + 0.8f * transverseLength, 30, 4.5f}, 2.7f * stoutness, 2.3f},
+                 {{17.5f + transverseLength, 32, 5}, 2.5f * stoutness, 2.1f}}},
             {0, 0, 1}),
-        superior(
-            std::array<SweptPoint, 3>{
-                {{{15, 27, 2}, 5.4f}, {{17.5f, 28, 11}, 5.6f}, {{18, 30, 18}, 5.0f}}},
-            {0, 1, 0}),
-        inferior(
-            std::array<SweptPoint, 3>{
-                {{{11, 34, -2}, 5.0f}, {{12, 36, -13}, 5.4f}, {{12.5f, 36, -21}, 5.0f}}},
-            {0, 1, 0}),
-        spinous(std::array<SweptPoint, 4>{{{{0, 40, -4}, 3.6f, 2.2f},
-                                           {{0, 52, -7}, 3.0f, 3.1f},
-                                           {{0, 64, -9}, 3.3f, 3.0f},
-                                           {{0, 72, -11}, 4.4f, 1.8f}}},
-                {0, 0, 1}) {}
+        superior(std::array<SweptPoint, 3>{{{{16, 25, 1}, 4.8f, 1.3f},
+                                            {{17.5f, 26, 10}, 4.8f, 1.9f},
+                                            {{18, 27.5f, 18}, 4.0f, 1.9f}}},
+                 facet),
+        inferior(std::array<SweptPoint, 3>{{{{10.5f, 31, -6}, 4.4f, 1.5f},
+                                            {{11, 33.5f, -15}, 4.2f, 1.8f},
+                                            {{11.5f, 34, -22}, 3.7f, 1.8f}}},
+                 facet) {}
 
   float distance(const glm::vec3& q) const {
     const glm::vec3 m(std::abs(q.x), q.y, q.z);
@@ -98,10 +98,24 @@ struct Arch {
     d = blendedUnion(d, transverse.distance(m), 5.0f);
     d = blendedUnion(d, superior.distance(m), 5.0f);
     d = blendedUnion(d, inferior.distance(m), 5.0f);
-    return blendedUnion(d, spinous.distance(q), 6.0f);
+    return blendedUnion(d, spinous(q), 6.0f);
   }
 
-  Swept pedicle, lamina, transverse, superior, inferior, spinous;
+  /// Returns the distance to the spinous process: an upright plate like a hatchet's blade, with a
+  /// thicker rim behind.
+  static float spinous(const glm::vec3& q) {
+    constexpr glm::vec2 half(16, 11);
+    constexpr float corner = 5.0f;
+    const glm::vec2 at(q.y - 49.0f, q.z + 10.0f + 0.22f * (q.y - 49.0f));
+    const glm::vec2 out = glm::abs(at) - half + corner;
+    const float outline = glm::length(glm::max(out, glm::vec2(0.0f))) +
+                          std::min(std::max(out.x, out.y), 0.0f) - corner;
+    const float thickness = 2.7f + 1.7f * glm::smoothstep(3.0f, 15.0f, at.x);
+    return blendedIntersection(outline, std::abs(q.x) - thickness, 3.5f);
+  }
+
+  static constexpr glm::vec3 facet{0.7f, 0.7f, 0.0f};  ///< along the facets' breadth
+  Swept pedicle, lamina, transverse, superior, inferior;
 };
 
 float bodyField(const glm::vec3& q) {
@@ -114,7 +128,7 @@ float bodyField(const glm::vec3& q) {
 }
 
 DemoStructure vertebra(const Level& level) {
-  const auto arch = std::make_shared<Arch>(level.transverse);
+  const auto arch = std::make_shared<Arch>(level.transverse, level.stoutness);
   DemoStructure s{
       .name = level.name, .groups = {"Bones"}, .colour = boneColour, .gamma = Gamma::clamped(1.3f)};
   s.field = [level, arch](const glm::vec3& p) {
@@ -175,12 +189,13 @@ std::array<SweptPoint, N> onSide(std::array<SweptPoint, N> points, float side) {
 }
 
 DemoStructure rib(const char* name, float side) {
-  const auto shape = std::make_shared<Swept>(onSide<6>({{{{23, 42, 52}, 3.6f, 1.2f},
-                                                         {{36, 60, 49}, 3.4f, 1.4f},
-                                                         {{56, 77, 40}, 3.0f, 1.9f},
-                                                         {{79, 84, 26}, 2.8f, 2.2f},
-                                                         {{98, 80, 11}, 2.6f, 2.0f},
-                                                         {{111, 70, 0}, 2.2f, 1.6f}}},
+  // The rib is a blade, higher than thick, that points down and forward to the loin.
+  const auto shape = std::make_shared<Swept>(onSide<6>({{{{23, 41, 52}, 3.4f, 1.3f},
+                                                         {{35, 56, 50}, 2.9f, 1.9f},
+                                                         {{50, 68, 44}, 2.6f, 2.4f},
+                                                         {{66, 74, 34}, 2.4f, 2.6f},
+                                                         {{81, 75, 23}, 2.2f, 2.3f},
+                                                         {{92, 71, 14}, 1.8f, 1.8f}}},
                                                        side),
                                              glm::vec3(0, 0, 1));
   DemoStructure s = swept(name, "Bones", boneColour, shape);

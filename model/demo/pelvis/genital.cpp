@@ -117,21 +117,25 @@ Shape corporaCavernosa() {
   return branching({half(-1), half(1)}, 4.0f);
 }
 
+/// The testis is an egg whose back, where the epididymis lies, is flat.
 Shape testis() {
-  return rippled(shapeOf(Blob({23, -163, 750}, {11.5f, 13.5f, 19.5f}, {-10, 0, 0})), 26.0f, 0.5f,
-                 0.7f);
+  Shape egg = cutOff(shapeOf(Blob({23, -162.5f, 748}, {12.8f, 16.5f, 22.5f}, {-10, 0, 0})),
+                     {23, -151.5f, 748}, {0, 1, 0.17f}, 8.0f);
+  return rippled(std::move(egg), 26.0f, 0.5f, 0.7f);
 }
 
-/// The epididymis is a comma along the back of the testis: head above, body, tail below, where the
-/// duct begins.
+/// The epididymis is a comma along the back of the testis: the head caps its upper pole, the body
+/// is thin, and at the tail below the duct begins.
 Shape epididymis() {
-  return shapeOf(Tube{{{22.5f, -166, 769}, 4.5f},
-                      {{22.5f, -158, 769}, 5.2f},
-                      {{23, -149.5f, 762}, 3.6f},
-                      {{24, -147, 750}, 3},
-                      {{23.5f, -149, 739}, 3.4f},
-                      {{22, -153, 733}, 3.4f},
-                      {{19.5f, -151.5f, 733}, 2.4f}});
+  return shapeOf(Tube{{{22.8f, -163, 771}, 4},
+                      {{23, -157.5f, 770}, 5.6f},
+                      {{23.4f, -151.5f, 766.5f}, 5.4f},
+                      {{24, -146.5f, 761}, 4.2f},
+                      {{24.6f, -144.5f, 750}, 3.2f},
+                      {{24.2f, -145.5f, 739}, 3.2f},
+                      {{23, -149, 730}, 3.9f},
+                      {{21.5f, -153.5f, 726}, 3.6f},
+                      {{19.8f, -152, 731}, 2.4f}});
 }
 }  // namespace
 
@@ -147,8 +151,8 @@ std::vector<DemoStructure> maleOrgans() {
       structure(genital(penisColour, 1.8f), "corpus spongiosum of penis", corpusSpongiosum()));
   list.push_back(
       structure(genital(penisColour, 1.8f), "corpora cavernosa of penis", corporaCavernosa()));
-  addPair(list, genital(seminalColour, 1.3f), "epididymis", epididymis());
-  addPair(list, genital(testisColour, 1.8f), "testis", testis());
+  addPair(list, genital(testisColour, 2.2f), "testis", testis());
+  addPair(list, genital(seminalColour, 1.5f), "epididymis", epididymis());
   for (std::size_t i = outer; i < list.size(); ++i) {
     list[i].gamma = Gamma::clamped(1.4f);
     list[i].inkColour = genitalInk;
@@ -196,9 +200,9 @@ Shape vaginalTube(float widthLess, float thickness) {
   const auto at = [&](float y, float z, float width) {
     return BandPoint{{x0, y, z}, width - widthLess, thickness, {1, 0, 0}};
   };
-  const std::array<BandPoint, 7> through{
-      at(-94, 808, 9.5f),  at(-91.5f, 817, 10), at(-88, 826, 11), at(-82.5f, 838, 12.5f),
-      at(-77, 849, 13.5f), at(-73.3f, 857, 14), at(-72, 861, 14)};
+  const std::array<BandPoint, 8> through{
+      at(-96.5f, 799, 9),     at(-94, 808, 9.5f),  at(-91.5f, 817, 10), at(-88, 826, 11),
+      at(-82.5f, 838, 12.5f), at(-77, 849, 13.5f), at(-73.3f, 857, 14), at(-72, 861, 14)};
   return shapeOf(Band(through));
 }
 
@@ -209,7 +213,7 @@ Blob vault(float less) {
 
 DemoStructure vagina() {
   constexpr float wall = 2.7f;
-  const glm::vec3 introitus(x0, -91.5f, 817);
+  const glm::vec3 introitus(x0, -94, 808.5f);
   DemoStructure body = structure(
       genital(vaginaColour, 1.4f), "vagina",
       cutOff(merged(vaginalTube(0, 4.2f), shapeOf(vault(0)), 7.0f), introitus, {0, -0.3f, -0.95f}));
@@ -226,10 +230,11 @@ DemoStructure femaleUrethra() {
                         {{x0, -102, 848}, radius + 0.3f * flare},
                         {{x0, -103.5f, 836}, radius},
                         {{x0, -106.5f, 825}, radius},
-                        {{x0, -109, 816.5f}, radius}});
+                        {{x0, -109.5f, 815}, radius},
+                        {{x0, -112.5f, 804}, radius}});
   };
   return withCavity(structure(genital(urinaryColour, 0.9f), "urethra",
-                              cutOff(along(3.4f, 0.6f), {x0, -107, 823}, {0, -0.28f, -0.96f})),
+                              cutOff(along(3.4f, 0.6f), {x0, -110.5f, 811}, {0, -0.28f, -0.96f})),
                     along(1.25f, 1.4f).field);
 }
 

@@ -23,8 +23,8 @@ void addBodies(Sculpture& bone) {
         {{x - 16, -11, 920}, 5.5f},  {{x, -11, 920}, 6.5f},       {{x + 16, -11, 920}, 5.5f},
         {{x + 35, -18, 920}, 5.0f},  {{x - 26, -19, 906}, 4.5f},  {{x - 13, -12, 905}, 5.0f},
         {{x, -10, 905}, 5.5f},       {{x + 13, -12, 905}, 5.0f},  {{x + 26, -19, 906}, 4.5f},
-        {{x - 11, -12, 893}, 3.6f},  {{x - 6, -11, 892}, 4.2f},   {{x, -10, 892}, 4.8f},
-        {{x + 6, -11, 892}, 4.2f},   {{x + 11, -12, 893}, 3.6f}},
+        {{x - 9, -12, 893}, 3.6f},   {{x - 5, -11, 892}, 4.2f},   {{x, -10, 892}, 4.8f},
+        {{x + 5, -11, 892}, 4.2f},   {{x + 9, -12, 893}, 3.6f}},
        5},
       1.0f);
   // This is the end plate of S1, whose front edge is the promontory.
@@ -87,8 +87,8 @@ void addLateralParts(Sculpture& bone) {
   bone.addTubePair({{{x + 43, -26, 938}, 6.5f},
                     {{x + 37, -19, 922}, 6.0f},
                     {{x + 30, -18, 909}, 5.0f},
-                    {{x + 19, -15, 899}, 4.5f},
-                    {{x + 8, -11, 891}, 4.5f}},
+                    {{x + 19, -15, 899.5f}, 4.3f},
+                    {{x + 6, -11, 892}, 3.9f}},
                    6.0f);
   // The superior articular processes are hollow towards the back and the middle.
   bone.addPlatePair({{{{x + 19, -57, 1001}, 1.9f},
@@ -172,19 +172,19 @@ void addCoccyx(Sculpture& bone) {
   // processes and horns.
   const auto piece = [&bone](const glm::vec3& centre, const glm::vec3& semiAxes) {
     const Blob blob(centre, semiAxes, {-14, 0, 0});
-    bone.add([blob](const glm::vec3& p) { return blob.distance(p); }, blob.bounds(), 5.5f);
+    bone.add([blob](const glm::vec3& p) { return blob.distance(p); }, blob.bounds(), 3.0f);
   };
-  piece({x, -10.3f, 889}, {8.5f, 4.2f, 6});
-  piece({x, -11.2f, 880.5f}, {11, 4.6f, 6.8f});
-  bone.addTubePair({{{x + 3, -11.3f, 881}, 4},
-                    {{x + 8, -12, 880.5f}, 3.8f},
-                    {{x + 12.5f, -12.8f, 879.5f}, 3.2f}},
-                   5.0f);
+  piece({x, -10.3f, 889}, {7.6f, 4.2f, 6});
+  piece({x, -11.2f, 880.2f}, {11, 4.6f, 6.4f});
+  bone.addTubePair({{{x + 4, -11.3f, 881.5f}, 4},
+                    {{x + 10, -12, 881.5f}, 3.5f},
+                    {{x + 15, -12.8f, 880.5f}, 2.7f}},
+                   3.5f);
   bone.addTubePair({{{x + 4.5f, -9, 881}, 3}, {{x + 5.5f, -6.5f, 888}, 2}}, 4.0f);
-  piece({x, -12.6f, 870}, {8.6f, 4.2f, 5.8f});
-  piece({x, -15.2f, 861.7f}, {7, 3.9f, 5});
-  piece({x, -18.4f, 855.6f}, {5.2f, 3.6f, 4.2f});
-  piece({x, -20.6f, 852.4f}, {3.5f, 3.2f, 2.9f});
+  piece({x, -12.8f, 869.3f}, {10.2f, 4.2f, 5.4f});
+  piece({x, -15.3f, 861}, {7.2f, 3.9f, 4.6f});
+  piece({x, -18.2f, 855}, {5.2f, 3.6f, 3.9f});
+  piece({x, -20.4f, 851.6f}, {3.3f, 3.1f, 2.7f});
 }
 }  // namespace
 

@@ -235,15 +235,19 @@ void AbdomenTest::sizes_data() {
   QTest::addColumn<double>("leastMl");
   QTest::addColumn<double>("mostMl");
   // Textbooks give these sizes for adults, with their range.
-  const std::array<Size, 9> rows{{{"liver", {190, 130, 130}, {240, 190, 190}, 1000, 2000},
-                                  {"spleen", {40, 50, 70}, {100, 110, 130}, 100, 260},
-                                  {"left kidney", {40, 35, 95}, {75, 70, 125}, 100, 200},
-                                  {"right kidney", {40, 35, 95}, {75, 70, 125}, 100, 200},
-                                  {"pancreas", {120, 50, 60}, {200, 110, 130}, 50, 140},
-                                  {"gallbladder", {20, 40, 40}, {60, 100, 100}, 20, 60},
-                                  {"stomach", {110, 90, 130}, {180, 180, 220}, 300, 900},
-                                  {"L3 vertebra", {75, 75, 35}, {110, 105, 60}, 40, 120},
-                                  {"abdominal aorta", {20, 25, 180}, {50, 70, 260}, 50, 130}}};
+  const std::array<Size, 13> rows{{{"liver", {190, 130, 130}, {240, 190, 190}, 1000, 2000},
+                                   {"spleen", {40, 50, 70}, {100, 110, 130}, 100, 260},
+                                   {"left kidney", {40, 35, 95}, {75, 70, 125}, 100, 200},
+                                   {"right kidney", {40, 35, 95}, {75, 70, 125}, 100, 200},
+                                   {"pancreas", {120, 50, 60}, {200, 110, 130}, 50, 140},
+                                   {"gallbladder", {20, 40, 40}, {60, 100, 100}, 20, 60},
+                                   {"stomach", {110, 90, 130}, {180, 180, 220}, 300, 900},
+                                   {"L3 vertebra", {85, 75, 40}, {105, 90, 60}, 40, 120},
+                                   {"T12 vertebra", {45, 65, 35}, {65, 80, 55}, 25, 80},
+                                   {"right twelfth rib", {50, 20, 35}, {85, 45, 65}, 2, 10},
+                                   {"right adrenal gland", {16, 18, 25}, {28, 40, 42}, 2.5, 8},
+                                   {"left adrenal gland", {16, 18, 25}, {28, 40, 50}, 2.5, 8},
+                                   {"abdominal aorta", {20, 25, 180}, {50, 70, 260}, 50, 130}}};
   for (const Size& row : rows)
     QTest::newRow(row.name) << row.low << row.high << row.leastMl << row.mostMl;
 }
@@ -314,6 +318,14 @@ void AbdomenTest::shapes_data() {
   row("left of the round ligament", "liver", {14, -62, 46}, true);
   row("fissure of the round ligament", "liver", {-5, -66, 36}, false);
   row("quadrate lobe", "liver", {-28, -66, 12}, true);
+  row("gastroduodenal artery", "coeliac trunk", {-20, -47, 4}, true);
+  row("left hepatic artery", "coeliac trunk", {-20, -34, 49}, true);
+  row("blade of the spinous process above", "L3 vertebra", {0, 71, -66}, true);
+  row("blade of the spinous process below", "L3 vertebra", {0, 71, -82}, true);
+  row("vertebral foramen beside the middle", "L3 vertebra", {9, 35, -59}, false);
+  row("lamina", "L3 vertebra", {8, 47, -72}, true);
+  row("right adrenal gland's lateral leaf", "right adrenal gland", {-51, 32, 29}, true);
+  row("between the leaves", "right adrenal gland", {-40, 31, 36}, false);
 }
 
 /// Before neighbours press in, notches part what they part.

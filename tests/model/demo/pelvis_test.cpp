@@ -236,6 +236,40 @@ class PelvisTest : public QObject {
     }
   }
 
+  // No data set has these: textbooks give their height for adults, mm.
+  void heightsFromTextbooks_data() {
+    QTest::addColumn<int>("sex");
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<float>("least");
+    QTest::addColumn<float>("most");
+    QTest::newRow("testis") << int(Sex::male) << QString("left testis") << 40.0f << 50.0f;
+    QTest::newRow("female urethra") << int(Sex::female) << QString("urethra") << 30.0f << 45.0f;
+    QTest::newRow("vagina") << int(Sex::female) << QString("vagina") << 58.0f << 80.0f;
+  }
+  void heightsFromTextbooks() {
+    QFETCH(const int, sex);
+    QFETCH(const QString, name);
+    QFETCH(const float, least);
+    QFETCH(const float, most);
+    const float height = meshNamed(pelvis(Sex(sex)), name.toStdString())->bounds().size().z;
+    QVERIFY2(height > least && height < most, std::to_string(height).c_str());
+  }
+
+  // The first piece of the coccyx is wider than the end of the sacrum above it and than the second
+  // piece.
+  void coccyxHasAWaist() {
+    const Mesh& sacrum = *meshNamed(pelvis(Sex::male), "sacrum");
+    const auto width = [&](float z) {
+      float most = 0.0f;
+      for (const glm::vec3& p : sacrum.positions())
+        if (std::abs(p.z - z) < 1.2f)
+          most = std::max(most, 2.0f * std::abs(p.x - model::pelvisMiddle));
+      return most;
+    };
+    QVERIFY2(width(880.5f) > 1.4f * width(887.0f), std::to_string(width(887.0f)).c_str());
+    QVERIFY2(width(880.5f) > 1.4f * width(870.0f), std::to_string(width(870.0f)).c_str());
+  }
+
   // The ureters end at the pelvic brim in the demo: below it they run where the measured ones do.
   void ureterBelowTheBrim() {
     for (const char* name : {"left ureter", "right ureter"}) {
