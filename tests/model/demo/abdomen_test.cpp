@@ -320,6 +320,8 @@ void AbdomenTest::shapes_data() {
   row("quadrate lobe", "liver", {-28, -66, 12}, true);
   row("gastroduodenal artery", "coeliac trunk", {-20, -47, 4}, true);
   row("left hepatic artery", "coeliac trunk", {-20, -34, 49}, true);
+  row("jejunal artery", "superior mesenteric artery", {13, -58, -71}, true);
+  row("right colic artery", "superior mesenteric artery", {-26, -57, -88}, true);
   row("blade of the spinous process above", "L3 vertebra", {0, 71, -66}, true);
   row("blade of the spinous process below", "L3 vertebra", {0, 71, -82}, true);
   row("vertebral foramen beside the middle", "L3 vertebra", {9, 35, -59}, false);
