@@ -119,19 +119,23 @@ void SeenLayer::drawCurves(const StructureLines& drawn, const model::Surface& su
     draw(s, 0.5f * pen, false);
 }
 
+model::SurfacePtr SeenLayer::pictured() const {
+  // Outlines need no curvature that is averaged over rings, which takes most of the time.
+  model::Provenance provenance = m_node->provenance;
+  provenance.smoothingSteps = 0;
+  provenance.refinementSteps = 0;
+  return pictureSurface(m_node->mesh, provenance);
+}
+
+void SeenLayer::takeSurface(model::SurfacePtr surface) {
+  m_surface = std::move(surface);
+  m_mesh = m_surface->mesh;
+}
+
 void SeenLayer::drawAsInPictures(const model::Scene& scene, const Screen& screen,
-                                 const SeenGrid& grid, model::MeshTrees& surfaces) {
-  model::SurfacePtr& known = surfaces.surfaceOf(m_node->mesh);
-  if (!known) {
-    // Outlines need no curvature that is averaged over rings, which takes most of the time.
-    model::Provenance provenance = m_node->provenance;
-    provenance.smoothingSteps = 0;
-    provenance.refinementSteps = 0;
-    known = pictureSurface(m_node->mesh, provenance);
-  }
+                                 const SeenGrid& grid) {
   PreparedSurface prepared;
-  prepared.surface = known;
-  m_mesh = prepared.surface->mesh;
+  prepared.surface = m_surface;
   draw(screen, grid);
   for (SeenCell& cell : m_cells) {
     cell.ink = 0.0f;

@@ -69,7 +69,7 @@ struct SeenMap::Dots {
 
 SeenMap::Dots SeenMap::dots(std::uint32_t layer) const {
   SeenLayer own = m_layers[layer].undrawn();
-  own.drawAsInPictures(m_scene, m_screen, m_grid, m_meshes ? *m_meshes : m_own);
+  own.drawAsInPictures(m_scene, m_screen, m_grid);
   Dots dots{.layer = own,
             .left = own.left(),
             .top = own.top(),
@@ -98,8 +98,8 @@ SeenMap::Dots SeenMap::dots(std::uint32_t layer) const {
 SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int x, int y) const {
   Shares shares;
   float left = 1.0f;
-  const auto pass = [&](const SeenLayer& of, const SeenCell& cell, float ink) {
-    const SeenFill fill = of.fillOf(cell);
+  const auto pass = [&](const SeenLayer& of, const SeenCell& cell, float ink, float bent) {
+    const SeenFill fill = of.fillOf(cell, bent);
     const float share = left * (ink + (1.0f - ink) * fill.colour);
     left *= (1.0f - fill.cover) * (1.0f - ink);
     return share;
@@ -109,8 +109,8 @@ SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int
   for (const Fragment& one : fragments(x, y)) {
     if (one.layer == layer)
       continue;
-    if (!passed && mine.depth < one.depth) {
-      shares.own = pass(own, mine, mine.ink);
+    if (!passed && mine.depth < one.depth && !own.touches(mine.depth, one.depth)) {
+      shares.own = pass(own, mine, mine.ink, 0.0f);
       passed = true;
     }
     const SeenLayer& other = m_layers[one.layer];
@@ -118,10 +118,12 @@ SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int
     const float strokes =
         cell.what == SeenCell::What::surface ? strokesHere * left * other.look().strokes() : 0.0f;
     shares.others = std::max(shares.others, strokes);
-    shares.others = std::max(shares.others, pass(other, cell, cell.ink * other.look().outline()));
+    // It may be bent there, and show and hide more.
+    shares.others =
+        std::max(shares.others, pass(other, cell, cell.ink * other.look().outline(), 1.0f));
   }
   if (!passed)
-    shares.own = pass(own, mine, mine.ink);
+    shares.own = pass(own, mine, mine.ink, 0.0f);
   return shares;
 }
 

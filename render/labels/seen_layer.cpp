@@ -41,6 +41,9 @@ std::optional<Weights> weightsAt(const std::array<glm::vec2, 3>& p, const glm::v
   return w.second >= edge && w.third >= edge && w.first() >= edge ? std::optional(w) : std::nullopt;
 }
 
+// Millimetres between surfaces that share a wall, in models whose parts fit each other.
+constexpr float touching = 0.05f;
+
 }  // namespace
 
 SeenLayer::SeenLayer(const model::Node& node, const model::ResolvedStyle& style)
@@ -57,15 +60,17 @@ SeenLayer::SeenLayer(const model::Scene& scene, const model::Node& node,
 
 SeenLayer SeenLayer::undrawn() const {
   SeenLayer layer(*m_node, m_style);
+  layer.m_mesh = m_mesh;
+  layer.m_surface = m_surface;
   layer.m_faces = m_faces;
   layer.m_planes = m_planes;
   return layer;
 }
 
-SeenFill SeenLayer::fillOf(const SeenCell& cell) const {
+SeenFill SeenLayer::fillOf(const SeenCell& cell, float bent) const {
   switch (cell.what) {
     case SeenCell::What::surface:
-      return m_look.surface(cell.facing);
+      return m_look.surface(cell.facing, bent);
     case SeenCell::What::cutFace:
       return m_look.cutFace(m_faces);
     default:
@@ -131,6 +136,16 @@ void SeenLayer::drawTriangle(const Screen& screen, std::uint32_t triangle) {
                                      screen.inverseDepth(c[2]->depth)};
   const glm::vec3 towards = model::towardsEye(screen.camera(), a);
   const float facing = length > 0.0f ? glm::dot(normal, towards) / length : 0.0f;
+  const float side = facing < 0.0f ? -1.0f : 1.0f;
+  const auto facingAt = [&](const Weights& w) {
+    if (!m_surface)
+      return facing;
+    const auto& n = m_surface->normals;
+    const glm::vec3 smooth = w.first() * n[t[0]] + w.second * n[t[1]] + w.third * n[t[2]];
+    const float across = glm::length(smooth);
+    const float shaded = across > 0.0f ? std::abs(glm::dot(smooth, towards)) / across : 0.0f;
+    return side * shaded;
+  };
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x) {
       const auto w = weightsAt(p, glm::vec2(x, y) + 0.5f);
@@ -144,7 +159,7 @@ void SeenLayer::drawTriangle(const Screen& screen, std::uint32_t triangle) {
       take(x, y,
            {.depth = w->first() * c[0]->depth + w->second * c[1]->depth + w->third * c[2]->depth,
             .triangle = triangle,
-            .facing = facing,
+            .facing = facingAt(*w),
             .what = SeenCell::What::surface});
     }
 }
@@ -277,7 +292,11 @@ void SeenLayer::draw(const Screen& screen, const SeenGrid& grid) {
   const glm::vec3 middle = mesh.bounds().centre();
   const float fold = 0.04f * glm::length(mesh.bounds().size());
   const glm::vec3 back = model::cameraFrame(screen.camera()).back;
-  m_fold = std::abs(screen.depthKey(middle - fold * back) - screen.depthKey(middle));
+  const auto step = [&](float mm) {
+    return std::abs(screen.depthKey(middle - mm * back) - screen.depthKey(middle));
+  };
+  m_fold = step(fold);
+  m_touch = step(touching);
   findCutFaces(screen, grid);
   const float lambda = screen.size().y / 720.0f;
   findOutlines(m_look.pen() * lambda / grid.side);

@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "model/geometry/mesh_trees.h"
 #include "model/geometry/plane.h"
 #include "model/scene/scene.h"
 #include "render/labels/screen.h"
@@ -42,19 +41,22 @@ class SeenLayer {
 
   /// Draws the structure as its sections leave it; its outlines are where its cells end.
   void draw(const Screen& screen, const SeenGrid& grid);
-  /// Draws it with the surface and the curves that pictures have (METHOD §11): takes longer. Cells
-  /// must be λ wide and the grid must be the whole picture's. The surface is kept in `surfaces`.
-  void drawAsInPictures(const model::Scene& scene, const Screen& screen, const SeenGrid& grid,
-                        model::MeshTrees& surfaces);
+  /// Draws it with the curves that pictures have (METHOD §11), after its surface was taken: takes
+  /// longer. Cells must be λ wide and the grid must be the whole picture's.
+  void drawAsInPictures(const model::Scene& scene, const Screen& screen, const SeenGrid& grid);
 
+  /// Makes the surface that pictures have, with the steps of slices taken out and smooth normals.
+  model::SurfacePtr pictured() const;
+  /// Takes that surface: it is drawn instead of the mesh from now on.
+  void takeSurface(model::SurfacePtr surface);
   /// Returns the same structure with nothing drawn.
   SeenLayer undrawn() const;
 
   const model::Node& node() const { return *m_node; }
   const SeenLook& look() const { return m_look; }
   const std::vector<model::Plane>& planes() const { return m_planes; }
-  /// Returns the fill that a cell shows.
-  SeenFill fillOf(const SeenCell& cell) const;
+  /// Returns the fill that a cell shows if its surface is bent that much (SeenLook).
+  SeenFill fillOf(const SeenCell& cell, float bent = 0.0f) const;
   /// The cells that may hold something: columns from `left()` on, rows from `top()` on.
   int left() const { return m_left; }
   int top() const { return m_top; }
@@ -69,6 +71,9 @@ class SeenLayer {
     const SeenCell::What what = at(x, y).what;
     return what == SeenCell::What::surface || what == SeenCell::What::cutFace;
   }
+  /// Tells whether another surface that is no nearer than this one may hide it all the same: the
+  /// two touch, and which of them a picture shows changes from pixel to pixel.
+  bool touches(float depth, float other) const { return other >= depth && other < depth + m_touch; }
   /// Tells whether anything of it is left by sections, in the picture or not.
   bool remains() const { return m_remains; }
   /// Returns the point of the surface that a cell shows, and where the output shows it.
@@ -115,7 +120,8 @@ class SeenLayer {
   void plotSmall(const Screen& screen);
 
   const model::Node* m_node;
-  model::MeshPtr m_mesh;  ///< the one that is drawn, of the node's triangles
+  model::MeshPtr m_mesh;        ///< the one that is drawn, of the node's triangles
+  model::SurfacePtr m_surface;  ///< the one that pictures have, if it was taken
   model::ResolvedStyle m_style;
   SeenLook m_look;
   bool m_perspective = true;
@@ -127,7 +133,8 @@ class SeenLayer {
   int m_columns = 0;
   int m_rows = 0;
   float m_side = 1.0f;
-  float m_fold = 1.0f;  ///< a step in depth that makes an outline
+  float m_fold = 1.0f;   ///< a step in depth that makes an outline
+  float m_touch = 0.0f;  ///< one that is too small to tell
   bool m_remains = false;
   std::vector<SeenCell> m_cells;
   SeenCell m_none;

@@ -41,7 +41,7 @@ SeenLook::SeenLook(const model::ResolvedStyle& style)
               m_opacity * unevenShade * t.shading;
 }
 
-SeenFill SeenLook::surface(float facing) const {
+SeenFill SeenLook::surface(float facing, float bent) const {
   SeenFill wash;
   if (m_fill == model::Fill::paper)
     wash.cover = m_opacity;
@@ -49,7 +49,7 @@ SeenFill SeenLook::surface(float facing) const {
     wash.cover = veilStrength * m_opacity;
   else if (m_fill == model::Fill::tint)
     wash = {tintStrength * m_opacity, tintStrength * m_opacity};
-  // As surface.frag.glsl has it, without what the surface's curvature adds.
+  // As surface.frag.glsl has it.
   constexpr float quarterTurn = 1.5707963f;
   const float threshold = quarterTurn * (1.0f - m_shading);
   const float angle = std::acos(std::clamp(facing, 0.0f, 1.0f));
@@ -57,7 +57,8 @@ SeenFill SeenLook::surface(float facing) const {
       m_shading > 0.0f
           ? std::clamp((angle - threshold) / std::max(quarterTurn - threshold, 1e-4f), 0.0f, 1.0f)
           : 0.0f;
-  const float entered = byAngle * m_shading + (1.0f - byAngle * m_shading) * m_complete;
+  const float byLight = bent * (1.0f - m_shading) + m_shading;
+  const float entered = byAngle * byLight + (1.0f - byAngle * byLight) * m_complete;
   const float shade = entered * m_opacity;
   const float own = shade * tone(std::clamp(facing, 0.0f, 1.0f), entered);
   return {own + wash.colour * (1.0f - shade), shade + wash.cover * (1.0f - shade)};

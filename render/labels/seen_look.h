@@ -18,7 +18,9 @@ class SeenLook {
   explicit SeenLook(const model::ResolvedStyle& style);
 
   /// Returns the fill where the surface has that cosine between its normal and the line of sight.
-  SeenFill surface(float facing) const;
+  /// While shading enters, it does so first where the surface is bent (METHOD §7): the share of
+  /// that is `bent`, 0 … 1, of which pictures alone know.
+  SeenFill surface(float facing, float bent = 0.0f) const;
   /// Returns the fill of a cut face.
   SeenFill cutFace(model::CutFaces faces) const;
   /// The strength of its outlines.

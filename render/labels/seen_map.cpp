@@ -42,8 +42,25 @@ SeenMap::SeenMap(const SeenMap& other, const SeenGrid& grid)
       m_meshes(other.m_meshes) {
   for (const SeenLayer& layer : other.m_layers)
     m_layers.push_back(layer.undrawn());
+  takeSurfaces();
   parallelFor(m_layers.size(), 1, [&](std::size_t i) { m_layers[i].draw(m_screen, m_grid); });
   compose();
+}
+
+void SeenMap::takeSurfaces() {
+  model::MeshTrees& surfaces = m_meshes ? *m_meshes : m_own;
+  std::map<model::MeshPtr, const SeenLayer*> missing;
+  for (const SeenLayer& layer : m_layers)
+    if (!surfaces.surfaceOf(layer.node().mesh))
+      missing.emplace(layer.node().mesh, &layer);
+  std::vector<std::pair<const SeenLayer*, model::SurfacePtr>> made;
+  for (const auto& [mesh, layer] : missing)
+    made.emplace_back(layer, nullptr);
+  parallelFor(made.size(), 1, [&](std::size_t i) { made[i].second = made[i].first->pictured(); });
+  for (const auto& [layer, surface] : made)
+    surfaces.surfaceOf(layer->node().mesh) = surface;
+  for (SeenLayer& layer : m_layers)
+    layer.takeSurface(surfaces.surfaceOf(layer.node().mesh));
 }
 
 const SeenMap& SeenMap::fine() const {
@@ -141,8 +158,13 @@ SeenMap::Worth SeenMap::worthOf(std::uint32_t layer, int x, int y) const {
         if (one.layer == layer)
           continue;
         others = std::max(others, one.most());
+        const bool touching = own.touches(mine.depth, one.depth);
+        if (touching) {
+          const SeenLayer& other = m_layers[one.layer];
+          others = std::max(others, mine.reach * other.fillOf(other.at(x + dx, y + dy)).colour);
+        }
         inkAround = std::max(inkAround, one.ink);
-        alone = alone && one.reach < faint;
+        alone = alone && one.reach < faint && !touching;
         if (dx != 0 || dy != 0)
           continue;
         beside = std::max(beside, one.most());

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "model/geometry/mesh_trees.h"
 #include "render/labels/seen_layer.h"
 
 namespace sline::render {
@@ -66,8 +67,10 @@ class SeenMap {
   Worth worthOf(std::uint32_t layer, int x, int y) const;
   Candidates candidates(std::uint32_t layer) const;
   std::optional<SeenPlace> kept(const Candidates& candidates, const model::Anchor& before) const;
-  /// Draws another map's layers into cells of half the size, where outlines are as wide as pens.
+  /// Draws another map's layers into cells of half the size, where outlines are as wide as pens,
+  /// with the surfaces that pictures have.
   SeenMap(const SeenMap& other, const SeenGrid& grid);
+  void takeSurfaces();
   /// Returns that map, which is made when it is first needed.
   const SeenMap& fine() const;
   /// What a dot would lie on in a fine map.

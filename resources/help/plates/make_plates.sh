@@ -11,7 +11,7 @@
 #   kinase.pdb                    entry 2SRC of the Protein Data Bank
 set -euo pipefail
 
-sline=$(realpath "${1:?usage: make_plates.sh SLINE [TRACHEA.glb [PELVIS HEART.glb]]}")
+sline=$(realpath "${1:?usage: make_plates.sh SLINE [ANATOMY]}")
 anatomy=$(realpath "${2:-/nonexistent}")
 cd "$(dirname "$0")"
 scratch=$(mktemp -d)

@@ -255,6 +255,29 @@ class LabelAnchorsTest : public QObject {
     QVERIFY(glm::length(*screen.place(*under.placeOf(covered->anchor)) - middle) < 4.0f);
   }
 
+  /// Where two structures share a wall, which of them a picture shows is a matter of rounding.
+  void bestPlaceIsNotOnASharedWall() {
+    const auto plate = [](float left, float right, float depth) {
+      const auto mesh = model::Mesh::create(
+          {{left, depth, -20}, {right, depth, -20}, {right, depth, 20}, {left, depth, 20}},
+          {{0, 1, 2}, {0, 2, 3}});
+      model::Node node{.name = "plate", .mesh = std::make_shared<const model::Mesh>(*mesh)};
+      node.style.gamma = Gamma::clamped(5.0f);
+      return node;
+    };
+    for (const float behind : {0.01f, 5.0f}) {
+      model::Scene scene;
+      const model::NodeId whole = scene.append(plate(-40, 40, 0));
+      scene.append(plate(-40, 20, behind));
+      const Screen screen(front(), paper);
+      const auto best = SeenMap(scene, screen).find(whole);
+      QVERIFY(best && !best->hidden);
+      const float x = scene.placeOf(best->anchor)->x;
+      QVERIFY2(behind < 1.0f ? x > 20.0f : std::abs(x) < 10.0f,
+               qPrintable(QString::number(double(x))));
+    }
+  }
+
   /// If a near part of the structure ends before a far one, a place there is hidden from a little
   /// aside.
   void bestPlaceIsNotAtAFold() {
