@@ -1,21 +1,82 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/edit/look.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <unordered_map>
+
+#include "model/base/contrast.h"
 #include "model/edit/style_edits.h"
+#include "model/scene/resolved_styles.h"
 
 namespace sline::model {
 
+namespace {
+
+constexpr Colour blackInk{0, 0, 0};
+constexpr Colour whiteInk{255, 255, 255};
+
+bool alike(const Colour& a, const Colour& b) {
+  constexpr int rounding = 2;
+  return std::abs(a.red - b.red) <= rounding && std::abs(a.green - b.green) <= rounding &&
+         std::abs(a.blue - b.blue) <= rounding;
+}
+
+/// Returns the ink that goes with `now` as `ink` goes with `before`: that colour itself, or as dark
+/// or light as lines need it. An ink that is no such one, as black, stays.
+Colour inkFollowing(const Colour& ink, const Colour& before, const Colour& now) {
+  // What lines need on paper (WCAG 2.2), where the colour was dark enough by itself.
+  constexpr double enough = 4.5;
+  if (ink == blackInk || ink == whiteInk)
+    return ink;
+  if (alike(ink, before))
+    return legibleOn(whiteInk, now, std::min(contrastBetween(whiteInk, ink), enough));
+  for (const Colour& ground : {whiteInk, blackInk}) {
+    const double contrast = contrastBetween(ground, ink);
+    if (alike(ink, legibleOn(ground, before, contrast)))
+      return legibleOn(ground, now, contrast);
+  }
+  return ink;
+}
+
+/// Gives structures whose colour has changed, and whose ink has not, an ink that follows.
+Edited withInksFollowing(const Scene& scene, std::span<const NodeId> ids, Edited edited) {
+  const std::vector<ResolvedStructure> before = resolvedBelow(scene, ids);
+  const std::vector<ResolvedStructure> now = resolvedBelow(edited.scene, ids);
+  std::unordered_map<std::uint64_t, Colour> inks;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const std::optional<Colour>& ink = before[i].style.inkColour;
+    if (ink && ink == now[i].style.inkColour && before[i].style.colour != now[i].style.colour)
+      inks[now[i].node->id.value] = inkFollowing(*ink, before[i].style.colour, now[i].style.colour);
+  }
+  std::vector<Node> nodes = edited.scene.nodes();
+  for (Node& node : nodes)
+    if (const auto found = inks.find(node.id.value);
+        found != inks.end() && found->second != *edited.scene.resolve(node.id).inkColour)
+      node.style.inkColour = found->second;
+  Edited inked = withNodesRestyled(edited.scene, std::move(nodes));
+  return {std::move(inked.scene), edited.changed || inked.changed};
+}
+
+bool recolours(const Style& look) {
+  return look.colour && !look.inkColour;
+}
+
+}  // namespace
+
 Edited withLook(const Scene& scene, std::span<const NodeId> ids, const Style& look) {
-  return withStyles(scene, ids, [&look](Style& style, bool named) {
+  Edited edited = withStyles(scene, ids, [&look](Style& style, bool named) {
     if (named)
       patch(style, look);
     else
       forget(style, look);
   });
+  return recolours(look) ? withInksFollowing(scene, ids, std::move(edited)) : edited;
 }
 
 Edited withLookInherited(const Scene& scene, std::span<const NodeId> ids, const Style& which) {
-  return withStyles(scene, ids, [&which](Style& style, bool) { forget(style, which); });
+  Edited edited = withStyles(scene, ids, [&which](Style& style, bool) { forget(style, which); });
+  return recolours(which) ? withInksFollowing(scene, ids, std::move(edited)) : edited;
 }
 
 Style lookOf(const Scene& scene, NodeId id) {

@@ -21,10 +21,11 @@ struct StylePreset {
 };
 
 /// Gives the nodes those fields that `look` answers; the nodes below inherit them again. Unknown
-/// ids are ignored.
+/// ids are ignored. Where a colour is given and no ink, inks that were of the old colour, or of it
+/// made dark or light enough for lines, follow.
 Edited withLook(const Scene& scene, std::span<const NodeId> ids, const Style& look);
 /// Lets the nodes, and all below them, inherit again the fields that `which` answers, whatever the
-/// answers are.
+/// answers are. Inks follow colours here, too.
 Edited withLookInherited(const Scene& scene, std::span<const NodeId> ids, const Style& which);
 
 /// Returns how the node looks, inherited or not; an ink without a colour of its own stays

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "model/base/contrast.h"
 #include "model/edit/look.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
@@ -184,13 +185,20 @@ class StylesTravelTest : public QObject {
   /// Beside the dialog's own colours stand those of anatomy, by name; a click shows one at once.
   void coloursByName() {
     Bench b;
+    // The ink is of the colour, as where a look has chosen it.
+    const model::NodeId bladder = b.named("bladder");
+    constexpr Colour white{255, 255, 255};
+    const Colour ink = legibleOn(white, b.f.session.scene().resolve(bladder).colour, 9.0);
+    b.f.session.apply("ink",
+                      model::withLook(b.f.session.scene(), {&bladder, 1}, {.inkColour = ink}));
     const int steps = b.steps();
-    b.f.tree().scrollTo(b.f.tree().indexOf(b.named("bladder")));
+    b.f.tree().scrollTo(b.f.tree().indexOf(bladder));
     QTest::mouseClick(
         b.f.tree().viewport(), Qt::LeftButton, {},
         b.f.tree().cellOf(b.named("bladder"), widgets::StructureTreeModel::swatch).center());
     auto& dialog = b.f.control<QColorDialog>("colourDialog");
     QTRY_VERIFY(dialog.isVisible());
+    QCOMPARE(dialog.windowTitle(), QStringLiteral("Colour of bladder"));
     auto& palette = b.f.control<QListWidget>("anatomyPalette");
     QVERIFY(palette.isVisible() && dialog.rect().contains(palette.geometry()));
     const QList<QListWidgetItem*> found = palette.findItems("Arteries", Qt::MatchExactly);
@@ -203,6 +211,9 @@ class StylesTravelTest : public QObject {
     dialog.accept();
     QCOMPARE(b.f.session.scene().resolve(b.named("bladder")).colour, (Colour{0xcf, 0x22, 0x14}));
     QCOMPARE(b.steps(), steps + 1);
+    const Colour now = b.f.session.scene().resolve(bladder).inkColour.value();
+    QVERIFY(now.red > 100 && now.green < 40 && now.blue < 40);  // dark red
+    QVERIFY(contrastBetween(white, now) >= 8.9);
   }
 
   /// Wherever else a colour is chosen the same ones are offered.

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "model/edit/emphasis.h"
+#include "widgets/gamma/look_drag.h"
 #include "widgets/session/colour_dialog.h"
 #include "widgets/structure_tree/structure_properties.h"
 #include "widgets/structure_tree/structure_tree_view.h"
@@ -103,6 +104,7 @@ void StructureTree::chooseColour(const NodeIds& ids) {
   const Colour now = m_session.scene().resolve(first).colour;
   auto* dialog = makeColourDialog(m_session.names(), QColor(now.red, now.green, now.blue), this);
   dialog->setObjectName(QStringLiteral("colourDialog"));
+  dialog->setWindowTitle(lookStepName(tr("Colour"), m_session, ids));
   // While it is open each colour shows at once; accepting makes the one undo step.
   const auto show = [this, ids](const QColor& c) {
     const Colour colour{std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};

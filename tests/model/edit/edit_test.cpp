@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QTest>
+#include <cstdlib>
+#include <optional>
 
+#include "model/base/contrast.h"
 #include "model/edit/look.h"
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
@@ -11,6 +14,9 @@ namespace sline::model {
 namespace {
 
 using Ids = std::vector<NodeId>;
+
+constexpr Colour heart{176, 58, 58};
+constexpr Colour vein{43, 79, 163};
 
 /// Holds groups A ( B ( b1, b2 ), a ), C () and structure d, named by letters.
 class Sample {
@@ -79,6 +85,8 @@ class EditTest : public QObject {
   void treeEdits();
   void rename();
   void patchesStyle();
+  void inksFollowColours_data();
+  void inksFollowColours();
   void resetsStyle();
   void showsOnly_data();
   void showsOnly();
@@ -196,6 +204,55 @@ void EditTest::patchesStyle() {
   QVERIFY(!withLook(edited.scene, s.ids("B d"), patch).changed);
   QVERIFY(!withLook(s.scene, s.ids("B d"), Style{}).changed);
   QVERIFY(!withLook(s.scene, s.ids("x"), patch).changed);
+}
+
+void EditTest::inksFollowColours_data() {
+  QTest::addColumn<Colour>("ink");
+  QTest::addColumn<Colour>("follows");
+  constexpr Colour white{255, 255, 255};
+  constexpr Colour night{28, 30, 34};
+  const auto row = [](const char* name, const Colour& ground, double contrast) {
+    QTest::newRow(name) << legibleOn(ground, heart, contrast) << legibleOn(ground, vein, contrast);
+  };
+  row("of context on paper", white, 4.5);
+  row("of a subject on paper", white, 9.0);
+  row("of a subject in the dark", night, 9.0);
+  QTest::newRow("the colour itself") << heart << vein;
+  QTest::newRow("black") << Colour{0, 0, 0} << Colour{0, 0, 0};
+  QTest::newRow("chalk") << white << white;
+  QTest::newRow("graphite") << Colour{70, 70, 76} << Colour{70, 70, 76};
+  QTest::newRow("chosen") << Colour{20, 90, 20} << Colour{20, 90, 20};
+}
+
+void EditTest::inksFollowColours() {
+  QFETCH(Colour, ink);
+  QFETCH(Colour, follows);
+  const auto near = [](const std::optional<Colour>& a, const Colour& b) {
+    constexpr int rounding = 3;
+    return a && std::abs(a->red - b.red) <= rounding && std::abs(a->green - b.green) <= rounding &&
+           std::abs(a->blue - b.blue) <= rounding;
+  };
+  const Sample s;
+  const Scene inked =
+      withLook(s.scene, s.ids("b1 b2 a"), {.colour = heart, .inkColour = ink}).scene;
+  const Scene recoloured = withLook(inked, s.ids("b1"), {.colour = vein}).scene;
+  QVERIFY(near(recoloured.resolve(s.id("b1")).inkColour, follows));
+  QVERIFY(near(recoloured.resolve(s.id("b2")).inkColour, ink));
+  // What a group says holds for all in it; an ink that is given is the one that is meant.
+  const Scene all = withLook(inked, s.ids("B"), {.colour = vein}).scene;
+  for (const char* name : {"b1", "b2"})
+    QVERIFY(near(all.resolve(s.id(name)).inkColour, follows));
+  QVERIFY(all.find(s.id("a"))->style == inked.find(s.id("a"))->style);
+  const Style both{.colour = vein, .inkColour = heart};
+  QVERIFY(withLook(inked, s.ids("b1"), both).scene.resolve(s.id("b1")).inkColour == heart);
+  // The colour that is inherited again brings its ink.
+  const Scene handedDown =
+      withLook(withLook(inked, s.ids("B"), {.colour = heart}).scene, s.ids("b1"), {.colour = vein})
+          .scene;
+  QVERIFY(near(handedDown.resolve(s.id("b1")).inkColour, follows));
+  const Style colour{.colour = Colour()};
+  QVERIFY(near(
+      withLookInherited(handedDown, s.ids("b1"), colour).scene.resolve(s.id("b1")).inkColour, ink));
 }
 
 void EditTest::resetsStyle() {
