@@ -4270,6 +4270,26 @@
         <source>The sheet labels what is seen.</source>
         <translation>Das Blatt beschriftet, was zu sehen ist.</translation>
     </message>
+    <message>
+        <source>Nowhere to be seen in this picture: its leader is dashed.</source>
+        <translation>Im ganzen Bild nicht zu sehen: Die Linie dorthin ist gestrichelt.</translation>
+    </message>
+    <message>
+        <source>The place set by hand is hidden in this picture: its leader is dashed.</source>
+        <translation>Der von Hand gesetzte Ort ist in diesem Bild verdeckt: Die Linie dorthin ist gestrichelt.</translation>
+    </message>
+    <message>
+        <source>Not in this picture: there is no room for it.</source>
+        <translation>Nicht in diesem Bild: Dafür ist kein Platz.</translation>
+    </message>
+    <message>
+        <source>Not in this picture: its place is beyond the edge.</source>
+        <translation>Nicht in diesem Bild: Der Ort liegt jenseits des Randes.</translation>
+    </message>
+    <message>
+        <source>Not in this picture: nothing is drawn at its place.</source>
+        <translation>Nicht in diesem Bild: An diesem Ort ist nichts gezeichnet.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -4270,6 +4270,26 @@
         <source>The sheet labels what is seen.</source>
         <translation>Arket merker det som er synlig.</translation>
     </message>
+    <message>
+        <source>Nowhere to be seen in this picture: its leader is dashed.</source>
+        <translation>Ikke synlig noe sted i dette bildet: linjen dit er stiplet.</translation>
+    </message>
+    <message>
+        <source>The place set by hand is hidden in this picture: its leader is dashed.</source>
+        <translation>Stedet som er satt for hånd, er skjult i dette bildet: linjen dit er stiplet.</translation>
+    </message>
+    <message>
+        <source>Not in this picture: there is no room for it.</source>
+        <translation>Ikke i dette bildet: det er ikke plass.</translation>
+    </message>
+    <message>
+        <source>Not in this picture: its place is beyond the edge.</source>
+        <translation>Ikke i dette bildet: stedet ligger utenfor kanten.</translation>
+    </message>
+    <message>
+        <source>Not in this picture: nothing is drawn at its place.</source>
+        <translation>Ikke i dette bildet: ingenting er tegnet på stedet.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

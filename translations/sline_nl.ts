@@ -4270,6 +4270,26 @@
         <source>The sheet labels what is seen.</source>
         <translation>Het blad labelt wat te zien is.</translation>
     </message>
+    <message>
+        <source>Nowhere to be seen in this picture: its leader is dashed.</source>
+        <translation>Nergens in dit beeld te zien: de lijn erheen is gestreept.</translation>
+    </message>
+    <message>
+        <source>The place set by hand is hidden in this picture: its leader is dashed.</source>
+        <translation>De met de hand gekozen plaats is in dit beeld verborgen: de lijn erheen is gestreept.</translation>
+    </message>
+    <message>
+        <source>Not in this picture: there is no room for it.</source>
+        <translation>Niet in dit beeld: er is geen ruimte voor.</translation>
+    </message>
+    <message>
+        <source>Not in this picture: its place is beyond the edge.</source>
+        <translation>Niet in dit beeld: de plaats ligt buiten de rand.</translation>
+    </message>
+    <message>
+        <source>Not in this picture: nothing is drawn at its place.</source>
+        <translation>Niet in dit beeld: op deze plaats is niets getekend.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

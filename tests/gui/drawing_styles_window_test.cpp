@@ -67,6 +67,9 @@ class DrawingStylesWindowTest : public QObject {
     DrawingFixture f;
     f.unfoldDrawings();
     const model::Scene before = f.session.scene();
+    f.window.preferences().set("picture/background", "paper");
+    const render::Background ground = f.viewport().background();
+    QCOMPARE(ground, render::Background::paper);
     const int steps = f.steps();
     QVERIFY(f.choose("lecture-hall"));
     QCOMPARE(f.steps(), steps + 1);
@@ -81,10 +84,22 @@ class DrawingStylesWindowTest : public QObject {
     QCOMPARE(f.session.scene().resolve(f.named("bladder")).colour,
              before.resolve(f.named("bladder")).colour);
     QCOMPARE(f.session.scene().resolve(f.named("bladder")).lineVariation, 0.0f);
-    f.session.undo();
+    // Undo brings back the background with the style, and so does Redo.
+    const auto press = [&f](Qt::KeyboardModifiers keys) {
+      QTest::keyClick(&f.viewport(), Qt::Key_Z, keys);
+    };
+    press(Qt::ControlModifier);
     QVERIFY(f.session.scene() == first);
-    f.session.undo();
+    QCOMPARE(f.viewport().background(), render::Background::dark);
+    press(Qt::ControlModifier);
     QVERIFY(f.session.scene() == before);
+    QCOMPARE(f.viewport().background(), ground);
+    press(Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(f.viewport().background(), render::Background::dark);
+    // One that was chosen since stays.
+    f.window.preferences().set("picture/background", "white");
+    press(Qt::ControlModifier);
+    QCOMPARE(f.viewport().background(), render::Background::white);
   }
   void byKeys() {
     DrawingFixture f;

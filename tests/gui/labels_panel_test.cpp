@@ -9,6 +9,7 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include "model/edit/look.h"
 #include "tests/gui/labels_panel_fixture.h"
 #include "tests/support/suite.h"
 
@@ -54,6 +55,65 @@ class LabelsPanelTest : public QObject {
     QCOMPARE(f.said(1, 0), QStringLiteral("1"));
     f.undo();
     QCOMPARE(f.shownLines(), QStringList({"liver", "bladder"}));
+  }
+
+  /// What the picture lacks, or shows hidden, is said in the list, below it, and when it is made.
+  void saysWhatThePictureLacks() {
+    LabelsPanelFixture f;
+    f.make(f.liver, QStringLiteral("Left lobe"));
+    f.make(f.bladder, {});
+    f.open();
+    f.choose(0);
+    auto& says = f.control<QLabel>("annotationSight");
+    const auto tip = [&f](int row) { return f.cell(row, 0).data(Qt::ToolTipRole).toString(); };
+    QVERIFY(f.settled());
+    QVERIFY(!says.isVisible());
+    QCOMPARE(tip(0), QStringLiteral("Shown"));
+    QVERIFY(!f.cell(0, 1).data(Qt::ForegroundRole).isValid());
+    // From behind the place that was set by hand is hidden; that of a name is found anew.
+    f.key(Qt::Key_P);
+    QVERIFY(f.settled());
+    QTRY_VERIFY(says.isVisible() && says.text().contains("set by hand is hidden"));
+    QCOMPARE(tip(0), says.text());
+    QCOMPARE(tip(1), QStringLiteral("Shown"));
+    QVERIFY(f.cell(0, 1).data(Qt::ForegroundRole).isValid());
+    f.key(Qt::Key_A);
+    QVERIFY(f.settled());
+    QTRY_VERIFY(!says.isVisible());
+    // Nothing is drawn there.
+    f.session.apply("hide", model::withLook(f.session.scene(), {&f.liver, 1}, {.visible = false}));
+    QVERIFY(f.settled());
+    QTRY_VERIFY(says.isVisible() && says.text().contains("nothing is drawn"));
+    f.undo();
+    QVERIFY(f.settled());
+    QTRY_VERIFY(!says.isVisible());
+    // Beyond the edge.
+    f.session.select({f.bladder});
+    f.control<QAction>("zoomTo").trigger();
+    QVERIFY(f.settled());
+    f.choose(0);
+    QTRY_VERIFY(says.isVisible() && says.text().contains("beyond the edge"));
+  }
+
+  /// Whoever has just typed words that have no room is told so.
+  void saysWhatFindsNoRoom() {
+    LabelsPanelFixture f;
+    f.make(f.liver, QStringLiteral("many words ").repeated(900));
+    QTRY_VERIFY(f.window.statusBar()->currentMessage().contains("no room"));
+    f.open();
+    QVERIFY(f.control<QLabel>("annotationSight").text().contains("no room"));
+  }
+
+  void twoLanguagesAtOnce() {
+    LabelsPanelFixture f;
+    f.make(f.bladder, {});
+    f.open();
+    f.pick("annotationLanguage",
+           int(f.rowsOf("annotationLanguage").indexOf(QStringLiteral("German / Latin"))));
+    QCOMPARE(f.shownLines().join(' ').replace('/', ' ').simplified(),
+             QStringLiteral("Harnblase vesica urinaria"));
+    QCOMPARE(f.list().model()->headerData(1, Qt::Horizontal).toString(),
+             QStringLiteral("Says (German)"));
   }
 
   /// Wherever words are typed stands the language that they are for.

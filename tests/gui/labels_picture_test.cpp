@@ -132,6 +132,27 @@ class LabelsPictureTest : public QObject {
     }
   }
 
+  /// Until the picture has another size, labels would stand where their places were.
+  void labelsWaitForThePicturesSize() {
+    Labels f;
+    f.make(f.liver, {});
+    const auto painted = [&f] {
+      const QImage image =
+          f.control<QWidget>("labelLayer").grab().toImage().convertToFormat(QImage::Format_ARGB32);
+      int count = 0;
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+          count += image.pixel(x, y) != image.pixel(0, 0) ? 1 : 0;
+      return count;
+    };
+    f.sheet();
+    QVERIFY(painted() > 100);
+    f.window.resize(f.window.size() - QSize(120, 90));
+    QCOMPARE(painted(), 0);
+    f.sheet();
+    QVERIFY(painted() > 100);
+  }
+
   /// Fit All leaves the anatomy between the columns.
   void fitAllLeavesRoomForLabels() {
     Labels f;

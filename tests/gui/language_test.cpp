@@ -90,6 +90,21 @@ class LanguageTest : public QObject {
     QCOMPARE(f.control<QLabel>("gammaTitle").text(), QStringLiteral("left kidney"));
   }
 
+  /// No language is offered for names in which none are known.
+  void eachLanguageOfNamesHasSome() {
+    int offered = 0;
+    for (const widgets::PreferenceRow& row : widgets::preferenceRows())
+      if (row.field.id == QLatin1String("language/structures"))
+        for (const auto& choice : std::get<widgets::ChoiceField>(row.field.kind).choices) {
+          const QString& id = choice.id;
+          if (id == QLatin1String("file") || id == QLatin1String("interface"))
+            continue;
+          QVERIFY2(widgets::namesLanguage(id, QLocale::c()).has_value(), qPrintable(id));
+          ++offered;
+        }
+    QCOMPARE(offered, 5);
+  }
+
   void whatWasMadeOfTheWindowStays() {
     Spoken f;
     QVERIFY(f.drop(m_body.path()) && f.settled());

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/annotations/annotation_list.h"
 
+#include <QGuiApplication>
 #include <QLocale>
+#include <QPalette>
 #include <algorithm>
 
 #include "model/edit/annotations.h"
@@ -29,6 +31,19 @@ void AnnotationList::setLanguage(const std::string& tag) {
   m_language = tag;
   emit headerDataChanged(Qt::Horizontal, text, text);
   allChanged();
+}
+
+void AnnotationList::setSights(LabelSightsById sights) {
+  if (sights == m_sights)
+    return;
+  m_sights = std::move(sights);
+  allChanged();
+}
+
+QString AnnotationList::sightOf(const model::Annotation& annotation) const {
+  const auto found = m_sights.find(annotation.id.value);
+  return found == m_sights.end() || !annotation.visible ? QString()
+                                                        : sightText(found->second, annotation);
 }
 
 void AnnotationList::allChanged() {
@@ -103,8 +118,11 @@ QVariant AnnotationList::data(const QModelIndex& index, int role) const {
     return annotation->visible ? Qt::Checked : Qt::Unchecked;
   if (role == Qt::EditRole && index.column() == text)
     return wordsIn(*annotation, m_language);
+  const QString sight = sightOf(*annotation);
   if (role == Qt::ToolTipRole && index.column() == number)
-    return annotation->visible ? tr("Shown") : tr("Not shown");
+    return !annotation->visible ? tr("Not shown") : sight.isEmpty() ? tr("Shown") : sight;
+  if (role == Qt::ForegroundRole && !sight.isEmpty())
+    return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
   if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
     return {};
   switch (index.column()) {

@@ -3,6 +3,7 @@
 
 #include <QAbstractTableModel>
 
+#include "widgets/annotations/label_sights.h"
 #include "widgets/session/session.h"
 
 namespace sline::widgets {
@@ -18,6 +19,10 @@ class AnnotationList : public QAbstractTableModel {
   /// Returns the language in which texts are shown and typed; empty for the scene's own.
   const std::string& language() const { return m_language; }
   void setLanguage(const std::string& tag);
+  /// Greys the labels that the picture lacks; their tips say why.
+  void setSights(LabelSightsById sights);
+  /// Returns what the picture says about the label: empty where it stands there as usual.
+  QString sightOf(const model::Annotation& annotation) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -38,6 +43,7 @@ class AnnotationList : public QAbstractTableModel {
 
   Session& m_session;
   std::string m_language;
+  LabelSightsById m_sights;
 };
 
 }  // namespace sline::widgets

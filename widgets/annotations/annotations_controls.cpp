@@ -92,6 +92,7 @@ void AnnotationsPanel::makeList() {
   m_list->setRootIsDecorated(false);
   m_list->setAllColumnsShowFocus(true);
   m_list->setUniformRowHeights(true);
+  m_list->setTextElideMode(Qt::ElideMiddle);
   m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
   // The list is as high as there is room, but takes no height from the other panels.
   m_list->setMinimumHeight(64);
@@ -116,6 +117,14 @@ void AnnotationsPanel::makeList() {
     if (!m_following)
       m_views->setLabels(chosen());
   });
+}
+
+void AnnotationsPanel::makeSight() {
+  m_sight = new QLabel;
+  m_sight->setObjectName(QStringLiteral("annotationSight"));
+  m_sight->setTextFormat(Qt::PlainText);
+  m_sight->setWordWrap(true);
+  m_sight->hide();
 }
 
 void AnnotationsPanel::makeText() {

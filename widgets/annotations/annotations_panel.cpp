@@ -49,11 +49,13 @@ AnnotationsPanel::AnnotationsPanel(Session& session, Preferences& preferences, Q
       m_annotations(new AnnotationList(session, this)) {
   setObjectName(QStringLiteral("annotations"));
   makeList();
+  makeSight();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(6);
   layout->addWidget(makeButtons());
   layout->addWidget(m_list, 1);
+  layout->addWidget(m_sight);
   layout->addWidget(makeDetails());
   layout->addWidget(makePreferencesRow());
   connect(&session, &Session::documentChanged, this, &AnnotationsPanel::showActive);
@@ -160,6 +162,7 @@ void AnnotationsPanel::chooseColour() {
   const Colour now = there->colour.value_or(Colour{});
   auto* dialog = makeColourDialog(m_session.names(), QColor(now.red, now.green, now.blue), this);
   dialog->setObjectName(QStringLiteral("annotationColourDialog"));
+  dialog->setWindowTitle(tr("Colour of a Label"));
   // While it is open each colour shows at once; accepting makes the one undo step.
   connect(dialog, &QColorDialog::currentColorChanged, this,
           [this, id = there->id](const QColor& c) {
@@ -183,6 +186,18 @@ void AnnotationsPanel::followPreferences() {
   showActive();
 }
 
+void AnnotationsPanel::setSights(LabelSightsById sights) {
+  m_annotations->setSights(std::move(sights));
+  showSight();
+}
+
+void AnnotationsPanel::showSight() {
+  const model::Annotation* annotation = active();
+  const QString says = annotation ? m_annotations->sightOf(*annotation) : QString();
+  m_sight->setText(says);
+  m_sight->setVisible(!says.isEmpty());
+}
+
 void AnnotationsPanel::showChoices(const model::Annotation& annotation) {
   m_kind->clear();
   const bool distance = annotation.kind == AnnotationKind::distance;
@@ -204,6 +219,7 @@ void AnnotationsPanel::showActive() {
   const model::Annotation* annotation = m_annotations->at(row);
   if (row != m_list->currentIndex().row())
     m_list->setCurrentIndex(m_annotations->index(row, AnnotationList::text));
+  showSight();
   m_remove->setEnabled(annotation);
   m_details->setEnabled(annotation);
   if (!annotation) {

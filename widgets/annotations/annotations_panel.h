@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include "widgets/annotations/label_sights.h"
 #include "widgets/preferences/preferences.h"
 #include "widgets/session/session.h"
 
@@ -10,6 +11,7 @@ class QAction;
 class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
+class QLabel;
 class QToolButton;
 class QTreeView;
 
@@ -27,6 +29,8 @@ class AnnotationsPanel : public QWidget {
   AnnotationsPanel(Session& session, Preferences& preferences, QWidget* parent = nullptr);
   /// Adds buttons for the actions that make labels, before the button that deletes them.
   void addButtons(const std::vector<QAction*>& actions);
+  /// Says which labels the picture lacks, and why: in the list and of the active one below it.
+  void setSights(LabelSightsById sights);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -35,6 +39,7 @@ class AnnotationsPanel : public QWidget {
   QWidget* makeButtons();
   QWidget* makePreferencesRow();
   void makeList();
+  void makeSight();
   QWidget* makeDetails();
   void makeText();
   void makeChoices();
@@ -51,6 +56,7 @@ class AnnotationsPanel : public QWidget {
   void followPreferences();
   void showActive();
   void showChoices(const model::Annotation& annotation);
+  void showSight();
 
   Session& m_session;
   Preferences& m_preferences;
@@ -58,6 +64,7 @@ class AnnotationsPanel : public QWidget {
   QHBoxLayout* m_buttons = nullptr;
   QToolButton* m_remove = nullptr;
   QTreeView* m_list = nullptr;
+  QLabel* m_sight = nullptr;  ///< what the picture says about the active label
   QWidget* m_details = nullptr;
   LabelField* m_text = nullptr;
   QComboBox* m_kind = nullptr;

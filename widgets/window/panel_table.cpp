@@ -12,6 +12,7 @@
 
 #include "widgets/annotations/annotations_panel.h"
 #include "widgets/annotations/in_picture/label_actions.h"
+#include "widgets/annotations/in_picture/picture_labels.h"
 #include "widgets/focus/focus_panel.h"
 #include "widgets/gamma/drawing_panel.h"
 #include "widgets/gamma/gamma_panel.h"
@@ -22,6 +23,7 @@
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/views/tour_actions.h"
 #include "widgets/views/views_panel.h"
+#include "widgets/window/drawing_grounds.h"
 #include "widgets/window/main_window.h"
 
 namespace sline::widgets {
@@ -34,10 +36,9 @@ QWidget* makeGamma(const PanelContext& context) {
                    &QAction::trigger);
   drawStages(context.session, context.viewport, panel->stages());
   offerDrawings(context.session, context.viewport, panel->drawings());
-  QObject::connect(&panel->drawings(), &DrawingPanel::backgroundWanted, &context.preferences,
-                   [&preferences = context.preferences](const QString& background) {
-                     preferences.set(QStringLiteral("picture/background"), background);
-                   });
+  auto* grounds = new DrawingGrounds(context.session, context.preferences, panel);
+  QObject::connect(&panel->drawings(), &DrawingPanel::backgroundWanted, grounds,
+                   &DrawingGrounds::take);
   return panel;
 }
 
@@ -66,6 +67,10 @@ QWidget* makeViews(const PanelContext& context) {
 QWidget* makeLabels(const PanelContext& context) {
   auto* panel = new AnnotationsPanel(context.session, context.preferences);
   panel->addButtons(labelMakers(context.actions));
+  const PictureLabels& labels = context.viewport.labels();
+  const auto tell = [panel, &labels] { panel->setSights(labels.sights()); };
+  QObject::connect(&labels, &PictureLabels::sighted, panel, tell);
+  tell();
   return panel;
 }
 

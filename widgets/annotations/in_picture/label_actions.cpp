@@ -125,6 +125,8 @@ void LabelActions::makeTools() {
     if (const QString apart = notInAllViews(); !apart.isEmpty())
       m_window.statusBar()->showMessage(tr("Label added; %1").arg(apart), readable);
   });
+  connect(&m_labels, &PictureLabels::made, this, [this](model::AnnotationId id) { m_made = id; });
+  connect(&m_labels, &PictureLabels::sighted, this, &LabelActions::tellOfMade);
   connect(&m_actions[QStringLiteral("labelSelected")], &QAction::triggered, this,
           &LabelActions::labelSelected);
   connect(&m_actions[QStringLiteral("labelEdit")], &QAction::triggered, this, [this] {
@@ -212,6 +214,18 @@ void LabelActions::take(const std::vector<model::Annotation>& found, int opening
       : apart.isEmpty() ? added
                         : added + QStringLiteral("; ") + apart,
       readable);
+}
+
+void LabelActions::tellOfMade() {
+  const model::Annotation* made =
+      m_made ? model::findAnnotation(m_session.scene(), *m_made) : nullptr;
+  const LabelSheet* sheet = m_labels.layer().sheet();
+  const auto sight = made ? m_labels.sights().find(made->id.value) : m_labels.sights().end();
+  if (sight != m_labels.sights().end())
+    m_window.statusBar()->showMessage(sightText(sight->second, *made), readable);
+  else if (made && (!sheet || !sheet->plate.layout.find(made->id)))
+    return;  // its picture is still to come
+  m_made.reset();
 }
 
 QString LabelActions::notInAllViews() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "widgets/preferences/preferences.h"
 #include "widgets/session/background_queue.h"
@@ -49,6 +50,8 @@ class LabelActions : public QObject {
   /// Returns what to say when saved views leave out the label that was made last; empty if none
   /// does.
   QString notInAllViews() const;
+  /// Says so where the label made last is not in the picture, or points at what is hidden.
+  void tellOfMade();
   void take(const std::vector<model::Annotation>& found, int opening);
 
   QMainWindow& m_window;
@@ -58,7 +61,8 @@ class LabelActions : public QObject {
   PictureLabels& m_labels;
   Preferences& m_preferences;
   const WindowActions& m_actions;
-  QString m_hint;  ///< how to go on with the current tool
+  QString m_hint;                             ///< how to go on with the current tool
+  std::optional<model::AnnotationId> m_made;  ///< whose picture is still to come
   BackgroundQueue m_queue;
 };
 

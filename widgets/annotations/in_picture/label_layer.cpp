@@ -90,7 +90,9 @@ void LabelLayer::frame(QPainter& painter, model::AnnotationId id, bool active) c
 void LabelLayer::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  if (m_sheet) {
+  // Until a picture of another size is drawn the one before fills it, and no place is where it was.
+  const glm::vec2 size(float(parentWidget()->width()), float(parentWidget()->height()));
+  if (m_sheet && m_sheet->wish.size == size) {
     painter.drawImage(m_sheet->corner, m_sheet->image);
     if (m_marks.active)
       frame(painter, *m_marks.active, true);

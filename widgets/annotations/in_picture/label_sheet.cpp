@@ -107,6 +107,20 @@ render::LabelPlate withoutTexts(render::LabelPlate plate) {
 
 }  // namespace
 
+LabelSightsById sightsOf(const LabelSheet& sheet) {
+  LabelSightsById sights;
+  const auto add = [&sights](const std::vector<model::AnnotationId>& ids, LabelSight sight) {
+    for (const model::AnnotationId id : ids)
+      sights[id.value] = sight;
+  };
+  const render::UnseenLabels& unseen = sheet.plate.unseen;
+  add(unseen.hidden, LabelSight::hidden);
+  add(unseen.offPicture, LabelSight::offPicture);
+  add(unseen.notDrawn, LabelSight::notDrawn);
+  add(sheet.plate.layout.leftOut, LabelSight::withoutRoom);
+  return sights;
+}
+
 bool outgrown(const model::Camera& settled, const model::Camera& camera) {
   constexpr double most = 1.25;
   const auto shown = [](const model::Camera& of) {  // millimetres, at the target

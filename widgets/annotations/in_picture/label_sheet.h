@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "render/lettering/label_painter.h"
+#include "widgets/annotations/label_sights.h"
 
 namespace sline::widgets {
 
@@ -40,6 +41,10 @@ struct LabelSheet {
 /// Tells whether the picture has grown or shrunk so much that labels that followed it may stand
 /// anywhere.
 bool outgrown(const model::Camera& settled, const model::Camera& camera);
+
+/// Returns which labels the sheet lacks or has with a dashed leader; none where no labels are
+/// wanted.
+LabelSightsById sightsOf(const LabelSheet& sheet);
 
 using LabelSheetPtr = std::shared_ptr<const LabelSheet>;
 

@@ -131,6 +131,10 @@ void PictureLabels::took(const LabelSheetPtr& sheet, const model::Camera& camera
     m_layer->show(nullptr);
   m_layer->setGeometry(m_place.picture.rect());
   showMarks();
+  if (sheet && !sheet->wish.moving) {
+    m_sights = sightsOf(*sheet);
+    emit sighted();
+  }
 }
 
 void PictureLabels::setShut(bool shut) {
@@ -343,6 +347,8 @@ void PictureLabels::documentChange(const Document& before, const Document& now) 
     m_tool->cancel();
     make(std::nullopt);
     m_layer->show(nullptr);
+    m_sights.clear();
+    emit sighted();
   }
   if (m_written && !m_new && !model::findAnnotation(now.scene, m_written->id)) {
     m_written.reset();

@@ -6,6 +6,7 @@
 
 #include "widgets/annotations/in_picture/label_editor.h"
 #include "widgets/annotations/in_picture/label_tool.h"
+#include "widgets/annotations/label_sights.h"
 #include "widgets/viewport/tools/picker.h"
 
 class QKeyEvent;
@@ -56,6 +57,8 @@ class PictureLabels : public QObject {
   void took(const LabelSheetPtr& sheet, const model::Camera& camera);
   /// Tells whether all of the picture's labels are known.
   bool ready() const { return m_ready; }
+  /// Returns which labels the picture lacked when its camera last rested, and why.
+  const LabelSightsById& sights() const { return m_sights; }
   /// Prevents any change to labels while something other than the document is shown.
   void setShut(bool shut);
 
@@ -86,6 +89,8 @@ class PictureLabels : public QObject {
   void makingChanged();
   /// Tells that a click found nothing that a label could be on.
   void missed();
+  /// Tells that the labels of another picture, or of a changed scene, are known and at rest.
+  void sighted();
   /// Tells that the label is in the scene.
   void made(sline::model::AnnotationId id);
 
@@ -107,6 +112,7 @@ class PictureLabels : public QObject {
   bool m_shut = false;
   bool m_presented = false;
   bool m_ready = true;
+  LabelSightsById m_sights;
   int m_arrivals = 0;
   model::Camera m_camera;  ///< of the picture that is shown
   std::optional<QPointF> m_mouse;
