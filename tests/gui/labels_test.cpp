@@ -75,6 +75,38 @@ class LabelsTest : public QObject {
   }
 
   /// A key takes the tool up, whatever was in hand; Esc puts it away, and so does the menu.
+  /// Through a thin veil one sees, and names, what is behind it.
+  void clicksNameWhatOneSees_data() {
+    QTest::addColumn<int>("key");
+    QTest::addColumn<int>("keys");
+    QTest::addColumn<float>("opacity");
+    QTest::addColumn<QString>("name");
+    const auto shift = int(Qt::ShiftModifier);
+    QTest::newRow("label, thin") << int(Qt::Key_T) << 0 << 0.5f << "bladder";
+    QTest::newRow("label, solid") << int(Qt::Key_T) << 0 << 1.0f << "skin";
+    QTest::newRow("callout, thin") << int(Qt::Key_T) << shift << 0.5f << "bladder";
+  }
+  void clicksNameWhatOneSees() {
+    QFETCH(int, key);
+    QFETCH(int, keys);
+    QFETCH(float, opacity);
+    QFETCH(QString, name);
+    Labels f;
+    model::Scene scene = f.session.scene();
+    const model::Style veil{.gamma = Gamma::clamped(0.0f),
+                            .opacity = Opacity::clamped(opacity),
+                            .fill = opacity < 1.0f ? model::Fill::veil : model::Fill::paper};
+    scene.append({.name = "skin", .style = veil, .mesh = sphere(80, 3)});
+    f.session.apply("skin", {scene, true});
+    QVERIFY(f.settled());
+    f.key(Qt::Key(key), Qt::KeyboardModifiers(keys));
+    f.click(f.middleOf(f.bladder) + QPoint(9, 7));
+    QVERIFY(f.typing());
+    QCOMPARE(f.editor().toPlainText(), name);
+    QTest::keyClick(&f.editor(), Qt::Key_Return);
+    QCOMPARE(f.session.scene().find(f.structureOf(f.only()))->name, name.toStdString());
+  }
+
   void keysTakeToolsUp() {
     Labels f;
     f.session.select({f.liver});

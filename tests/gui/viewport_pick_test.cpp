@@ -355,6 +355,33 @@ class ViewportPickTest : public QObject {
     QCOMPARE(selected(), QStringLiteral("left kidney,left renal vein,right kidney"));
   }
 
+  /// The menu over a structure has what selects others by it.
+  void otherSideFromTheMenu() {
+    WindowFixture f;
+    const QTemporaryDir body;
+    writeBody(body.path());
+    QVERIFY(f.drop(body.path()));
+    QVERIFY(f.settled());
+    const widgets::NodeIds left = f.session.scene().named("left kidney");
+    f.session.select({left.front(), f.session.scene().named("right kidney").front()});
+    f.control<QAction>("hideOthers").trigger();
+    f.session.select({});
+    QVERIFY(f.settled());
+    QTest::mouseClick(&f.viewport(), Qt::RightButton, {}, f.areaOf(left.front()).center());
+    QMenu* menu = nullptr;
+    QTRY_VERIFY((menu = f.window.findChild<QMenu*>("pictureMenu")) && menu->isVisible());
+    QCOMPARE(f.session.selection(), left);
+    auto& choices = f.control<QMenu>("selectMenu");
+    QVERIFY(menu->actions().contains(choices.menuAction()));
+    menu->setActiveAction(choices.menuAction());
+    QTest::keyClick(menu, Qt::Key_Right);
+    QTRY_VERIFY(choices.isVisible());
+    QTest::mouseClick(&choices, Qt::LeftButton, {},
+                      choices.actionGeometry(&f.control<QAction>("selectOtherSide")).center());
+    QCOMPARE(f.session.selection(), f.session.scene().named("right kidney"));
+    QTRY_VERIFY(!f.window.findChild<QMenu*>("pictureMenu"));
+  }
+
   void menuOfAStructure() {
     Bench b;
     QTest::mouseClick(&b.f.viewport(), Qt::RightButton, {}, b.middle);
@@ -363,6 +390,7 @@ class ViewportPickTest : public QObject {
     QVERIFY(b.selected({b.organ}));
     QVERIFY(menu->actions().contains(&b.f.control<QAction>("focus")));
     QVERIFY(menu->actions().contains(&b.f.control<QAction>("zoomTo")));
+    QVERIFY(menu->actions().contains(&b.f.control<QAction>("labelSelected")));
     QVERIFY(!menu->actions().front()->isEnabled());  // the structure's name
     QMenu* here = menu->findChild<QMenu*>("sectionHereAlone");
     QVERIFY(here);

@@ -32,6 +32,8 @@ StructureTreeView::StructureTreeView(Session& session, QWidget* parent)
   setItemDelegate(new StructureDelegate(this));
   setTreePosition(Model::name);
   setUniformRowHeights(true);
+  // What tells long names apart, a side or a number, stands at their end.
+  setTextElideMode(Qt::ElideMiddle);
   setSelectionMode(ExtendedSelection);
   setSelectionBehavior(SelectRows);
   setEditTriggers(NoEditTriggers);

@@ -50,6 +50,9 @@ void PictureMenu::addHeading(QMenu& menu) {
 void PictureMenu::addStructure(QMenu& menu, const Pick& pick) {
   menu.addActions(m_menus[QStringLiteral("structureMenu")].actions());
   menu.addSeparator();
+  for (QAction* action : m_menus[QStringLiteral("labelMenu")].actions())
+    if (action->objectName() == QLatin1String("labelSelected"))
+      menu.addAction(action);
   QMenu* cut = menu.addMenu(tr("Section &Here"));
   cut->setObjectName(QStringLiteral("sectionHere"));
   m_sections.fill(*cut, {.scope = model::rootId, .through = pick.position});
