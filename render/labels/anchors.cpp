@@ -35,11 +35,24 @@ class Finder {
       if (!annotation.visible)
         continue;
       ++number;
+      m_choices.clear();
       if (std::optional<LabelItem> item = itemOf(annotation))
         m_labels.shown.push_back({*std::move(item), model::writtenIn(annotation, language), number,
-                                  annotation.colour, lengthOf(annotation, m_scene)});
+                                  annotation.colour, lengthOf(annotation, m_scene),
+                                  std::move(m_choices)});
     }
     return std::move(m_labels);
+  }
+
+  void addPlaces(PlacePool& pool) {
+    for (const model::Annotation& annotation : m_scene.annotations()) {
+      const auto* point = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
+      if (!annotation.visible || !annotation.found || !point || !m_sights.draws(point->structure))
+        continue;
+      const std::optional<SeenPlace> place = map().find(point->structure);
+      if (place && !place->hidden)
+        add(pool[annotation.id].anchors, place->anchor);
+    }
   }
 
  private:
@@ -79,6 +92,8 @@ class Finder {
     const bool cutAway = !m_sights.shows(point);
     if (!annotation.found && !cutAway)
       return stayAt(item, annotation, point);
+    if (m_before.pool)
+      return pointAtChoice(item, annotation, point);
     const PlacedLabel* was = m_before.layout ? m_before.layout->find(annotation.id) : nullptr;
     std::optional<model::Anchor> before = was ? was->found : std::nullopt;
     if (m_before.hurried && before && m_sights.shows(*before) && placeOf(*before)) {
@@ -89,12 +104,7 @@ class Finder {
     }
     if (!before && !cutAway)
       before = point;
-    const std::optional<glm::vec2> stays = m_before.steady ? stayingPlace(before) : std::nullopt;
-    const bool hidden = stays && map().hides(point.structure, *m_scene.placeOf(*before));
-    std::optional<SeenPlace> place =
-        stays && !hidden ? SeenPlace{*before, *stays, false} : map().find(point.structure, before);
-    if (stays && place && place->hidden)
-      place = SeenPlace{*before, *stays, true};
+    const std::optional<SeenPlace> place = map().find(point.structure, before);
     if (!place)
       return leaveOut(
           map().draws(point.structure) ? m_labels.unseen.offPicture : m_labels.unseen.notDrawn,
@@ -103,6 +113,56 @@ class Finder {
     item.places = {place->place};
     item.hidden = place->hidden;
     return true;
+  }
+
+  /// Tells which of the places that the label has had there are in this picture.
+  bool pointAtChoice(LabelItem& item, const model::Annotation& annotation,
+                     const model::SurfacePoint& point) {
+    std::optional<model::Anchor>& last = (*m_before.pool)[annotation.id].last;
+    std::vector<model::Anchor>& pool = (*m_before.pool)[annotation.id].anchors;
+    bool seen = false;
+    const auto choose = [&](std::size_t index) {
+      const std::optional<glm::vec2> place =
+          m_sights.shows(pool[index]) ? placeOf(pool[index]) : std::nullopt;
+      if (!place)
+        return;
+      m_choices.push_back(
+          {index, *place, !map().hides(point.structure, *m_scene.placeOf(pool[index]))});
+      seen = seen || m_choices.back().seen;
+    };
+    for (std::size_t k = 0; k < pool.size(); ++k)
+      choose(k);
+    if (!seen) {
+      const std::optional<SeenPlace> place = map().find(point.structure, last, true);
+      if (place && (!place->hidden || m_choices.empty())) {
+        m_choices.push_back({add(pool, place->anchor), place->place, !place->hidden});
+      } else if (!place && m_choices.empty()) {
+        return leaveOut(
+            map().draws(point.structure) ? m_labels.unseen.offPicture : m_labels.unseen.notDrawn,
+            annotation.id);
+      }
+    }
+    // The nearest to that of the picture before.
+    const std::optional<glm::vec2> was =
+        last ? m_screen.place(*m_scene.placeOf(*last)) : std::optional<glm::vec2>();
+    const auto away = [&](const PlaceChoice& choice) {
+      return std::pair(!choice.seen, was ? glm::distance(*was, choice.place) : 0.0f);
+    };
+    const PlaceChoice& best = *std::min_element(
+        m_choices.begin(), m_choices.end(),
+        [&](const PlaceChoice& a, const PlaceChoice& b) { return away(a) < away(b); });
+    item.found = last = pool[best.index];
+    item.places = {best.place};
+    item.hidden = !best.seen;
+    return true;
+  }
+
+  static std::size_t add(std::vector<model::Anchor>& pool, const model::Anchor& anchor) {
+    const auto known = std::find(pool.begin(), pool.end(), anchor);
+    if (known != pool.end())
+      return std::size_t(known - pool.begin());
+    pool.push_back(anchor);
+    return pool.size() - 1;
   }
 
   /// Takes a place that was set by hand.
@@ -115,11 +175,6 @@ class Finder {
     item.hidden = m_before.hurried ? m_sights.hidden(point, m_screen.sight(*place))
                                    : map().hides(point.structure, *m_scene.placeOf(point));
     return true;
-  }
-
-  /// Returns where the place from before is in this picture; nothing where it cannot stay.
-  std::optional<glm::vec2> stayingPlace(const std::optional<model::Anchor>& before) const {
-    return before && m_sights.shows(*before) ? placeOf(*before) : std::nullopt;
   }
 
   std::optional<glm::vec2> placeOf(const model::Anchor& anchor) const {
@@ -146,6 +201,7 @@ class Finder {
   LabelsBefore m_before;
   std::optional<SeenMap> m_map;
   LabelsInPicture m_labels;
+  std::vector<PlaceChoice> m_choices;  ///< of the label that is being looked at
 };
 
 }  // namespace
@@ -158,6 +214,11 @@ LabelsInPicture labelsInPicture(const model::Scene& scene, const Screen& screen,
                                 const std::string& language, model::MeshTrees& trees,
                                 const LabelsBefore& before) {
   return Finder(scene, screen, trees, before).find(language);
+}
+
+void addPlaces(PlacePool& pool, const model::Scene& scene, const Screen& screen,
+               model::MeshTrees& trees) {
+  Finder(scene, screen, trees, {}).addPlaces(pool);
 }
 
 std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,

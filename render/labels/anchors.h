@@ -3,6 +3,7 @@
 // whether something is in front of them.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,20 @@
 
 namespace sline::render {
 
+/// A place in a film's picture of those that a label has had in any.
+struct PlaceChoice {
+  std::size_t index = 0;  ///< in PlacePool
+  glm::vec2 place{0.0f};
+  bool seen = false;  ///< one sees there what the label names
+};
+
+/// The places that labels have been found in, in pictures of a film.
+struct PooledPlaces {
+  std::vector<model::Anchor> anchors;
+  std::optional<model::Anchor> last;  ///< that of the picture before
+};
+using PlacePool = std::map<model::AnnotationId, PooledPlaces>;
+
 struct ShownLabel {
   LabelItem item;    ///< its box is set by code that knows fonts
   std::string text;  ///< in the language asked for, else the scene's own; a callout's with markup
@@ -19,7 +34,8 @@ struct ShownLabel {
   /// numbered in reading order (label_painter.h).
   int number = 0;
   std::optional<Colour> colour;
-  std::optional<float> lengthMm;  ///< of a distance
+  std::optional<float> lengthMm;     ///< of a distance
+  std::vector<PlaceChoice> choices;  ///< with a pool: places in this picture
 };
 
 /// Returns the label's text for places where it cannot have styles.
@@ -44,9 +60,9 @@ struct LabelsBefore {
   /// The camera moves and must not be held up: places that were found stay on their surface, and
   /// where another structure comes before them they are hidden until the camera rests.
   bool hurried = false;
-  /// Places that were found stay for as long as one sees their structure there, or nowhere: in a
-  /// film places that are somewhat better are no reason to leave.
-  bool steady = false;
+  /// Set in a film: the places that may be chosen for labels whose place is found. Where one sees
+  /// none of them, one is added.
+  PlacePool* pool = nullptr;
 };
 
 /// Finds the labels of a picture. An annotation is not shown if it is not visible (in a scene that
@@ -58,6 +74,9 @@ struct LabelsBefore {
 LabelsInPicture labelsInPicture(const model::Scene& scene, const Screen& screen,
                                 const std::string& language, model::MeshTrees& trees,
                                 const LabelsBefore& before = {});
+/// Adds the best place in this picture for each label whose place is found.
+void addPlaces(PlacePool& pool, const model::Scene& scene, const Screen& screen,
+               model::MeshTrees& trees);
 /// Returns its shown labels.
 std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,
                                     const std::string& language, model::MeshTrees& trees);

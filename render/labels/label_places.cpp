@@ -16,7 +16,6 @@ namespace {
 
 constexpr float anatomyGapMost = 14.0f;  // the anatomy recedes this far before a column follows
 constexpr float slack = 12.0f;           // between a place's height and that of its box
-constexpr float stillGlide = 0.6f;       // that a box in a film goes towards its place, per picture
 constexpr float mostAir = 4.0f;          // between boxes of a column, where there is room
 constexpr float leastAir = 1.2f;         // the same, for columns that are higher than the anatomy
 constexpr float besideGap = 1.8f;        // between a place and a box beside it
@@ -34,10 +33,12 @@ void Layouter::setColumns() {
     all = *m_request.obstacles.extent;
   m_middle = middleBetweenColumns(m_request.items, all);
   m_width = all.size().x;
-  m_near = {all.low.x - anatomyGap, all.high.x + anatomyGap};
+  m_near = edgesBeside(all);
   if (m_home && !m_home->labels.empty()) {
     m_near = m_home->edges;
     m_widths = m_home->widths;
+  } else if (m_request.still) {
+    m_widths = m_request.widths;
   } else if (m_before && !m_before->labels.empty()) {
     const float most = anatomyGapMost - anatomyGap;
     m_near[0] = std::clamp(m_before->edges[0], m_near[0] - most, m_near[0]);
@@ -61,8 +62,7 @@ void Layouter::widen() {
   for (std::size_t side = 0; side < 2; ++side)
     if (widths[side] > m_widths[side])
       m_widths[side] = follows ? std::max(widest, widths[side]) : widths[side];
-  m_edges = {std::max(m_near[0], m_frame.low.x + m_widths[0]),
-             std::min(m_near[1], m_frame.high.x - m_widths[1])};
+  m_edges = edgesOf(m_near, m_frame, m_widths);
 }
 
 Column Layouter::column(LabelPost post) const {
@@ -128,9 +128,6 @@ float Layouter::wantedHeight(std::size_t i) const {
   const float stood = was->box.middle().y;
   if (was == home(i))
     return stood;
-  if (m_request.still)  // slowly, so that none is seen to hop
-    return stood - std::clamp(stood - std::clamp(stood, height - slack, height + slack),
-                              -stillGlide, stillGlide);
   const float far = std::max(slack, std::abs(stood - was->leader.front().y));
   return std::clamp(stood, height - far, height + far);
 }
@@ -142,7 +139,7 @@ void Layouter::place() {
       placeByHand(i);
   widen();
   // Items that do not fit on one side go to the other and from there out, so that this ends.
-  while (!fit(LabelPost::left) || !fit(LabelPost::right)) {
+  while (!m_request.still && (!fit(LabelPost::left) || !fit(LabelPost::right))) {
     relieve(LabelPost::left);
     relieve(LabelPost::right);
     widen();
@@ -201,7 +198,25 @@ void Layouter::put(const ColumnItem& one, LabelPost post, const ColumnPlacement&
   m_placed[one.item] = PlacedLabel{whose.id, post, place.box, place.leader, whose.hidden};
 }
 
+void Layouter::placeAtHeights(LabelPost post) {
+  const Column column = this->column(post);
+  for (std::size_t i = 0; i < m_fates.size(); ++i) {
+    if (m_fates[i].out || m_fates[i].post != post)
+      continue;
+    const glm::vec2 box = item(i).box;
+    const glm::vec2 corner(column.left ? column.edge - box.x : column.edge,
+                           *item(i).height - 0.5f * box.y);
+    m_placed[i] = PlacedLabel{item(i).id, post, {corner, corner + box}, {}, item(i).hidden};
+    const PlacedLabel* was = before(i);
+    setBend(i, column, was && was->post == post ? was->bend : 0);
+  }
+}
+
 void Layouter::placeColumn(LabelPost post) {
+  if (m_request.still) {
+    placeAtHeights(post);
+    return;
+  }
   std::vector<ColumnItem> items = inColumn(post);
   if ((m_before || m_home) && placeSteadily(post, items))
     return;
@@ -231,7 +246,7 @@ bool Layouter::placeSteadily(LabelPost post, const std::vector<ColumnItem>& item
     const PlacedLabel* was = stands(one.item);
     (was && was->post == post ? staying : coming).push_back(one);
   }
-  SteadyColumn steady(column(post), m_request.moving || m_request.still);
+  SteadyColumn steady(column(post), m_request.moving);
   if (!steady.fill(std::move(staying), std::move(coming)))
     return false;
   for (std::size_t k = 0; k < steady.items().size(); ++k)

@@ -63,6 +63,16 @@ LabelBox frameOf(const LabelSpace& space) {
            space.size.y - room(space.edges.bottom)}};
 }
 
+std::array<float, 2> edgesBeside(const LabelBox& anatomy) {
+  return {anatomy.low.x - anatomyGap, anatomy.high.x + anatomyGap};
+}
+
+std::array<float, 2> edgesOf(const std::array<float, 2>& beside, const LabelBox& frame,
+                             const std::array<float, 2>& widths) {
+  return {std::max(beside[0], frame.low.x + widths[0]),
+          std::min(beside[1], frame.high.x - widths[1])};
+}
+
 bool hasRoom(const LabelBox& frame, const glm::vec2& box) {
   return box.x <= frame.size().x && box.y <= frame.size().y;
 }

@@ -2,6 +2,7 @@
 // Computes the room that labels have in the output's plane.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "render/labels/column.h"
@@ -30,6 +31,11 @@ glm::vec2 placeOf(const LabelItem& item);
 float middleBetweenColumns(const std::vector<LabelItem>& items, const LabelBox& anatomy);
 /// Returns the area in which boxes may stand.
 LabelBox frameOf(const LabelSpace& space);
+/// Returns the edges of the left and the right column where there is room beside the anatomy.
+std::array<float, 2> edgesBeside(const LabelBox& anatomy);
+/// Returns the edges that columns of those widths have: those, or as near as the frame allows.
+std::array<float, 2> edgesOf(const std::array<float, 2>& beside, const LabelBox& frame,
+                             const std::array<float, 2>& widths);
 /// Tells whether there is room in the frame for a box of that size.
 bool hasRoom(const LabelBox& frame, const glm::vec2& box);
 /// Tells whether the box is within the frame, apart from rounding.

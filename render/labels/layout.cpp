@@ -35,6 +35,10 @@ LabelLayout resized(const LabelLayout& layout, const glm::vec2& from, const glm:
   return resized;
 }
 
+std::vector<std::pair<std::size_t, std::size_t>> labelConflicts(const LabelRequest& request) {
+  return Layouter(request, nullptr).conflicts();
+}
+
 LabelLayout layOutLabels(const LabelRequest& request, const LabelLayout* before) {
   const LabelLayout* was = before && !before->unmoved.empty() ? &before->unmoved.front() : before;
   LabelRequest unmoved = request;

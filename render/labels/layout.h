@@ -11,6 +11,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "model/scene/annotation.h"
@@ -38,6 +39,9 @@ struct LabelItem {
   /// Set where it is known on which side the label stands in all pictures of a film: in that
   /// column, or nowhere.
   std::optional<LabelPost> side;
+  /// Set where it is known how high the label stands in all pictures of a film: the box's middle.
+  std::optional<float> height;
+  bool absent = false;  ///< it is known that it stands nowhere in this picture of a film
 };
 
 /// Describes the output, in millimetres.
@@ -59,9 +63,11 @@ struct LabelRequest {
   /// The camera is moving: a label that has just jumped does not jump again, but is left out where
   /// there is no other way, until the camera rests or has turned 20°.
   bool moving = false;
-  /// The picture is one of a film: boxes stay where they were, and go slowly after their places.
+  /// The picture is one of a film: labels of columns stand at `LabelItem::height` or nowhere, and
+  /// only leaders are chosen; columns follow the anatomy's extent.
   bool still = false;
-  float textWidth = 0.0f;  ///< the width to which texts were broken; kept for later layouts
+  std::array<float, 2> widths{};  ///< in a film, of the left and the right column
+  float textWidth = 0.0f;         ///< the width to which texts were broken; kept for later layouts
 };
 
 struct PlacedLabel {
@@ -73,6 +79,7 @@ struct PlacedLabel {
   glm::vec3 jumpedAt{0.0f};            ///< LabelRequest::towardsEye when it last jumped
   std::optional<model::Anchor> found;  ///< LabelItem::found
   int number = 0;                      ///< that of its badge, where labels are numbered
+  std::size_t bend = 0;                ///< in a film, which of the ways to bend its leader has
   bool operator==(const PlacedLabel&) const = default;
 };
 
@@ -112,5 +119,9 @@ LabelLayout resized(const LabelLayout& layout, const glm::vec2& from, const glm:
 /// hidden ones before seen ones, later items before earlier ones. The same request and the same
 /// layout before give the same layout.
 LabelLayout layOutLabels(const LabelRequest& request, const LabelLayout* before = nullptr);
+
+/// Returns pairs of items, by their index, that cannot both stand in a picture of a film; an item
+/// that cannot stand by itself is paired with itself.
+std::vector<std::pair<std::size_t, std::size_t>> labelConflicts(const LabelRequest& request);
 
 }  // namespace sline::render

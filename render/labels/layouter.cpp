@@ -29,6 +29,24 @@ LabelLayout Layouter::layOut() {
   return answer();
 }
 
+std::vector<std::pair<std::size_t, std::size_t>> Layouter::conflicts() {
+  setColumns();
+  choosePosts();
+  widen();
+  place();
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < m_fates.size(); ++i) {
+    if (m_fates[i].out || !m_placed[i] || misplaced(i)) {
+      pairs.emplace_back(i, i);
+      continue;
+    }
+    for (std::size_t k = 0; k < i; ++k)
+      if (m_placed[k] && inConflict(i, k))
+        pairs.emplace_back(k, i);
+  }
+  return pairs;
+}
+
 float Layouter::calm(std::size_t i) const {
   constexpr float never = 360.0f;
   const glm::vec3 jumpedAt = lastJump(i);
@@ -65,8 +83,9 @@ LabelPost Layouter::sideOf(std::size_t i) const {
 void Layouter::choosePosts() {
   for (std::size_t i = 0; i < m_fates.size(); ++i) {
     const LabelItem& one = item(i);
-    m_fates[i].out = one.places.empty() || !hasRoom(m_frame, one.box) || !(one.box.x > 0.0f) ||
-                     !(one.box.y > 0.0f) || (rests(i) && !before(i));
+    const bool nowhere = m_request.still && !one.height && !one.offset && !standsBeside(one);
+    m_fates[i].out = one.absent || nowhere || one.places.empty() || !hasRoom(m_frame, one.box) ||
+                     !(one.box.x > 0.0f) || !(one.box.y > 0.0f) || (rests(i) && !before(i));
     m_fates[i].tried = one.side.has_value();
     m_fates[i].post = one.offset          ? LabelPost::byHand
                       : standsBeside(one) ? LabelPost::beside
@@ -143,7 +162,7 @@ std::optional<std::size_t> Layouter::firstLoser() const {
 
 void Layouter::giveWay(std::size_t i) {
   Fate& fate = m_fates[i];
-  if (rests(i) || (isColumn(fate.post) && fate.tried)) {
+  if (rests(i) || m_request.still || (isColumn(fate.post) && fate.tried)) {
     fate.out = true;
   } else if (isColumn(fate.post)) {
     fate.post = otherSide(fate.post);

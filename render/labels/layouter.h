@@ -32,6 +32,8 @@ class Layouter {
         m_placed(request.items.size()) {}
 
   LabelLayout layOut();
+  /// Returns what `labelConflicts` returns.
+  std::vector<std::pair<std::size_t, std::size_t>> conflicts();
 
  private:
   const LabelItem& item(std::size_t i) const { return m_request.items[i]; }
@@ -81,6 +83,8 @@ class Layouter {
   /// it covers what it points at.
   bool misplaced(std::size_t i) const;
   void placeColumn(LabelPost post);
+  /// Places the labels of a film's picture.
+  void placeAtHeights(LabelPost post);
   /// Places items so that those that were there before stay, except for those that must move;
   /// returns false where that fails.
   bool placeSteadily(LabelPost post, const std::vector<ColumnItem>& items);
@@ -89,6 +93,11 @@ class Layouter {
   /// Bends leaders so that fewer meet, those to labels moved by hand if others cannot go past them.
   void bendApart();
   void bend(std::size_t i, const std::vector<Leader>& ways);
+  /// In a film bends leaders of columns as they were bent before, or else so that fewer meet.
+  void bendSteadily();
+  void setBend(std::size_t i, const Column& column, std::size_t bend);
+  /// Bends one after the other as long as fewer meet; returns how many do.
+  std::size_t unravel(const std::array<Column, 2>& columns);
   void bendRound(std::size_t hand);
   std::vector<Leader> waysRoundHand(std::size_t i, std::size_t hand) const;
   std::vector<Leader> bestWaysOf(std::size_t i);

@@ -161,17 +161,62 @@ void Layouter::bendApart() {
   for (std::size_t i = 0; i < count; ++i)
     if (m_placed[i] && m_placed[i]->post == LabelPost::byHand && conflictsOf(i) > 0)
       bendRound(i);
-  // Only in films leaders often cross the whole anatomy.
-  if (!m_request.still)
-    return;
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = i + 1; k < count; ++k)
-      if (m_placed[i] && m_placed[k] && m_placed[i]->post != m_placed[k]->post &&
-          inConflict(i, k)) {
-        bend(i, waysOf(i));
-        if (inConflict(i, k))
-          bend(k, waysOf(k));
+  if (m_request.still)
+    bendSteadily();
+}
+
+void Layouter::setBend(std::size_t i, const Column& column, std::size_t bend) {
+  PlacedLabel& label = *m_placed[i];
+  label.bend = bend;
+  label.leader = leaderOf(column, placeOf(item(i)), label.box, leaderBends[bend]);
+}
+
+std::size_t Layouter::unravel(const std::array<Column, 2>& columns) {
+  std::size_t all = 0;
+  for (bool fewer = true; fewer;) {
+    fewer = false;
+    all = 0;
+    for (std::size_t i = 0; i < m_placed.size(); ++i) {
+      if (!m_placed[i] || !isColumn(m_placed[i]->post))
+        continue;
+      const Column& column = columns[m_placed[i]->post == LabelPost::left ? 0 : 1];
+      const std::size_t now = conflictsOf(i);
+      std::size_t least = now;
+      std::size_t best = m_placed[i]->bend;
+      const std::size_t own = best;
+      for (std::size_t bend = 0; bend < leaderBends.size() && least > 0; ++bend) {
+        setBend(i, column, bend);
+        if (const std::size_t conflicts = conflictsOf(i); conflicts < least) {
+          least = conflicts;
+          best = bend;
+        }
       }
+      if (now > 0)
+        setBend(i, column, best);
+      fewer = fewer || best != own;
+      all += least;
+    }
+  }
+  return all;
+}
+
+void Layouter::bendSteadily() {
+  const std::array<Column, 2> columns{column(LabelPost::left), column(LabelPost::right)};
+  std::size_t least = unravel(columns);
+  std::vector<std::optional<PlacedLabel>> best = m_placed;
+  // In the order of their places, leaders that leave these level never meet.
+  for (const std::size_t start : {std::size_t(0), leaderBends.size() - 1}) {
+    if (least == 0)
+      break;
+    for (std::size_t i = 0; i < m_placed.size(); ++i)
+      if (m_placed[i] && isColumn(m_placed[i]->post))
+        setBend(i, columns[m_placed[i]->post == LabelPost::left ? 0 : 1], start);
+    if (const std::size_t conflicts = unravel(columns); conflicts < least) {
+      least = conflicts;
+      best = m_placed;
+    }
+  }
+  m_placed = std::move(best);
 }
 
 }  // namespace sline::render

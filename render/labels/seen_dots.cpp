@@ -133,7 +133,8 @@ SeenPlace SeenMap::placeAt(const SeenLayer& own, int x, int y, bool hidden) cons
 }
 
 std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
-                                           const std::optional<model::Anchor>& before) const {
+                                           const std::optional<model::Anchor>& before,
+                                           bool near) const {
   const Dots all = dots(layer);
   std::optional<glm::vec2> was;
   if (before)
@@ -148,6 +149,7 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
   constexpr float much = 0.5f;
   constexpr float enough = 0.3f;
   constexpr float calm = 0.1f;
+  const float dear = near ? 0.03f : 0.002f;  // a way of one cell
   const float wide = all.radius + smoothed;
   for (int y = all.top; y < all.top + all.rows; ++y)
     for (int x = all.left; x < all.left + all.columns; ++x) {
@@ -161,7 +163,7 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
         continue;
       const float far = was ? glm::length(m_grid.middle(x, y) - *was) / m_grid.side : 0.0f;
       const float worth =
-          dot.own + 0.3f * around.own - 0.6f * around.others - 0.002f * std::min(far, 100.0f);
+          dot.own + 0.3f * around.own - 0.6f * around.others - dear * std::min(far, 100.0f);
       if (!best || worth > best->worth)
         best = Best{x, y, worth};
     }

@@ -36,8 +36,10 @@ class SeenMap {
   /// ground shows. Where it shows nowhere the place is hidden. A place from before, or one that the
   /// user has chosen, is kept where it is as good. Nothing is returned where the structure is not
   /// in the picture.
+  /// `near` asks for the nearest to the place before of all that are as good as any, as in films.
   std::optional<SeenPlace> find(model::NodeId structure,
-                                const std::optional<model::Anchor>& before = {}) const;
+                                const std::optional<model::Anchor>& before = {},
+                                bool near = false) const;
   /// Returns a label that names the structure and has its place found anew in each picture, with
   /// the best place of this one; nothing where the structure is not in the picture.
   std::optional<model::Annotation> labelFor(model::NodeId structure) const;
@@ -84,8 +86,8 @@ class SeenMap {
   Shares sharesAt(const SeenLayer& own, std::uint32_t layer, int x, int y) const;
   /// Returns where a dot lies on the structure's own ink and colour; else, where it shows nowhere,
   /// a hidden place. Of equally good ones it is the one nearest to the place before.
-  std::optional<SeenPlace> dotPlace(std::uint32_t layer,
-                                    const std::optional<model::Anchor>& before) const;
+  std::optional<SeenPlace> dotPlace(std::uint32_t layer, const std::optional<model::Anchor>& before,
+                                    bool near) const;
   std::optional<SeenPlace> hiddenPlace(const Dots& dots) const;
   SeenPlace placeAt(const SeenLayer& own, int x, int y, bool hidden) const;
 

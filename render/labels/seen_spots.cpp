@@ -94,6 +94,23 @@ std::optional<Spot> deepest(const std::vector<bool>& counts, int columns, int ro
   return best;
 }
 
+/// Returns the cell nearest to that place, of all that count and are as deep as that.
+std::optional<Spot> nearest(const std::vector<bool>& counts, int columns, float room,
+                            const glm::vec2& towards) {
+  const auto width = std::size_t(columns);
+  const std::vector<float> depth = depths(counts, columns, int(counts.size() / width));
+  std::optional<Spot> best;
+  float least = 0.0f;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const float far = glm::distance(glm::vec2(float(i % width), float(i / width)), towards);
+    if (counts[i] && depth[i] >= room && (!best || far < least)) {
+      best = Spot{i, depth[i]};
+      least = far;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 SeenMap::Candidates SeenMap::candidates(std::uint32_t layer) const {
@@ -143,7 +160,8 @@ std::optional<SeenPlace> SeenMap::kept(const Candidates& all, const model::Ancho
 }
 
 std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
-                                       const std::optional<model::Anchor>& before) const {
+                                       const std::optional<model::Anchor>& before,
+                                       bool near) const {
   const auto index = m_index.find(structure);
   if (index == m_index.end() || m_layers[index->second].columns() == 0)
     return std::nullopt;
@@ -157,6 +175,16 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
       counts[i] = is(all.worth[i]) && (!firm || all.firm[i]);
     return deepest(counts, all.columns, all.rows);
   };
+  std::optional<glm::vec2> towards;  // in cells
+  if (const std::optional<glm::vec3> p = near && before ? m_scene.placeOf(*before) : std::nullopt)
+    if (const std::optional<glm::vec2> was = m_screen.place(*p))
+      towards = *was / m_grid.side - glm::vec2(float(all.left), float(all.top)) - 0.5f;
+  const auto nearSpot = [&](auto&& is, bool firm, float room) {
+    std::vector<bool> counts(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      counts[i] = is(all.worth[i]) && (!firm || all.firm[i]);
+    return nearest(counts, all.columns, room, *towards);
+  };
   constexpr float roomForDot = 1.2f;  // millimetres
   const float enough = roomForDot / m_grid.side;
   // A corner that lies beyond everything else is no place for a structure that is seen at large.
@@ -168,10 +196,11 @@ std::optional<SeenPlace> SeenMap::find(model::NodeId structure,
     const auto is = [worth](Worth one) { return one >= worth; };
     const float room = worth == Worth::alone ? std::max(enough, ownRoom) : enough;
     for (const bool firm : {true, false})
-      if (const auto spot = spotOf(is, firm); spot && spot->depth >= room)
+      if (const auto spot = towards ? nearSpot(is, firm, room) : spotOf(is, firm);
+          spot && spot->depth >= room)
         return placeAt(m_layers[all.layer], all.x(spot->cell), all.y(spot->cell), false);
   }
-  const std::optional<SeenPlace> dot = fine().dotPlace(all.layer, before);
+  const std::optional<SeenPlace> dot = fine().dotPlace(all.layer, before, near);
   if (dot && !dot->hidden)
     return dot;
   const auto ground = spotOf([](Worth one) { return one == Worth::ground; }, false);

@@ -148,8 +148,8 @@ float textWidthFor(const LabelPlate& plate, const LabelRequest& request, const L
       .text;
 }
 
-/// Sets the texts in lines of the request's width and lays them out.
-void setPlate(LabelPlate& plate, LabelRequest& request, const LabelTurn& turn) {
+/// Sets the texts in lines of the request's width, and makes them its items.
+void setTexts(LabelPlate& plate, LabelRequest& request) {
   const WordRoom words = wordRoom(request.space.size.x, plate.style);
   plate.texts.clear();
   request.items.clear();
@@ -158,7 +158,29 @@ void setPlate(LabelPlate& plate, LabelRequest& request, const LabelTurn& turn) {
     label.item.box = plate.texts.back().box;
     request.items.push_back(label.item);
   }
+}
+
+void setPlate(LabelPlate& plate, LabelRequest& request, const LabelTurn& turn) {
+  setTexts(plate, request);
   plate.layout = layOutLabels(request, turn.before);
+}
+
+LabelRequest requestOf(const LabelSights& sights, const LabelStyle& style, const LabelTurn& turn) {
+  return {.items = {},
+          .space = {sights.size, 0.0f, style.edges, style.reserved},
+          .obstacles = sights.obstacles,
+          .towardsEye = sights.towardsEye,
+          .moving = turn.moving,
+          .still = turn.still,
+          .widths = turn.widths};
+}
+
+LabelPlate emptyPlate(const LabelSights& sights, const LabelStyle& style) {
+  return {.style = style,
+          .labels = sights.labels.shown,
+          .texts = {},
+          .layout = {},
+          .unseen = sights.labels.unseen};
 }
 
 /// Numbers labels as one reads them round the figure: the left column from the top down, then what
@@ -220,18 +242,21 @@ LabelSights labelSights(const model::Scene& scene, const Screen& screen,
   return sights;
 }
 
-LabelPlate labelPlate(LabelSights sights, const LabelStyle& style, const LabelTurn& turn) {
-  LabelPlate plate{.style = style,
-                   .labels = std::move(sights.labels.shown),
-                   .texts = {},
-                   .layout = {},
-                   .unseen = std::move(sights.labels.unseen)};
-  LabelRequest request{.items = {},
-                       .space = {sights.size, 0.0f, style.edges, style.reserved},
-                       .obstacles = std::move(sights.obstacles),
-                       .towardsEye = sights.towardsEye,
-                       .moving = turn.moving,
-                       .still = turn.still};
+float textWidthOf(const LabelSights& sights, const LabelStyle& style) {
+  return textWidthFor(emptyPlate(sights, style), requestOf(sights, style, {}), {});
+}
+
+LabelRequest filmRequest(const LabelSights& sights, const LabelStyle& style, float textWidth) {
+  LabelPlate plate = emptyPlate(sights, style);
+  LabelRequest request = requestOf(sights, style, {.still = true});
+  request.textWidth = textWidth;
+  setTexts(plate, request);
+  return request;
+}
+
+LabelPlate labelPlate(const LabelSights& sights, const LabelStyle& style, const LabelTurn& turn) {
+  LabelPlate plate = emptyPlate(sights, style);
+  LabelRequest request = requestOf(sights, style, turn);
   request.textWidth = textWidthFor(plate, request, turn);
   setPlate(plate, request, turn);
   // Beside marks there may be room for long lines where there is none for several.

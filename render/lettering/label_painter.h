@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QPainter>
+#include <array>
 
 #include "render/labels/layout.h"
 #include "render/lettering/label_texts.h"
@@ -25,6 +26,7 @@ struct LabelTurn {
   bool moving = false;                  ///< as in LabelRequest: true until the camera rests
   bool hurried = false;                 ///< as in LabelsBefore
   bool still = false;                   ///< as in LabelRequest
+  std::array<float, 2> widths{};        ///< as in LabelRequest
 };
 
 /// Holds what a picture's labels go by before they are laid out.
@@ -38,8 +40,13 @@ LabelSights labelSights(const model::Scene& scene, const Screen& screen,
                         const std::string& language, model::MeshTrees& trees,
                         const LabelsBefore& before = {});
 
+/// Returns the width to which lines of labels are broken in a picture.
+float textWidthOf(const LabelSights& sights, const LabelStyle& style);
+/// Returns the request for a picture of a film, with the texts' boxes.
+LabelRequest filmRequest(const LabelSights& sights, const LabelStyle& style, float textWidth);
+
 /// Lays out the labels.
-LabelPlate labelPlate(LabelSights sights, const LabelStyle& style, const LabelTurn& turn);
+LabelPlate labelPlate(const LabelSights& sights, const LabelStyle& style, const LabelTurn& turn);
 
 /// Lays out the scene's labels on that screen.
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,

@@ -6,23 +6,22 @@
 #include <map>
 #include <utility>
 
+#include "render/export/motion/film_places.h"
+#include "render/export/motion/label_heights.h"
+#include "render/export/motion/label_presence.h"
 #include "render/export/motion/label_sides.h"
 
 namespace sline::render {
 
 namespace {
 
-/// Returns the places of those labels as a layout that the next picture's follow.
-LabelLayout placesOf(const LabelsInPicture& labels) {
-  LabelLayout layout;
-  for (const ShownLabel& label : labels.shown)
-    layout.labels.push_back(
-        {.id = label.item.id, .hidden = label.item.hidden, .found = label.item.found});
-  return layout;
-}
-
 LabelBox around(const std::optional<LabelBox>& all, const LabelBox& one) {
   return all ? LabelBox{glm::min(all->low, one.low), glm::max(all->high, one.high)} : one;
+}
+
+FilmLabel& labelOf(std::vector<FilmLabel>& labels, model::AnnotationId id) {
+  return *std::find_if(labels.begin(), labels.end(),
+                       [id](const FilmLabel& label) { return label.id == id; });
 }
 
 /// Makes the anatomy's extent the same in all frames, so that columns stay where they are.
@@ -110,55 +109,78 @@ void FilmLabels::keepMarksFree(const Film& film) {
 }
 
 bool FilmLabels::lookAt(const Film& film, const std::function<bool(double)>& go) {
-  LabelLayout before;
+  // Places of some frames may also do in others.
+  constexpr int some = 24;
+  const int step = std::max(film.frames() / some, 1);
+  PlacePool pool;
+  const int looks = film.frames() + (film.frames() + step - 1) / step;
+  int done = 0;
+  const auto next = [&] { return !go || go(double(done++) / double(looks)); };
+  for (int i = 0; i < film.frames() && next(); i += step) {
+    const FilmFrame frame = film.at(i);
+    addPlaces(pool, frame.scene, Screen(frame.camera, m_order.page.sizeMm), m_trees);
+  }
   for (int i = 0; i < film.frames(); ++i) {
-    if (go && !go(double(i) / double(film.frames())))
+    if (!next())
       return false;
     const FilmFrame frame = film.at(i);
     m_sights.push_back(labelSights(frame.scene, Screen(frame.camera, m_order.page.sizeMm),
-                                   m_order.labels.language, m_trees,
-                                   {.layout = i > 0 ? &before : nullptr, .steady = true}));
-    before = placesOf(m_sights.back().labels);
+                                   m_order.labels.language, m_trees, {.pool = &pool}));
   }
+  choosePlaces(m_sights, pool, film);
   return true;
 }
 
 void FilmLabels::layOut(const Film& film) {
-  std::optional<LabelLayout> before;
-  // A label that finds no room is gone for a second, and is in nobody's way.
-  std::map<model::AnnotationId, int> gone;
-  const auto plateAt = [&](std::size_t i) {
-    LabelSights sights = m_sights[i];
-    std::vector<model::AnnotationId> waiting;
-    std::erase_if(sights.labels.shown, [&](const ShownLabel& label) {
-      if (gone[label.item.id]-- <= 0)
-        return false;
-      waiting.push_back(label.item.id);
-      return true;
-    });
-    LabelPlate plate = labelPlate(std::move(sights), style(),
-                                  {.before = before ? &*before : nullptr, .still = true});
+  // Lines are broken for the frame with the most labels.
+  const auto fullest = std::max_element(m_sights.begin(), m_sights.end(),
+                                        [](const LabelSights& a, const LabelSights& b) {
+                                          return a.labels.shown.size() < b.labels.shown.size();
+                                        });
+  const float textWidth = textWidthOf(*fullest, style());
+  std::vector<LabelRequest> frames;
+  frames.reserve(m_sights.size());
+  for (const LabelSights& sights : m_sights)
+    frames.push_back(filmRequest(sights, style(), textWidth));
+  std::vector<FilmLabel> labels = filmLabels(frames);
+  planHeights(labels, frames, film);
+  keepApart(labels, frames, film);
+  // What finds no way in spite of the plan is gone for a second, too.
+  while (!layOutAll(labels, frames, textWidth))
+    for (FilmLabel& label : labels)
+      stayForASecond(label.there, film);
+  m_sights.clear();
+}
+
+bool FilmLabels::layOutAll(std::vector<FilmLabel>& labels, const std::vector<LabelRequest>& frames,
+                           float textWidth) {
+  m_plates.clear();
+  bool all = true;
+  LabelLayout before{.textWidth = textWidth};
+  for (std::size_t t = 0; t < frames.size(); ++t) {
+    LabelSights sights = m_sights[t];
+    for (std::size_t k = 0; k < frames[t].items.size(); ++k) {
+      LabelItem& item = sights.labels.shown[k].item;
+      item = frames[t].items[k];
+      item.absent = !labelOf(labels, item.id).there[t];
+    }
+    LabelPlate plate =
+        labelPlate(sights, style(), {.before = &before, .still = true, .widths = frames[t].widths});
+    for (const model::AnnotationId id : plate.layout.leftOut) {
+      FilmLabel& label = labelOf(labels, id);
+      all = all && !label.there[t];
+      label.there[t] = false;
+    }
     LabelLayout now = plate.layout;
     // A number that comes back is the same.
-    if (before && m_order.labels.mode == LabelMode::numbers)
-      for (const PlacedLabel& was : before->labels)
+    if (m_order.labels.mode == LabelMode::numbers)
+      for (const PlacedLabel& was : before.labels)
         if (!now.find(was.id))
           now.labels.push_back(was);
     before = std::move(now);
-    for (const model::AnnotationId id : plate.layout.leftOut)
-      gone[id] = film.framesPerSecond() - 1;
-    std::vector<model::AnnotationId>& without = plate.layout.leftOut;
-    without.insert(without.end(), waiting.begin(), waiting.end());
-    return plate;
-  };
-  // In a film that loops the first frame follows the last like any other.
-  if (film.loops())
-    for (std::size_t i = 0; i < m_sights.size(); ++i)
-      plateAt(i);
-  for (std::size_t i = 0; i < m_sights.size(); ++i)
-    m_plates.push_back(plateAt(i));
-  m_sights.clear();
-  stayForASecond(m_plates, film);
+    m_plates.push_back(std::move(plate));
+  }
+  return all;
 }
 
 }  // namespace sline::render

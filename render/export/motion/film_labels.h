@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/export/motion/film.h"
+#include "render/export/motion/film_label.h"
 #include "render/export/plate/figure_plate.h"
 
 namespace sline::render {
@@ -34,6 +35,10 @@ class FilmLabels {
   /// Looks for the labels' places in all frames.
   bool lookAt(const Film& film, const std::function<bool(double)>& go);
   void layOut(const Film& film);
+  /// Lays out all frames; returns false where a label that should be there found no way, and says
+  /// so in `there`.
+  bool layOutAll(std::vector<FilmLabel>& labels, const std::vector<LabelRequest>& frames,
+                 float textWidth);
 
   const ExportOrder& m_order;
   model::MeshTrees m_trees;

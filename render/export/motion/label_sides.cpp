@@ -11,8 +11,6 @@ namespace sline::render {
 
 namespace {
 
-using Presence = std::vector<bool>;
-
 /// Where a label's place is in each frame, in widths of the anatomy to the right of its middle; 0
 /// where the label is not in the picture.
 using Places = std::vector<float>;
@@ -121,56 +119,6 @@ class SideChanges {
   std::array<std::vector<Change>, 2> m_changes;  ///< to a side, at each frame
 };
 
-/// Removes what is there or gone for less than `least` frames; in a film that loops, its end and
-/// its beginning are neighbours.
-class Blinks {
- public:
-  Blinks(Presence& there, std::size_t least, bool loops)
-      : m_there(there), m_least(least), m_loops(loops) {}
-
-  void remove() {
-    while (removeOne())
-      continue;
-  }
-
- private:
-  /// Returns how many frames from that one on are alike.
-  std::size_t run(std::size_t from) const {
-    std::size_t length = 1;
-    while (length < m_there.size() && (m_loops || from + length < m_there.size()) &&
-           m_there[(from + length) % m_there.size()] == m_there[from])
-      ++length;
-    return length;
-  }
-
-  bool removeOne() {
-    const std::size_t count = m_there.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t before = (i + count - 1) % count;
-      const bool begins = i == 0 && !m_loops ? true : m_there[before] != m_there[i];
-      const std::size_t length = run(i);
-      if (!begins || length >= m_least || length == count)
-        continue;
-      if (m_there[i]) {
-        for (std::size_t k = 0; k < length; ++k)
-          m_there[(i + k) % count] = false;
-        return true;
-      }
-      const bool inside = m_loops || (i > 0 && i + length < count);
-      if (inside) {
-        for (std::size_t k = length; k < m_least && (m_loops || i + k < count); ++k)
-          m_there[(i + k) % count] = false;
-        return true;
-      }
-    }
-    return false;
-  }
-
-  Presence& m_there;
-  std::size_t m_least;
-  bool m_loops;
-};
-
 }  // namespace
 
 void keepSides(std::vector<LabelSights>& frames, const Film& film, std::size_t most) {
@@ -188,29 +136,6 @@ void keepSides(std::vector<LabelSights>& frames, const Film& film, std::size_t m
   for (std::size_t i = 0; i < frames.size(); ++i)
     for (ShownLabel& label : frames[i].labels.shown)
       label.item.side = sides[label.item.id][i];
-}
-
-void stayForASecond(std::vector<LabelPlate>& frames, const Film& film) {
-  const std::size_t count = frames.size();
-  const auto second = std::size_t(film.framesPerSecond());
-  if (count < second)
-    return;
-  std::map<model::AnnotationId, Presence> all;
-  for (std::size_t i = 0; i < count; ++i)
-    for (const PlacedLabel& label : frames[i].layout.labels) {
-      Presence& there = all[label.id];
-      there.resize(count, false);
-      there[i] = true;
-    }
-  for (auto& [id, there] : all)
-    Blinks(there, second, film.loops()).remove();
-  for (std::size_t i = 0; i < count; ++i)
-    std::erase_if(frames[i].layout.labels, [&](const PlacedLabel& label) {
-      if (all[label.id][i])
-        return false;
-      frames[i].layout.leftOut.push_back(label.id);
-      return true;
-    });
 }
 
 }  // namespace sline::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides what labels do in a film as a whole: on which side each stands, and when it is there.
+// Decides on which side each label stands in a film as a whole.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,5 @@ namespace sline::render {
 /// middle; in others it changes sides at most once in eight seconds. `most` is how many labels a
 /// column has room for.
 void keepSides(std::vector<LabelSights>& frames, const Film& film, std::size_t most);
-
-/// Takes labels out where they would be there or gone for less than a second.
-void stayForASecond(std::vector<LabelPlate>& frames, const Film& film);
 
 }  // namespace sline::render
