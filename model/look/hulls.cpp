@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "model/focus/surface_samples.h"
 #include "model/geometry/mesh_trees.h"
