@@ -40,7 +40,7 @@ Colour inkFollowing(const Colour& ink, const Colour& before, const Colour& now) 
 }
 
 /// Gives structures whose colour has changed, and whose ink has not, an ink that follows.
-Edited withInksFollowing(const Scene& scene, std::span<const NodeId> ids, Edited edited) {
+Edited withInksFollowing(const Scene& scene, std::span<const NodeId> ids, const Edited& edited) {
   const std::vector<ResolvedStructure> before = resolvedBelow(scene, ids);
   const std::vector<ResolvedStructure> now = resolvedBelow(edited.scene, ids);
   std::unordered_map<std::uint64_t, Colour> inks;
@@ -71,12 +71,12 @@ Edited withLook(const Scene& scene, std::span<const NodeId> ids, const Style& lo
     else
       forget(style, look);
   });
-  return recolours(look) ? withInksFollowing(scene, ids, std::move(edited)) : edited;
+  return recolours(look) ? withInksFollowing(scene, ids, edited) : edited;
 }
 
 Edited withLookInherited(const Scene& scene, std::span<const NodeId> ids, const Style& which) {
   Edited edited = withStyles(scene, ids, [&which](Style& style, bool) { forget(style, which); });
-  return recolours(which) ? withInksFollowing(scene, ids, std::move(edited)) : edited;
+  return recolours(which) ? withInksFollowing(scene, ids, edited) : edited;
 }
 
 Style lookOf(const Scene& scene, NodeId id) {

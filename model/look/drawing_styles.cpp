@@ -75,8 +75,8 @@ Colour vivid(const Colour& colour, float saturation, float value) {
     return colour;
   const float most = 255.0f * std::max(value, *high / 255.0f);
   const float depth = most * std::max(saturation, (*high - *low) / *high);
-  const auto channel = [&, low = *low, span = *high - *low](float channel) {
-    return std::uint8_t(std::lround(most - depth + depth * (channel - low) / span));
+  const auto channel = [&, low = *low, span = *high - *low](float from) {
+    return std::uint8_t(std::lround(most - depth + depth * (from - low) / span));
   };
   return {channel(old[0]), channel(old[1]), channel(old[2])};
 }

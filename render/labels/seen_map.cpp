@@ -54,6 +54,7 @@ void SeenMap::takeSurfaces() {
     if (!surfaces.surfaceOf(layer.node().mesh))
       missing.emplace(layer.node().mesh, &layer);
   std::vector<std::pair<const SeenLayer*, model::SurfacePtr>> made;
+  made.reserve(missing.size());
   for (const auto& [mesh, layer] : missing)
     made.emplace_back(layer, nullptr);
   parallelFor(made.size(), 1, [&](std::size_t i) { made[i].second = made[i].first->pictured(); });

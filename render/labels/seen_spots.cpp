@@ -102,7 +102,8 @@ std::optional<Spot> nearest(const std::vector<bool>& counts, int columns, float 
   std::optional<Spot> best;
   float least = 0.0f;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    const float far = glm::distance(glm::vec2(float(i % width), float(i / width)), towards);
+    const std::size_t row = i / width;
+    const float far = glm::distance(glm::vec2(float(i % width), float(row)), towards);
     if (counts[i] && depth[i] >= room && (!best || far < least)) {
       best = Spot{i, depth[i]};
       least = far;

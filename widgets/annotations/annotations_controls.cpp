@@ -78,9 +78,10 @@ QWidget* AnnotationsPanel::makePreferencesRow() {
   auto* look = new QWidget;
   auto* layout = new QHBoxLayout(look);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(control("annotationMode", labelModeKey), 3);
-  layout->addWidget(control("annotationLanguage", labelLanguageKey), 4);
-  layout->addWidget(control("annotationPoints", labelPointsKey), 2);
+  // As long as each one's words are in the language where they are longest.
+  layout->addWidget(control("annotationMode", labelModeKey), 21);
+  layout->addWidget(control("annotationLanguage", labelLanguageKey), 33);
+  layout->addWidget(control("annotationPoints", labelPointsKey), 14);
   return look;
 }
 

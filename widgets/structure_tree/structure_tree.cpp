@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "model/edit/emphasis.h"
+#include "model/edit/look.h"
 #include "widgets/gamma/look_drag.h"
 #include "widgets/session/colour_dialog.h"
 #include "widgets/structure_tree/structure_properties.h"
