@@ -3,6 +3,7 @@
 // that it has the keyboard, from the start page on and in another language.
 #include "tests/gui/keyboard.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QDockWidget>
 #include <QtTest>

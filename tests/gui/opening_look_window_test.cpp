@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests that a folder dropped on the window becomes a plate, as one step that can be taken back.
 #include <QAbstractButton>
+#include <QLabel>
+#include <QToolButton>
 #include <QtTest>
 
 #include "model/edit/look.h"

@@ -4,7 +4,10 @@
 #include <QtTest/qtestspontaneevent.h>
 #include <QAction>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
