@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/export/motion/least_costly.h"
+
 namespace sline::render {
 
 namespace {
@@ -16,46 +18,19 @@ double costOf(const std::optional<FrameRank>& now, std::size_t rank) {
   return now->weight * std::min(0.5 * off, 1.0);
 }
 
-/// Returns the rank in each frame for which the sum of costs and changes is least (after Viterbi).
-std::vector<std::size_t> cheapestRanks(const std::vector<std::optional<FrameRank>>& ranks,
-                                       double price) {
-  std::size_t most = 0;
-  for (const std::optional<FrameRank>& now : ranks)
-    most = std::max(most, now ? now->rank : 0);
-  std::vector<double> costs(most + 1, 0.0);
-  std::vector<std::vector<std::size_t>> from;
-  from.reserve(ranks.size());
-  for (const std::optional<FrameRank>& now : ranks) {
-    const auto best = std::size_t(std::min_element(costs.begin(), costs.end()) - costs.begin());
-    const double change = costs[best] + price;
-    std::vector<std::size_t>& before = from.emplace_back(most + 1);
-    for (std::size_t rank = 0; rank <= most; ++rank) {
-      before[rank] = change < costs[rank] ? best : rank;
-      costs[rank] = std::min(change, costs[rank]) + costOf(now, rank);
-    }
-  }
-  auto rank = std::size_t(std::min_element(costs.begin(), costs.end()) - costs.begin());
-  std::vector<std::size_t> kept(ranks.size());
-  for (std::size_t t = ranks.size(); t-- > 0;) {
-    kept[t] = rank;
-    rank = from[t][rank];
-  }
-  return kept;
-}
-
 }  // namespace
 
 std::vector<Presence> rankStretches(const std::vector<std::optional<FrameRank>>& ranks,
                                     const Film& film) {
   const std::size_t count = ranks.size();
   const double second = double(film.framesPerSecond());
-  // A film that loops is passed three times, so that the second has others before and after it.
-  std::vector<std::optional<FrameRank>> passed = ranks;
-  for (int pass = 1; film.loops() && pass < 3; ++pass)
-    passed.insert(passed.end(), ranks.begin(), ranks.end());
-  std::vector<std::size_t> kept = cheapestRanks(passed, second);
-  if (film.loops())
-    kept = {kept.begin() + std::ptrdiff_t(count), kept.begin() + std::ptrdiff_t(2 * count)};
+  std::size_t most = 0;
+  for (const std::optional<FrameRank>& now : ranks)
+    most = std::max(most, now ? now->rank : 0);
+  const std::vector<std::size_t> kept = leastCostly(
+      count, most + 1, film.loops(),
+      [&](std::size_t t, std::size_t rank) { return costOf(ranks[t], rank); },
+      [second](std::size_t, std::size_t, std::size_t) { return second; });
   std::vector<std::size_t> changes;
   for (std::size_t t = film.loops() ? 0 : 1; t < count; ++t)
     if (kept[t] != kept[(t + count - 1) % count])
