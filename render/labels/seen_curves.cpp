@@ -20,6 +20,11 @@ float distanceOf(float key, bool perspective) {
   return perspective ? -1.0f / key : key;
 }
 
+/// Returns the key that much nearer to the eye, as contour.frag.glsl lifts lines.
+float lifted(float key, float mm, bool perspective) {
+  return perspective ? -1.0f / std::max(-1.0f / key - mm, 1e-3f) : key - mm;
+}
+
 }  // namespace
 
 float SeenLayer::distanceAt(const glm::vec2& cell) const {
@@ -54,7 +59,7 @@ bool SeenLayer::showsAt(PenPoint& point, const ContourProbes& probes, float tole
   return true;
 }
 
-void SeenLayer::takeInk(const PenPoint& point) {
+void SeenLayer::takeInk(const PenPoint& point, std::vector<float>& depths) {
   const glm::vec2 middle = point.place + (point.halfWidth - 0.5f) * point.outward;
   const float reach = point.halfWidth + 0.5f;
   for (int y = int(std::floor(middle.y - reach)); y <= int(std::floor(middle.y + reach)); ++y)
@@ -63,11 +68,16 @@ void SeenLayer::takeInk(const PenPoint& point) {
         continue;
       const float off = glm::length(glm::vec2(x, y) + 0.5f - middle);
       const float ink = std::clamp(reach - off, 0.0f, 1.0f) * point.opacity;
-      SeenCell& cell = m_cells[index(x, y)];
+      constexpr float least = 0.002f;
+      if (ink <= least)
+        continue;
+      const std::size_t i = index(x, y);
+      depths[i] = std::min(depths[i], point.lifted);
+      SeenCell& cell = m_cells[i];
       if (ink <= cell.ink)
         continue;
       if (cell.what == SeenCell::What::nothing)
-        cell = {.depth = point.depth, .facing = 0.0f, .what = SeenCell::What::beside};
+        cell = {.depth = point.lifted, .facing = 0.0f, .what = SeenCell::What::beside};
       cell.outline = true;
       cell.ink = ink;
     }
@@ -84,6 +94,7 @@ void SeenLayer::drawCurves(const StructureLines& drawn, const model::Surface& su
     const glm::vec2 pixel = view.project(p).pixel;
     return glm::vec2(pixel.x - aside, view.size().y - pixel.y);
   };
+  std::vector<float> depths(m_cells.size(), std::numeric_limits<float>::max());
   const auto draw = [&](const Segment& s, float width, bool outside) {
     if (!screen.place(s.a) || !screen.place(s.b))
       return;
@@ -99,24 +110,29 @@ void SeenLayer::drawCurves(const StructureLines& drawn, const model::Surface& su
     const int steps = std::clamp(int(std::ceil(2.0f * glm::length(toPlace - fromPlace))), 1, 200);
     for (int k = 0; k <= steps; ++k) {
       const float t = float(k) / float(steps);
+      const float depth = glm::mix(screen.depthKey(s.a), screen.depthKey(s.b), t);
       const float full = width * lines * glm::mix(s.pressureA, s.pressureB, t);
       PenPoint point{.on = glm::mix(from, to, t),
                      .place = glm::mix(fromPlace, toPlace, t),
                      .outward = outward,
-                     .depth = glm::mix(screen.depthKey(s.a), screen.depthKey(s.b), t),
+                     .depth = depth,
+                     .lifted = outside ? lifted(depth, 2.0f * tolerance, m_perspective) : depth,
                      .halfWidth = 0.5f * std::max(full, 1.0f),
                      .opacity = lines * glm::mix(s.opacityA, s.opacityB, t) * std::min(full, 1.0f)};
       if (!showsAt(point, probes, tolerance))
         continue;
       if (!outside)
         point.outward = glm::vec2(0.0f);
-      takeInk(point);
+      takeInk(point, depths);
     }
   };
   for (const Segment& s : drawn.lines[LineKind::contour])
     draw(s, pen, true);
   for (const Segment& s : drawn.lines[LineKind::section])
     draw(s, 0.5f * pen, false);
+  for (std::size_t i = 0; i < m_cells.size(); ++i)
+    if (m_cells[i].ink > 0.0f)
+      m_cells[i].depth = std::min(m_cells[i].depth, depths[i]);
 }
 
 model::SurfacePtr SeenLayer::pictured() const {

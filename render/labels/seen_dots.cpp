@@ -18,7 +18,7 @@ constexpr float clearlyMore = 1.2f;
 // Strokes on a surface are somewhere near, more seldom just here.
 constexpr float strokesHere = 0.5f;
 constexpr float dotRadius = 0.5f;  // millimetres
-// A drawn outline is a smoothed curve, which lies up to so many cells beside the surface's own.
+// A curve may be drawn so many cells beside where it is here.
 constexpr float smoothed = 1.25f;
 
 }  // namespace
@@ -26,25 +26,40 @@ constexpr float smoothed = 1.25f;
 /// Tells of each cell of a structure what a dot there would lie on.
 struct SeenMap::Dots {
   enum class Shows : std::uint8_t { ground, own, others };
-  SeenLayer layer;  ///< as pictures have it
+  const SeenLayer& layer;
   int left = 0;
   int top = 0;
   int columns = 0;
   int rows = 0;
   std::vector<Shows> shows;  ///< what one sees in the cell
-  std::vector<bool> traces;  ///< something of the structure is seen
+  std::vector<bool> traces;  ///< something of the structure may be seen
+  std::vector<bool> inked;   ///< its outline runs there, seen or not
   float radius = 1.0f;       ///< cells
 
   struct Disc {
     float own = 0.0f;
     float others = 0.0f;
     float traces = 0.0f;
+    float inked = 0.0f;
   };
   std::size_t index(int x, int y) const {
     return std::size_t(y - top) * std::size_t(columns) + std::size_t(x - left);
   }
   bool holds(int x, int y) const {
     return x >= left && y >= top && x < left + columns && y < top + rows;
+  }
+  /// Returns the cell of the greatest worth, of those that `worthOf` gives one.
+  template <typename WorthOf>
+  std::optional<glm::ivec2> best(WorthOf&& worthOf) const {
+    std::optional<glm::ivec2> cell;
+    float most = 0.0f;
+    for (int y = top; y < top + rows; ++y)
+      for (int x = left; x < left + columns; ++x)
+        if (const std::optional<float> worth = worthOf(x, y); worth && (!cell || *worth > most)) {
+          cell = glm::ivec2(x, y);
+          most = *worth;
+        }
+    return cell;
   }
   /// Returns the shares of a disc around a cell.
   Disc disc(int x, int y, float size) const {
@@ -62,14 +77,14 @@ struct SeenMap::Dots {
         disc.own += shows[i] == Shows::own ? 1.0f : 0.0f;
         disc.others += shows[i] == Shows::others ? 1.0f : 0.0f;
         disc.traces += traces[i] ? 1.0f : 0.0f;
+        disc.inked += inked[i] ? 1.0f : 0.0f;
       }
-    return {disc.own / all, disc.others / all, disc.traces / all};
+    return {disc.own / all, disc.others / all, disc.traces / all, disc.inked / all};
   }
 };
 
 SeenMap::Dots SeenMap::dots(std::uint32_t layer) const {
-  SeenLayer own = m_layers[layer].undrawn();
-  own.drawAsInPictures(m_scene, m_screen, m_grid);
+  const SeenLayer& own = m_layers[layer];
   Dots dots{.layer = own,
             .left = own.left(),
             .top = own.top(),
@@ -77,16 +92,19 @@ SeenMap::Dots SeenMap::dots(std::uint32_t layer) const {
             .rows = own.rows(),
             .shows = {},
             .traces = {},
+            .inked = {},
             .radius = dotRadius / m_grid.side};
   const std::size_t cells = std::size_t(own.columns()) * std::size_t(own.rows());
   dots.shows.assign(cells, Dots::Shows::ground);
   dots.traces.assign(cells, false);
+  dots.inked.assign(cells, false);
   constexpr float trace = 0.03f;
   for (int y = own.top(); y < own.top() + own.rows(); ++y)
     for (int x = own.left(); x < own.left() + own.columns(); ++x) {
       const Shares shares = sharesAt(own, layer, x, y);
       const std::size_t i = dots.index(x, y);
-      dots.traces[i] = shares.own > trace;
+      dots.traces[i] = shares.traces > trace;
+      dots.inked[i] = own.at(x, y).ink > trace;
       if (shares.own > faintest && shares.own >= clearlyMore * shares.others)
         dots.shows[i] = Dots::Shows::own;
       else if (shares.others > faintest)
@@ -109,6 +127,11 @@ SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int
   for (const Fragment& one : fragments(x, y)) {
     if (one.layer == layer)
       continue;
+    if (!passed && own.mayLieBefore(mine.depth, one.depth)) {
+      const float before = left;
+      shares.traces = std::max(shares.traces, pass(own, mine, mine.ink, 0.0f));
+      left = before;
+    }
     if (!passed && mine.depth < one.depth && !own.touches(mine.depth, one.depth)) {
       shares.own = pass(own, mine, mine.ink, 0.0f);
       passed = true;
@@ -119,11 +142,11 @@ SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int
         cell.what == SeenCell::What::surface ? strokesHere * left * other.look().strokes() : 0.0f;
     shares.others = std::max(shares.others, strokes);
     // It may be bent there, and show and hide more.
-    shares.others =
-        std::max(shares.others, pass(other, cell, cell.ink * other.look().outline(), 1.0f));
+    shares.others = std::max(shares.others, pass(other, cell, cell.ink, 1.0f));
   }
   if (!passed)
     shares.own = pass(own, mine, mine.ink, 0.0f);
+  shares.traces = std::max(shares.traces, shares.own);
   return shares;
 }
 
@@ -140,67 +163,60 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
   if (before)
     if (const std::optional<glm::vec3> p = m_scene.placeOf(*before))
       was = m_screen.place(*p);
-  struct Best {
-    int x;
-    int y;
-    float worth;
-  };
-  std::optional<Best> best;
   constexpr float much = 0.5f;
   constexpr float enough = 0.3f;
   constexpr float calm = 0.1f;
+  constexpr float leads = 1.5f;  // where lines of two run together, either may be the one on top
   const float dear = near ? 0.03f : 0.002f;  // a way of one cell
   const float wide = all.radius + smoothed;
-  for (int y = all.top; y < all.top + all.rows; ++y)
-    for (int x = all.left; x < all.left + all.columns; ++x) {
-      if (all.shows[all.index(x, y)] != Dots::Shows::own)
-        continue;
+  const auto clear = [&](int x, int y) -> std::optional<float> {
+    if (all.shows[all.index(x, y)] != Dots::Shows::own)
+      return std::nullopt;
+    const Dots::Disc dot = all.disc(x, y, all.radius);
+    if (dot.own < enough || dot.own < leads * dot.others)
+      return std::nullopt;
+    const Dots::Disc around = all.disc(x, y, wide);
+    if (dot.own < much && around.others > calm)
+      return std::nullopt;
+    // A narrow strip is surest in its middle.
+    const float along = all.disc(x, y, 3.0f * all.radius).own;
+    const float far = was ? glm::length(m_grid.middle(x, y) - *was) / m_grid.side : 0.0f;
+    return dot.own + 0.3f * (around.own + along) - 0.6f * around.others -
+           dear * std::min(far, 100.0f);
+  };
+  std::optional<glm::ivec2> best = all.best(clear);
+  const std::optional<glm::ivec2> hidden = best ? std::nullopt : hiddenCell(all);
+  // Where a sliver is all there is, it is seen a little wherever one points at it.
+  if (hidden && all.disc(hidden->x, hidden->y, wide).traces > enough)
+    best = all.best([&](int x, int y) -> std::optional<float> {
       const Dots::Disc dot = all.disc(x, y, all.radius);
-      if (dot.own < enough)
-        continue;
-      const Dots::Disc around = all.disc(x, y, wide);
-      if (dot.own < much && around.others > calm)
-        continue;
-      const float far = was ? glm::length(m_grid.middle(x, y) - *was) / m_grid.side : 0.0f;
-      const float worth =
-          dot.own + 0.3f * around.own - 0.6f * around.others - dear * std::min(far, 100.0f);
-      if (!best || worth > best->worth)
-        best = Best{x, y, worth};
-    }
-  if (!best)
-    return hiddenPlace(all);
+      return all.shows[all.index(x, y)] == Dots::Shows::own && dot.own > dot.others
+                 ? std::optional(dot.own - dot.others)
+                 : std::nullopt;
+    });
   // Ink lies outside the surface: the place on it is beside the dot.
-  const std::optional<glm::ivec2> on = all.layer.coveredNear(best->x, best->y, 4);
-  if (!on)
-    return hiddenPlace(all);
-  SeenPlace place = placeAt(all.layer, on->x, on->y, false);
-  place.place = m_grid.middle(best->x, best->y);
-  return place;
+  const auto on = best ? all.layer.coveredNear(best->x, best->y, 4) : std::nullopt;
+  if (on) {
+    SeenPlace place = placeAt(all.layer, on->x, on->y, false);
+    place.place = m_grid.middle(best->x, best->y);
+    return place;
+  }
+  const std::optional<glm::ivec2> place = hidden ? hidden : hiddenCell(all);
+  return place ? std::optional(placeAt(all.layer, place->x, place->y, true)) : std::nullopt;
 }
 
-std::optional<SeenPlace> SeenMap::hiddenPlace(const Dots& all) const {
-  struct Best {
-    int x;
-    int y;
-    float worth;
-  };
-  std::optional<Best> best;
-  const SeenLayer& own = all.layer;
+std::optional<glm::ivec2> SeenMap::hiddenCell(const Dots& all) const {
   const glm::vec2 middle(float(all.left) + 0.5f * float(all.columns),
                          float(all.top) + 0.5f * float(all.rows));
   const float wide = all.radius + smoothed;
   const float size = std::max(float(std::max(all.columns, all.rows)), 1.0f);
-  for (int y = all.top; y < all.top + all.rows; ++y)
-    for (int x = all.left; x < all.left + all.columns; ++x) {
-      if (!own.covers(x, y))
-        continue;
-      const Dots::Disc around = all.disc(x, y, wide);
-      const float worth = around.others - 4.0f * around.traces -
-                          glm::length(glm::vec2(float(x), float(y)) - middle) / size;
-      if (!best || worth > best->worth)
-        best = Best{x, y, worth};
-    }
-  return best ? std::optional(placeAt(all.layer, best->x, best->y, true)) : std::nullopt;
+  return all.best([&](int x, int y) -> std::optional<float> {
+    if (!all.layer.covers(x, y))
+      return std::nullopt;
+    const Dots::Disc around = all.disc(x, y, wide);
+    return around.others - 4.0f * around.traces - 0.5f * around.inked -
+           glm::length(glm::vec2(float(x), float(y)) - middle) / size;
+  });
 }
 
 }  // namespace sline::render

@@ -74,6 +74,9 @@ class SeenLayer {
   /// Tells whether another surface that is no nearer than this one may hide it all the same: the
   /// two touch, and which of them a picture shows changes from pixel to pixel.
   bool touches(float depth, float other) const { return other >= depth && other < depth + m_touch; }
+  /// Tells whether this surface may be what a picture shows of the two, as it is nearer or touches
+  /// the other.
+  bool mayLieBefore(float depth, float other) const { return depth < other + m_touch; }
   /// Tells whether anything of it is left by sections, in the picture or not.
   bool remains() const { return m_remains; }
   /// Returns the point of the surface that a cell shows, and where the output shows it.
@@ -95,6 +98,7 @@ class SeenLayer {
     glm::vec2 place{0.0f};  ///< where the pen draws it
     glm::vec2 outward{0.0f};
     float depth = 0.0f;
+    float lifted = 0.0f;  ///< the depth at which it hides and is hidden by others
     float halfWidth = 0.5f;
     float opacity = 1.0f;
   };
@@ -115,7 +119,7 @@ class SeenLayer {
   void drawCurves(const StructureLines& drawn, const model::Surface& surface, const Screen& screen,
                   const PictureView& view);
   bool showsAt(PenPoint& point, const ContourProbes& probes, float tolerance) const;
-  void takeInk(const PenPoint& point);
+  void takeInk(const PenPoint& point, std::vector<float>& depths);
   float distanceAt(const glm::vec2& cell) const;
   void plotSmall(const Screen& screen);
 

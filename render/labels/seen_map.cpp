@@ -43,7 +43,8 @@ SeenMap::SeenMap(const SeenMap& other, const SeenGrid& grid)
   for (const SeenLayer& layer : other.m_layers)
     m_layers.push_back(layer.undrawn());
   takeSurfaces();
-  parallelFor(m_layers.size(), 1, [&](std::size_t i) { m_layers[i].draw(m_screen, m_grid); });
+  parallelFor(m_layers.size(), 1,
+              [&](std::size_t i) { m_layers[i].drawAsInPictures(m_scene, m_screen, m_grid); });
   compose();
 }
 

@@ -70,7 +70,7 @@ class SeenMap {
   Candidates candidates(std::uint32_t layer) const;
   std::optional<SeenPlace> kept(const Candidates& candidates, const model::Anchor& before) const;
   /// Draws another map's layers into cells of half the size, where outlines are as wide as pens,
-  /// with the surfaces that pictures have.
+  /// with the surfaces and curves that pictures have.
   SeenMap(const SeenMap& other, const SeenGrid& grid);
   void takeSurfaces();
   /// Returns that map, which is made when it is first needed.
@@ -82,13 +82,15 @@ class SeenMap {
   struct Shares {
     float own = 0.0f;
     float others = 0.0f;
+    float traces = 0.0f;  ///< of it, if it is in front of what it touches
   };
   Shares sharesAt(const SeenLayer& own, std::uint32_t layer, int x, int y) const;
   /// Returns where a dot lies on the structure's own ink and colour; else, where it shows nowhere,
   /// a hidden place. Of equally good ones it is the one nearest to the place before.
   std::optional<SeenPlace> dotPlace(std::uint32_t layer, const std::optional<model::Anchor>& before,
                                     bool near) const;
-  std::optional<SeenPlace> hiddenPlace(const Dots& dots) const;
+  /// Returns the cell that is surest to be hidden.
+  std::optional<glm::ivec2> hiddenCell(const Dots& dots) const;
   SeenPlace placeAt(const SeenLayer& own, int x, int y, bool hidden) const;
 
   const model::Scene& m_scene;
