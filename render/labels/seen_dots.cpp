@@ -178,7 +178,7 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
     const Dots::Disc around = all.disc(x, y, wide);
     if (dot.own < much && around.others > calm)
       return std::nullopt;
-    // A narrow strip is surest in its middle.
+    // A narrow strip is surest away from its ends.
     const float along = all.disc(x, y, 3.0f * all.radius).own;
     const float far = was ? glm::length(m_grid.middle(x, y) - *was) / m_grid.side : 0.0f;
     return dot.own + 0.3f * (around.own + along) - 0.6f * around.others -

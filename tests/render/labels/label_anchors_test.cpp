@@ -58,6 +58,16 @@ std::vector<ShownLabel> shown(const model::Scene& scene, const std::string& lang
   return shownLabels(scene, Screen(front(), paper), language, trees);
 }
 
+/// Returns a plate across the line of sight: its ranges of x and z, and its y.
+model::Node plate(const glm::vec2& x, const glm::vec2& z, float depth) {
+  const auto mesh = model::Mesh::create(
+      {{x[0], depth, z[0]}, {x[1], depth, z[0]}, {x[1], depth, z[1]}, {x[0], depth, z[1]}},
+      {{0, 1, 2}, {0, 2, 3}});
+  model::Node node{.name = "plate", .mesh = std::make_shared<const model::Mesh>(*mesh)};
+  node.style.gamma = Gamma::clamped(5.0f);
+  return node;
+}
+
 model::Scene styled(const model::Scene& scene, model::NodeId node, const model::Style& style) {
   return model::withLook(scene, std::vector{node}, style).scene;
 }
@@ -255,20 +265,31 @@ class LabelAnchorsTest : public QObject {
     QVERIFY(glm::length(*screen.place(*under.placeOf(covered->anchor)) - middle) < 4.0f);
   }
 
+  /// A strip hardly wider than a pen is pointed at away from its ends, and a speck that alone looks
+  /// out from behind another structure is seen all the same.
+  void bestPlaceOfWhatIsNarrow() {
+    model::Scene scene;
+    const model::NodeId strip = scene.append(plate({-0.3f, 0.3f}, {-30, 30}, 0));
+    const Screen screen(front(), paper);
+    const auto best = SeenMap(scene, screen).find(strip);
+    QVERIFY(best && !best->hidden);
+    const float z = scene.placeOf(best->anchor)->z;
+    QVERIFY2(std::abs(z) < 28.5f, qPrintable(QString::number(double(z))));
+    scene.append(plate({-40, 40}, {-40, 40}, 20));
+    const model::NodeId speck = scene.append(plate({30, 46}, {-0.5f, 0.5f}, 40));
+    const auto seen = SeenMap(scene, screen).find(speck);
+    QVERIFY(seen && !seen->hidden);
+    QVERIFY(scene.placeOf(seen->anchor)->x > 41.0f);
+    const model::NodeId behind = scene.append(plate({20, 36}, {-5, 5}, 40));
+    QVERIFY(SeenMap(scene, screen).find(behind)->hidden);
+  }
+
   /// Where two structures share a wall, which of them a picture shows is a matter of rounding.
   void bestPlaceIsNotOnASharedWall() {
-    const auto plate = [](float left, float right, float depth) {
-      const auto mesh = model::Mesh::create(
-          {{left, depth, -20}, {right, depth, -20}, {right, depth, 20}, {left, depth, 20}},
-          {{0, 1, 2}, {0, 2, 3}});
-      model::Node node{.name = "plate", .mesh = std::make_shared<const model::Mesh>(*mesh)};
-      node.style.gamma = Gamma::clamped(5.0f);
-      return node;
-    };
     for (const float behind : {0.01f, 5.0f}) {
       model::Scene scene;
-      const model::NodeId whole = scene.append(plate(-40, 40, 0));
-      scene.append(plate(-40, 20, behind));
+      const model::NodeId whole = scene.append(plate({-40, 40}, {-20, 20}, 0));
+      scene.append(plate({-40, 20}, {-20, 20}, behind));
       const Screen screen(front(), paper);
       const auto best = SeenMap(scene, screen).find(whole);
       QVERIFY(best && !best->hidden);
