@@ -15,6 +15,8 @@
 #include "model/look/opening_look.h"
 #include "model/scene/resolved_styles.h"
 #include "render/export/encoding/png_image.h"
+#include "render/export/pdf/sheet_figure.h"
+#include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/plate/plate_image.h"
 #include "render/labels/seen_map.h"
@@ -157,7 +159,12 @@ render::ExportOrder orderOf(const Exhibit& exhibit, const LeaderCourse& course) 
   order.page = {.sizeMm = {aspect * render::usualHeightMm, render::usualHeightMm},
                 .dpi = float(course.height) / render::usualHeightMm * render::millimetresPerInch};
   order.labels.mode = render::LabelMode::on;
-  return order;
+  if (!course.selfTest)
+    return order;
+  // The sheet labels by itself what has no labels yet.
+  order.labels.mode = render::LabelMode::off;
+  order.of<render::SheetOptions>().kind = render::SheetKind::teaching;
+  return render::sheetFigure(order);
 }
 
 /// Draws the picture with its labels.
@@ -219,7 +226,7 @@ Result<bool> judgeOne(const render::DrawPicture& draw, const render::ExportOrder
   const Stopwatch watch;
   const render::FigurePlate plate = render::figurePlate(order, trees);
   tally.layoutMs += watch.milliseconds();
-  const float scale = float(height) / render::usualHeightMm;
+  const float scale = float(height) / order.page.sizeMm.y;
   const Ends all = endsOf(order, *plate.labels, scale);
   model::Scene bare = order.scene;
   bare.setAnnotations({});
@@ -261,9 +268,10 @@ Result<int> judgeScene(render::Picture& picture, const model::Scene& imported,
   const render::DrawPicture draw = picture.drawing();
   for (Exhibit& exhibit : exhibitsOf(imported, course)) {
     render::ExportOrder order = orderOf(exhibit, course);
-    order.scene =
-        labelled(exhibit, named(imported, exhibit.name.substr(0, exhibit.name.find(", "))),
-                 course.labels, render::Screen(order.camera, order.page.sizeMm));
+    if (!course.selfTest)
+      order.scene =
+          labelled(exhibit, named(imported, exhibit.name.substr(0, exhibit.name.find(", "))),
+                   course.labels, render::Screen(order.camera, order.page.sizeMm));
     const auto faulty = judgeOne(draw, order, exhibit.name, course.height, tally);
     if (!faulty)
       return faulty.error();

@@ -18,6 +18,7 @@ struct LeaderCourse {
   int labels = 32;                ///< at most, in one picture
   int height = 720;               ///< of a picture, pixels
   int every = 1;                  ///< looks at every so many of the pictures
+  bool selfTest = false;          ///< judges the numbers of a self-test sheet instead
   std::string folder;             ///< where pictures with faults go; empty: nowhere
 };
 

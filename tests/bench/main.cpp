@@ -365,6 +365,8 @@ void addLeaderOptions(CLI::App& app, bench::LeaderCourse& course) {
                  "with these in focus (NAME,NAME; may be given again)")
       ->allow_extra_args(false);
   app.add_option("--labels", course.labels, "Labels in a picture, at most");
+  app.add_flag("--self-test", course.selfTest,
+               "Judge the numbers of a self-test sheet, which labels what one sees by itself");
   app.add_option("--every", course.every, "Looks at every so many of the pictures");
   app.add_option("--height", course.height, "Of the pictures that are judged");
   app.add_option("--keep", course.folder, "Where pictures with faults go");
