@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/scene/visible_structures.h"
 
+#include <algorithm>
+
 #include "model/geometry/plane_section.h"
 #include "model/scene/resolved_styles.h"
 
@@ -26,9 +28,16 @@ std::unordered_set<std::uint64_t> annotatedStructures(const Scene& scene) {
   return ids;
 }
 
-std::vector<glm::vec3> visiblePoints(const Scene& scene) {
+std::vector<glm::vec3> visiblePoints(const Scene& scene, std::span<const NodeId> within) {
+  const auto wanted = [&](NodeId id) {
+    return std::any_of(within.begin(), within.end(), [&](NodeId ancestor) {
+      return ancestor == rootId || scene.isBelow(id, ancestor);
+    });
+  };
   std::vector<glm::vec3> points;
   for (const VisibleStructure& structure : visibleStructures(scene)) {
+    if (!wanted(structure.node->id))
+      continue;
     const std::vector<glm::vec3> kept =
         keptPoints(*structure.node->mesh, planesOf(scene.sectionsOf(structure.node->id)));
     points.insert(points.end(), kept.begin(), kept.end());
@@ -37,8 +46,13 @@ std::vector<glm::vec3> visiblePoints(const Scene& scene) {
 }
 
 Camera fittedToVisible(const Scene& scene, const Camera& camera, float aspect,
-                       const FreeSides& sides) {
-  return fitted(camera, visiblePoints(scene), aspect, sides);
+                       const FreeSides& sides, std::span<const NodeId> within) {
+  return fitted(camera, visiblePoints(scene, within), aspect, sides);
+}
+
+Camera fittedView(const Scene& scene, AnatomicalView view, float aspect, const FreeSides& sides) {
+  return fittedToVisible(scene, anatomicalCamera(view, scene.visibleBounds(), aspect), aspect,
+                         sides);
 }
 
 }  // namespace sline::model

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <unordered_set>
 #include <vector>
 
@@ -22,13 +24,21 @@ std::vector<VisibleStructure> visibleStructures(const Scene& scene);
 /// Returns the ids, by value, of the structures that visible annotations point at.
 std::unordered_set<std::uint64_t> annotatedStructures(const Scene& scene);
 
-/// Returns the points of all visible structures that no section takes away, and those where
-/// sections cut edges; LPS, millimetres.
-std::vector<glm::vec3> visiblePoints(const Scene& scene);
+inline constexpr std::array<NodeId, 1> everything{rootId};
+
+/// Returns the points of the visible structures at or below the nodes that no section takes away,
+/// and those where sections cut edges; LPS, millimetres.
+std::vector<glm::vec3> visiblePoints(const Scene& scene,
+                                     std::span<const NodeId> within = everything);
 
 /// Returns the camera, not turned, fitted to the visible points themselves, because a slanted
 /// structure leaves much of its box empty. Where nothing is visible it stays as it was.
 Camera fittedToVisible(const Scene& scene, const Camera& camera, float aspect,
-                       const FreeSides& sides = {});
+                       const FreeSides& sides = {}, std::span<const NodeId> within = everything);
+
+/// Returns the perspective camera that shows all that is visible from that side: the one view of
+/// that name, in a window and in files.
+Camera fittedView(const Scene& scene, AnatomicalView view, float aspect,
+                  const FreeSides& sides = {});
 
 }  // namespace sline::model

@@ -5,11 +5,14 @@
 #include <QRegularExpression>
 #include <QSet>
 
+#include "model/scene/visible_structures.h"
 #include "render/export/formats/export_formats.h"
 #include "render/export/motion/film_options.h"
 #include "tests/gui/export_desk.h"
 #include "tests/gui/file_contents.h"
 #include "tests/support/suite.h"
+#include "widgets/export/export_files.h"
+#include "widgets/viewport/tools/navigation.h"
 
 namespace sline::test {
 
@@ -121,6 +124,34 @@ class ExportDialogTest : public QObject {
         QCOMPARE(std::min(page.x, page.y), 106.0f);
         QVERIFY(std::abs(page.x / page.y - aspect) < 1e-4f);
       }
+  }
+
+  /// A page that is filled keeps its labels beside the anatomy, as the command line does.
+  void filledPagesLeaveRoomForLabels() {
+    ExportDesk desk;
+    widgets::ExportDraft draft;
+    draft.kind = QStringLiteral("svg");
+    draft.target = QStringLiteral("/nowhere/a.svg");
+    draft.filled = true;
+    draft.order.page.sizeMm = {160.0f, 90.0f};
+    const auto reach = [&](render::LabelMode mode) {
+      draft.order.labels.mode = mode;
+      const widgets::ExportFile file =
+          widgets::exportFiles(
+              draft,
+              {.scene = desk.session.scene(), .camera = desk.viewport().camera(), .aspect = 1.0f})
+              .front();
+      const render::ExportOrder ready = widgets::readyOrder(file);
+      float most = 0.0f;
+      for (const glm::vec3& p : model::visiblePoints(ready.scene)) {
+        const auto place = widgets::pixelOf(ready.camera, p, ready.page.sizeMm);
+        most = std::max(most, std::abs(2.0f * place->x / ready.page.sizeMm.x - 1.0f));
+      }
+      return most;
+    };
+    const float bare = reach(render::LabelMode::off);
+    QVERIFY2(bare > 0.7f && bare < 0.91f, qPrintable(QString::number(double(bare))));
+    QVERIFY(reach(render::LabelMode::on) < bare - 0.1f);
   }
 
   void textThatNoSheetHasIsTold() {

@@ -229,6 +229,11 @@ class ExportWindowTest : public QObject {
     if (rasteriser.isEmpty())
       SLINE_ABSENT("poppler-utils are not installed");
     ExportDesk desk;
+    // The balls' size does not depend on how the window frames them.
+    const float aspect = float(desk.viewport().width()) / float(desk.viewport().height());
+    desk.viewport().setCamera(model::anatomicalCamera(
+        model::AnatomicalView::anterior, desk.session.scene().visibleBounds(), 0.5f * aspect));
+    QVERIFY(desk.settled());
     desk.show();
     desk.chooseKind(QStringLiteral("pdf"));
     desk.pick("export-sheet", sheet);

@@ -10,8 +10,11 @@
 #include "model/edit/views.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/motion/film_options.h"
+#include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
+#include "render/export/plate/plate_image.h"
+#include "render/lettering/typesetting.h"
 #include "widgets/session/names_by_language.h"
 #include "widgets/text/path_text.h"
 
@@ -133,8 +136,13 @@ render::ExportOrder readyOrder(const ExportFile& file) {
   render::ExportOrder order = file.order;
   if (!file.filled)
     return order;
-  order.camera =
-      model::fittedToVisible(order.scene, order.camera, order.page.sizeMm.x / order.page.sizeMm.y);
+  // A window has what text needs.
+  const auto typesetting = render::Typesetting::create();
+  const model::FreeSides sides =
+      typesetting.ok() ? render::sidesOfPlate(render::sheetFigure(order), **typesetting)
+                       : model::FreeSides();
+  order.camera = model::fittedToVisible(order.scene, order.camera,
+                                        order.page.sizeMm.x / order.page.sizeMm.y, sides);
   return order;
 }
 

@@ -2,22 +2,21 @@
 // Computes cameras that show a scene or a part of it. `aspect` is the picture's width / height.
 #pragma once
 
+#include <optional>
 #include <span>
 
+#include "model/scene/free_sides.h"
 #include "model/scene/scene.h"
 
 namespace sline::widgets {
 
 /// Returns the bounds of what is visible at or below the nodes; empty where nothing is.
 model::Box visibleBounds(const model::Scene& scene, std::span<const model::NodeId> ids);
-/// Returns the camera, not turned, moved such that all that is visible at or below the nodes fits.
-model::Camera fitted(const model::Camera& camera, const model::Scene& scene,
-                     std::span<const model::NodeId> ids, float aspect);
-/// Returns a camera that shows all that is visible, from that side.
-model::Camera cameraFrom(const model::Scene& scene, model::AnatomicalView view, float aspect);
-/// Returns the camera from which a scene is first seen: its view of that name, else the body from
-/// the front.
-model::Camera overview(const model::Scene& scene, float aspect);
+/// Returns the scene's own view from which it is first seen, if there is one.
+std::optional<model::Camera> savedOverview(const model::Scene& scene);
+/// Returns the camera of a view saved for pictures of 4:3, moved back where the sides leave less
+/// width to the anatomy than it has there.
+model::Camera withSides(const model::Camera& saved, float aspect, const model::FreeSides& sides);
 /// Returns false where the whole scene is a speck, or so near that floats cannot tell one place
 /// from another.
 bool withinReach(const model::Camera& camera, const glm::vec3& pivot, const model::Scene& scene);

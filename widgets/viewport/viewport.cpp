@@ -151,7 +151,7 @@ void Viewport::documentChange(const Document& before, const Document& now) {
     pivotToMiddle();
     stopFlight();
     m_marksAwait = m_asked + 1;
-    m_camera = overview(now.scene, aspectBesideLabels(overview(now.scene, aspect())));
+    m_camera = firstCamera(now.scene);
   }
   if (!another && m_session.previewing() && before.scene.sections() != now.scene.sections()) {
     m_cutting = true;

@@ -61,8 +61,9 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void fitAll();
   /// Does the same as `fitAll`, but for what is visible at or below the nodes.
   void fitTo(const NodeIds& ids);
-  /// Returns the aspect of the part of the picture that labels leave to the anatomy.
-  float aspectBesideLabels(const model::Camera& camera) const;
+  /// Returns how much of the picture's sides a camera of that direction leaves to labels when it is
+  /// fitted.
+  model::FreeSides freeSides(const model::Scene& scene, const model::Camera& camera) const;
 
   render::Background background() const { return m_background; }
   /// Returns what surrounds the anatomy in this picture.
@@ -175,6 +176,11 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   render::gpu::TextureSize pixels() const;
   glm::vec2 size2() const { return {float(width()), float(height())}; }
   float aspect() const { return size2().x / size2().y; }
+  /// Returns the camera that shows all that is visible of the scene from that side.
+  model::Camera fittedFrom(const model::Scene& scene, model::AnatomicalView view) const;
+  /// Returns the camera from which the scene is first seen: its view "Overview", else the body from
+  /// the front.
+  model::Camera firstCamera(const model::Scene& scene) const;
   /// Redraws the labels, which give way to marks that have moved.
   void labelsGiveWay();
 

@@ -2,6 +2,7 @@
 // Moves the camera, at once or in flights.
 #include <utility>
 
+#include "model/scene/visible_structures.h"
 #include "widgets/viewport/framing.h"
 #include "widgets/viewport/viewport.h"
 
@@ -131,15 +132,24 @@ void Viewport::setPivot(const glm::vec3& pivot) {
   placeMarks();
 }
 
-float Viewport::aspectBesideLabels(const model::Camera& camera) const {
-  return aspect() * m_labels->shareBeside(m_session.scene(), camera);
+model::FreeSides Viewport::freeSides(const model::Scene& scene, const model::Camera& camera) const {
+  return m_labels->sidesBeside(scene, camera);
+}
+
+model::Camera Viewport::fittedFrom(const model::Scene& scene, model::AnatomicalView view) const {
+  const model::Camera there = model::anatomicalCamera(view, scene.visibleBounds(), aspect());
+  return model::fittedView(scene, view, aspect(), freeSides(scene, there));
+}
+
+model::Camera Viewport::firstCamera(const model::Scene& scene) const {
+  if (const std::optional<model::Camera> saved = savedOverview(scene))
+    return withSides(*saved, aspect(), freeSides(scene, *saved));
+  return fittedFrom(scene, model::AnatomicalView::anterior);
 }
 
 void Viewport::showFrom(model::AnatomicalView view) {
   pivotToMiddle();
-  const model::Scene& scene = m_session.scene();
-  const model::Camera there = cameraFrom(scene, view, aspect());
-  flyTo(cameraFrom(scene, view, aspectBesideLabels(there)));
+  flyTo(fittedFrom(m_session.scene(), view));
 }
 
 void Viewport::viewFrom(const CubeDirection& from) {
@@ -155,7 +165,8 @@ void Viewport::fitTo(const NodeIds& ids) {
   if (bounds.empty())
     return;
   m_pivot = bounds.centre();
-  flyTo(fitted(m_camera, m_session.scene(), ids, aspectBesideLabels(m_camera)));
+  const model::Scene& scene = m_session.scene();
+  flyTo(model::fittedToVisible(scene, m_camera, aspect(), freeSides(scene, m_camera), ids));
 }
 
 }  // namespace sline::widgets

@@ -65,7 +65,8 @@ void MainWindow::makeCentre() {
   connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
   // The picture's shape may have changed since the look was asked for, as while panels fill.
   connect(m_focus, &FocusContext::lookChosen, m_viewport, [this](const model::OpeningLook& look) {
-    m_viewport->flyTo(model::framedCamera(look, m_viewport->aspectBesideLabels(look.camera)));
+    m_viewport->flyTo(
+        model::framedCamera(look, pictureAspect(), m_viewport->freeSides(look.scene, look.camera)));
   });
   connect(&m_session, &Session::opened, this, [this] {
     const model::DrawingStyle* style = openingStyle(m_preferences);

@@ -384,8 +384,7 @@ Result<model::Camera> cameraFor(const model::Scene& scene, const PictureSpec& sp
   const auto view = viewOf(spec);
   if (!view)
     return unknownView(scene, spec.view);
-  const model::Camera camera = model::anatomicalCamera(*view, scene.visibleBounds(), aspect);
-  return model::fittedToVisible(scene, camera, aspect, spec.labels.sides);
+  return model::fittedView(scene, *view, aspect, spec.labels.sides);
 }
 
 Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureSpec& spec,

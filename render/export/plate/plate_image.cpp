@@ -8,6 +8,7 @@
 
 #include "render/export/plate/figure_plate.h"
 #include "render/lettering/column_widths.h"
+#include "render/lettering/fitted_sides.h"
 
 namespace sline::render {
 
@@ -25,27 +26,15 @@ LabelReport reportOf(const LabelPlate& plate) {
   return report;
 }
 
-/// At least this share of the page's sides is left to the anatomy.
-constexpr float leastShare = 0.3f;
-
-/// Returns what marks take of the page's width and height, both sides together.
-glm::vec2 roomOfMarks(const ExportOrder& order) {
-  const EdgeRoom edges = marksOf(order).edges;
+/// Returns what marks take of the page.
+RoomOfMarks roomOfMarks(const ExportOrder& order) {
+  const Marks marks = marksOf(order);
+  const EdgeRoom& edges = marks.edges;
   // Texts about sections may take more lines, in a corner that anatomy seldom reaches.
   const float rows = std::max(std::min(edges.top, edges.bottom), edges.top > 0.0f ? 6.0f : 0.0f);
-  return {2.0f * std::max(edges.left, edges.right), 2.0f * rows};
-}
-
-glm::vec2 shareBeside(const glm::vec2& room, const glm::vec2& page) {
-  // Fitted cameras leave 5 % on either side anyway.
-  constexpr float airOfCameras = 1.06f;
-  return glm::clamp(airOfCameras * (1.0f - room / page), glm::vec2(leastShare), glm::vec2(1.0f));
-}
-
-model::FreeSides sidesOfShare(const glm::vec2& share) {
-  const double x = 0.5 * (1.0 - 0.9 * double(share.x));
-  const double y = 0.5 * (1.0 - 0.9 * double(share.y));
-  return {.left = x, .right = x, .top = y, .bottom = y};
+  // The legend stands beside the anatomy, at its right.
+  return {.size = {2.0f * std::max(edges.left, edges.right), 2.0f * rows},
+          .legend = marks.legend ? order.page.sizeMm.x - marks.legend->low.x : 0.0f};
 }
 
 }  // namespace
@@ -79,45 +68,23 @@ LabelReport reportOfPlate(const ExportOrder& order, const Typesetting&) {
 }
 
 model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting&) {
-  const glm::vec2 page = order.page.sizeMm;
-  const glm::vec2 marks = roomOfMarks(order);
-  // The legend stands beside the anatomy, at its right.
-  const std::optional<LabelBox> box = marksOf(order).legend;
-  const float legend = box ? (page.x - box->low.x) / page.x : 0.0f;
-  model::FreeSides sides = sidesOfShare(shareBeside(marks, page));
-  sides.right = std::max(sides.right, double(legend));
-  if (order.labels.mode == LabelMode::off)
-    return sides;
-  LabelStyle style = order.labels;
-  style.edges.top = style.edges.bottom = 0.5f * marks.y;
-  const ColumnWidths widths = widthsBesideFitted(order.scene, Screen(order.camera, page), style);
-  if (widths.text <= 0.0f)
-    return sides;
-  // Millimetres by which the anatomy's outline exceeds its points.
-  constexpr float outline = 1.0f;
-  const float free = 0.5f * marks.x + 2.0f * outline;
-  const auto column = [&](float width) {
-    return width > 0.0f ? width + besideColumnMm() + outline : free;
-  };
-  glm::vec2 across = glm::vec2(column(widths.left), column(widths.right)) / page.x;
-  across.y = std::max(across.y, legend);
-  across *= std::min(1.0f, (1.0f - leastShare) / (across.x + across.y));
-  const double row = std::min(0.35, double(0.5f * marks.y + outline) / double(page.y));
-  return {.left = double(across.x), .right = double(across.y), .top = row, .bottom = row};
+  return sidesBesideLabels(order.scene, order.camera, order.page.sizeMm, order.labels,
+                           roomOfMarks(order));
 }
 
 glm::vec2 shareBesidePlate(const ExportOrder& order, const Typesetting&) {
   const glm::vec2 page = order.page.sizeMm;
-  const glm::vec2 marks = roomOfMarks(order);
-  glm::vec2 share = shareBeside(marks, page);
+  const RoomOfMarks marks = roomOfMarks(order);
+  glm::vec2 share = shareBesideMarks(marks, page);
   if (order.labels.mode != LabelMode::off) {
     const ColumnWidths widths =
         widthsBesideFitted(order.scene, Screen(order.camera, page), order.labels);
     const float widest = std::max(widths.left, widths.right);
     if (widest > 0.0f)
-      share.x = std::min(share.x, 1.0f - (2.0f * (widest + besideColumnMm()) + marks.x) / page.x);
+      share.x =
+          std::min(share.x, 1.0f - (2.0f * (widest + besideColumnMm()) + marks.size.x) / page.x);
   }
-  return glm::max(share, glm::vec2(leastShare));
+  return glm::max(share, glm::vec2(leastAnatomyShare));
 }
 
 }  // namespace sline::render

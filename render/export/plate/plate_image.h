@@ -29,8 +29,7 @@ LabelReport drawPlate(Image& image, const ExportOrder& order, const Typesetting&
 LabelReport reportOfPlate(const ExportOrder& order, const Typesetting& typesetting);
 
 /// Returns how much columns of labels and marks take at the page's sides, for a camera that is yet
-/// to be fitted but has the order's direction. Each column is as wide as its contents, and lines
-/// are broken so that the anatomy between the columns is as large as possible.
+/// to be fitted but has the order's direction (`sidesBesideLabels`).
 model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting& typesetting);
 
 /// Returns the share of the page's width and height that labels and marks leave to the anatomy, 0 …

@@ -2,8 +2,12 @@
 #include "model/scene/scene.h"
 
 #include <QTest>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <set>
 
+#include "model/scene/visible_structures.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
@@ -52,6 +56,8 @@ class SceneTest : public QObject {
   void findsByName_data();
   void findsByName();
   void boundsOfWhatIsVisible();
+  void fitsWhatIsVisibleBelow();
+  void sidesHaveOneView();
   void idsAreNeverReused();
   void findsEachNodeOfALargeTree();
 };
@@ -174,6 +180,45 @@ void SceneTest::boundsOfWhatIsVisible() {
   QVERIFY(s.scene.visibleBounds().high.x < 2.0f);
   QVERIFY(s.scene.visibleBounds().high.y > 50.0f);
   QVERIFY(Scene{}.visibleBounds().empty());
+}
+
+void SceneTest::fitsWhatIsVisibleBelow() {
+  Scene scene;
+  const NodeId near = scene.append(group("near"));
+  const MeshPtr ball = test::sphere(10.0f, 2);
+  const auto add = [&](const char* name, NodeId parent, float x) {
+    return scene.append(structure(name, parent, test::moved(*ball, 1.0f, {x, 0.0f, 0.0f})));
+  };
+  const NodeId first = add("first", near, 0.0f);
+  add("second", near, 40.0f);
+  add("far", rootId, 900.0f);
+  const std::size_t points = ball->positions().size();
+  QCOMPARE(visiblePoints(scene).size(), 3 * points);
+  QCOMPARE(visiblePoints(scene, std::array{near}).size(), 2 * points);
+  QCOMPARE(visiblePoints(scene, std::array{first}).size(), points);
+  // What is named twice counts once.
+  QCOMPARE(visiblePoints(scene, std::array{near, first}).size(), 2 * points);
+  const Camera camera = fittedToVisible(scene, {}, 1.5f, {}, std::array{near});
+  QVERIFY(std::abs(camera.target.x - 20.0f) < 0.1f);
+  QCOMPARE(fittedToVisible(scene, camera, 1.5f, {}, {}), camera);
+}
+
+void SceneTest::sidesHaveOneView() {
+  const Sample s;
+  const FreeSides sides{.left = 0.3, .right = 0.1, .top = 0.05, .bottom = 0.2};
+  for (int i = 0; i < 6; ++i) {
+    const auto view = AnatomicalView(i);
+    const Camera camera = fittedView(s.scene, view, 1.5f, sides);
+    QVERIFY(anatomicalViewOf(camera) == view);
+    // It does not matter from where a camera of that direction came.
+    Camera elsewhere = camera;
+    const glm::vec3 away = 3.0f * (camera.eye - camera.target) + glm::vec3(7.0f, 8.0f, 9.0f);
+    elsewhere.eye += away;
+    elsewhere.target += away;
+    const Camera again = fittedToVisible(s.scene, elsewhere, 1.5f, sides);
+    QVERIFY(glm::distance(again.eye, camera.eye) <
+            1e-3f * glm::distance(camera.eye, camera.target));
+  }
 }
 
 void SceneTest::idsAreNeverReused() {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "model/edit/annotations.h"
-#include "render/lettering/column_widths.h"
+#include "render/lettering/fitted_sides.h"
 #include "render/lettering/label_style.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/annotations/in_picture/presented_letters.h"
@@ -107,19 +107,13 @@ bool PictureLabels::waits() const {
   return m_layer->sheet() && m_layer->sheet()->waits();
 }
 
-float PictureLabels::shareBeside(const model::Scene& scene, const model::Camera& camera) const {
-  constexpr float least = 0.5f;
+model::FreeSides PictureLabels::sidesBeside(const model::Scene& scene,
+                                            const model::Camera& camera) const {
   const LabelWish now = wish();
   const glm::vec2 size = now.size / now.pixelsPerMm;
-  if (m_style.mode == render::LabelMode::off || !(size.x > 0.0f) || !(size.y > 0.0f))
-    return 1.0f;
-  // Both sides get the same width, because labels move with the anatomy when it turns.
-  const render::ColumnWidths widths =
-      render::widthsBesideFitted(scene, render::Screen(camera, size), now.style);
-  const float widest = std::max(widths.left, widths.right);
-  if (!(widest > 0.0f))
-    return 1.0f;
-  return std::clamp(1.0f - 2.0f * (widest + render::besideColumnMm()) / size.x, least, 1.0f);
+  if (!(size.x > 0.0f) || !(size.y > 0.0f))
+    return {};
+  return render::sidesBesideLabels(scene, camera, size, now.style);
 }
 
 void PictureLabels::took(const LabelSheetPtr& sheet, const model::Camera& camera) {

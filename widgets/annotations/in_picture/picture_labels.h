@@ -4,6 +4,7 @@
 #include <QObject>
 #include <functional>
 
+#include "model/scene/free_sides.h"
 #include "widgets/annotations/in_picture/label_editor.h"
 #include "widgets/annotations/in_picture/label_tool.h"
 #include "widgets/annotations/label_sights.h"
@@ -49,9 +50,9 @@ class PictureLabels : public QObject {
   bool outgrown() const;
   /// Tells whether some labels are left out, or not looked for anew, until the camera rests.
   bool waits() const;
-  /// Returns the share of the picture's width, 0 … 1, that labels beside the anatomy leave as that
-  /// camera looks.
-  float shareBeside(const model::Scene& scene, const model::Camera& camera) const;
+  /// Returns how much a camera of that direction keeps free at the picture's sides when it is
+  /// fitted, so that labels have their columns beside the anatomy.
+  model::FreeSides sidesBeside(const model::Scene& scene, const model::Camera& camera) const;
   /// Takes over the labels of the picture that is shown from now on; null if they are not known
   /// yet.
   void took(const LabelSheetPtr& sheet, const model::Camera& camera);

@@ -249,6 +249,50 @@ class LabelPlateTest : public QObject {
              "there is no room for longer lines");
   }
 
+  /// The room beside labels depends on the camera's direction alone: not on how near it is, nor on
+  /// which labels lie behind it.
+  void sidesDependOnTheDirection() {
+    ExportOrder order = orderOf(labelled(shortTexts(9)), {160, 120});
+    const model::FreeSides wanted = sidesOfPlate(order, *m_typesetting);
+    const glm::vec3 way = order.camera.target - order.camera.eye;
+    for (const glm::vec3& by : {0.99f * way, -2.0f * way, glm::vec3(300.0f, 0.0f, 80.0f)}) {
+      ExportOrder moved = order;
+      moved.camera.eye += by;
+      moved.camera.target += by;
+      const model::FreeSides sides = sidesOfPlate(moved, *m_typesetting);
+      QVERIFY(std::abs(sides.left - wanted.left) < 1e-3 &&
+              std::abs(sides.right - wanted.right) < 1e-3);
+    }
+  }
+
+  /// Labels take room at the sides where they stand and nowhere else.
+  void sidesWithoutColumnStay() {
+    model::Scene scene = labelled({"Nervus", "Musculus", "Arteria"});
+    ExportOrder order = orderOf(scene, {160, 120});
+    for (const ExportMarks& marks : {ExportMarks(), ExportMarks::none()}) {
+      order.marks = marks;
+      order.labels.mode = LabelMode::off;
+      const model::FreeSides bare = sidesOfPlate(order, *m_typesetting);
+      if (marks == ExportMarks::none())
+        QCOMPARE(bare, model::FreeSides());
+      order.labels.mode = LabelMode::on;
+      const model::FreeSides sides = sidesOfPlate(order, *m_typesetting);
+      QVERIFY(sides.left > bare.left && sides.right > bare.right);
+      QVERIFY(sides.top == bare.top && sides.bottom == bare.bottom);
+      // All at the patient's right, which is the picture's left.
+      std::vector<model::Annotation> left = scene.annotations();
+      std::erase_if(left, [&](const model::Annotation& label) {
+        return scene.placeOf(label.anchors.front())->x > -10.0f;
+      });
+      QCOMPARE(left.size(), std::size_t(1));
+      ExportOrder half = order;
+      half.scene.setAnnotations(left);
+      const model::FreeSides one = sidesOfPlate(half, *m_typesetting);
+      QVERIFY(one.left > bare.left + 0.05);
+      QCOMPARE(one.right, bare.right);
+    }
+  }
+
  private:
   std::unique_ptr<Typesetting> m_typesetting;
 };
