@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keeps the streamlines of a surface that ConFIS draws, for all views.
+//
+// ▲ The paper starts a line in every triangle, and where triangles are smaller than strokes are
+// wide, that is fur. Lines that start on one streamline lie on top of each other; so lines are laid
+// here that stay a distance apart, one after the other at ever smaller distances, each where most
+// room is left (after B. Jobard and W. Lefer, "Creating Evenly-Spaced Streamlines of Arbitrary
+// Density", 1997). A view draws those whose distance it shows well enough, and lets the next ones
+// grow in between as it comes nearer: neither turning nor zooming moves a line or takes one away.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "model/geometry/surface.h"
+
+namespace sline::render {
+
+/// A point of a line with what a view needs to know there, in 36 bytes.
+struct StreamlinePoint {
+  glm::vec3 position{0.0f};  ///< on the surface, patient frame, mm
+  std::uint32_t triangle = 0;
+  std::uint32_t normal = 0;          ///< unit, outwards: glm::packSnorm3x10_1x2
+  std::array<std::uint16_t, 6> s{};  ///< S·F_c in space (xx, xy, xz, yy, yz, zz), halves
+  std::uint16_t way = 0;             ///< from the line's first end, in 65535ths of its length
+  std::uint8_t feature = 0;          ///< |H|·F_c where H has an extremum, in 32nds; else 0
+};
+
+struct Streamline {
+  std::uint32_t first = 0;  ///< in `points`
+  std::uint32_t count = 0;
+  float distance = 0.0f;  ///< mm, from lines that were laid before
+  float reach = 0.0f;     ///< mm that a line goes either way from where it starts
+  float length = 0.0f;    ///< mm
+  model::Sphere bounds;
+};
+
+/// |H|·F_c from which on extrema are laid out first.
+inline constexpr float usualFeature = 0.6f;
+
+class StreamlineLayout {
+ public:
+  explicit StreamlineLayout(const model::Surface& surface);
+
+  /// Returns the lines; their distances never grow.
+  std::span<const Streamline> lines() const { return m_lines; }
+  std::span<const StreamlinePoint> points(const Streamline& line) const {
+    return std::span(m_points).subspan(line.first, line.count);
+  }
+  /// Returns what the lines take.
+  std::size_t bytes() const;
+
+ private:
+  class Builder;
+
+  std::vector<Streamline> m_lines;
+  std::vector<StreamlinePoint> m_points;
+};
+
+}  // namespace sline::render
