@@ -4290,6 +4290,18 @@
         <source>Not in this picture: nothing is drawn at its place.</source>
         <translation>Nicht in diesem Bild: An diesem Ort ist nichts gezeichnet.</translation>
     </message>
+    <message>
+        <source>Technique</source>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum</source>
+        <translation>Was die Form innerhalb der Konturen zeichnet: suggestive Konturen und Schraffur oder kurze Stromlinien an Konturen und wo die Krümmung ein Extremum hat</translation>
+    </message>
+    <message>
+        <source>ConFIS</source>
+        <translation>ConFIS</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -4290,6 +4290,18 @@
         <source>Not in this picture: nothing is drawn at its place.</source>
         <translation>Ikke i dette bildet: ingenting er tegnet på stedet.</translation>
     </message>
+    <message>
+        <source>Technique</source>
+        <translation>Teknikk</translation>
+    </message>
+    <message>
+        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum</source>
+        <translation>Hva som tegner formen innenfor konturene: suggestive konturer og skravering, eller korte strømlinjer langs konturer og der krumningen har et ekstremum</translation>
+    </message>
+    <message>
+        <source>ConFIS</source>
+        <translation>ConFIS</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

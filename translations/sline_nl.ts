@@ -4290,6 +4290,18 @@
         <source>Not in this picture: nothing is drawn at its place.</source>
         <translation>Niet in dit beeld: op deze plaats is niets getekend.</translation>
     </message>
+    <message>
+        <source>Technique</source>
+        <translation>Techniek</translation>
+    </message>
+    <message>
+        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum</source>
+        <translation>Wat de vorm binnen de contouren tekent: suggestieve contouren en arcering, of korte stroomlijnen langs contouren en waar de kromming een extremum heeft</translation>
+    </message>
+    <message>
+        <source>ConFIS</source>
+        <translation>ConFIS</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -14,7 +14,6 @@
 #include "render/lines/cut_faces.h"
 #include "render/lines/line_technique.h"
 #include "render/lines/stages.h"
-#include "render/lines/suggestive_contours.h"
 #include "render/lines/view_scale.h"
 #include "render/lines/visibility.h"
 #include "render/strokes/structure_lines.h"
@@ -93,7 +92,8 @@ Json jsonSeed(const render::HatchSeed& seed) {
 /// Collects the segments and strokes of all structures, kind by kind.
 class LinesDocument {
  public:
-  explicit LinesDocument(const LinesSpec& spec) : m_order(spec) {
+  explicit LinesDocument(const LinesSpec& spec)
+      : m_order(spec), m_thresholds(render::thresholdsAt(spec.gamma)) {
     for (const std::string& kind : spec.kinds)
       m_kinds[kind] = {{kind == "hatching" ? "strokes" : "segments", Json::array()},
                        {"thresholds", Json::object()}};
@@ -110,7 +110,8 @@ class LinesDocument {
         request.kinds.add(technique.kind);
     if (m_order.wants("silhouette"))
       request.kinds.add(render::LineKind::contour);
-    request.thresholds = render::suggestiveThresholds(m_order.gamma);
+    request.thresholds = m_thresholds;
+    request.aspect = float(m_order.size.width) / float(m_order.size.height);
     request.twoSided = render::needsTwoSides(*surface, m_order.camera);
     render::LineSet lines = render::extractLines(*surface, m_order.camera, request);
     for (const render::LineTechnique& technique : render::lineTechniques())
@@ -150,9 +151,9 @@ class LinesDocument {
       Json& used = kind["thresholds"];
       used["gamma"] = jsonNumber(m_order.gamma.value());
       for (const render::LineTechnique& technique : render::lineTechniques())
-        if (technique.figures && name == technique.id)
-          for (const auto& [figure, value] : technique.figures(m_order.gamma))
-            used[figure] = jsonNumber(value);
+        if (name == technique.id)
+          for (std::size_t i = 0; i < technique.thresholds.size(); ++i)
+            used[technique.thresholds[i].id] = jsonNumber(m_thresholds.of(technique.kind, i));
       if (name == "hatching")
         used["t_h"] = jsonNumber(render::transitions(m_order.gamma).hatching);
       used["feature_size_mm"] = featureSize;
@@ -211,6 +212,7 @@ class LinesDocument {
   }
 
   const LinesSpec& m_order;
+  render::LineThresholds m_thresholds;
   Json m_kinds = Json::object();
   std::vector<float> m_featureSize;
 };

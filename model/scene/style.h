@@ -31,6 +31,15 @@ inline std::span<const std::string_view> namesOf(HiddenLines /*any*/) {
   return hiddenLinesNames;
 }
 
+/// Says which technique draws the lines within a structure's contours: the one that Γ leads from
+/// suggestive contours to hatching (S), or one of those that it is compared with. ConFIS (C) draws
+/// short streamlines along contours and where the curvature has an extremum.
+enum class Technique { sline, confis };
+inline constexpr std::array<std::string_view, 2> techniqueNames{"sline", "confis"};
+inline std::span<const std::string_view> namesOf(Technique /*any*/) {
+  return techniqueNames;
+}
+
 struct Style {
   std::optional<Colour> colour;
   std::optional<Colour> inkColour;
@@ -38,6 +47,7 @@ struct Style {
   std::optional<Opacity> opacity;
   std::optional<Fill> fill;
   std::optional<bool> visible;
+  std::optional<Technique> technique;
   std::optional<float> penWeight;
   std::optional<float> lineVariation;
   std::optional<float> lineSmoothing;
@@ -58,7 +68,8 @@ struct ResolvedStyle {
   Gamma gamma = Gamma::clamped(2.0f);
   Opacity opacity = Opacity::clamped(1.0f);
   Fill fill = Fill::none;
-  bool visible = true;     ///< also false where a group above is hidden
+  bool visible = true;  ///< also false where a group above is hidden
+  Technique technique = Technique::sline;
   float penWeight = 1.0f;  ///< factor on the scene's pen of 2 λ (METHOD §4)
   /// How much the pen's pressure tells form, 0 … 1 (METHOD §11.4); 0: an even pen.
   float lineVariation = 1.0f;

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/lines/coarse_depth.h"
+#include "render/lines/foreshortening.h"
 #include "render/lines/frustum.h"
 #include "render/lines/hatch_cells.h"
 #include "render/lines/hatch_tone.h"
@@ -31,15 +32,9 @@ constexpr float halfHeight = 360.0f;  // of the picture, λ, by definition
 constexpr float margin = 24.0f;
 // Strokes thin out where less than this share of the distance across them is seen.
 constexpr float narrow = 0.2f;
+// Where less than this is seen they come and go as the surface turns.
+constexpr float deep = 0.25f;
 constexpr float halfPi = 1.5707963f;
-
-/// Turns the share of their distance at which strokes are seen apart into the one that decides
-/// which levels show: its root, half as fast in powers of two, but in the depth of a tunnel, where
-/// that would turn black, all of it.
-float widened(float across) {
-  constexpr float deep = 0.25f;
-  return across >= deep ? std::sqrt(across) : across / std::sqrt(deep);
-}
 
 /// A point of a laid stroke in this view.
 struct Sample {
@@ -130,17 +125,10 @@ class Hatcher {
     const glm::vec3& next = m_samples[std::min<std::size_t>(i + 1, m_samples.size() - 1)].position;
     const glm::vec3 along = next - m_samples[i > 0 ? i - 1 : 0].position;
     const float nv = std::cos(halfPi * s.angle);
-    // A square on the surface with one side along the stroke is seen with nv of its area, and the
-    // stroke's side is seen as long as its direction lies across the view: the rest is its other
-    // side.
-    float across = std::sqrt(nv);
-    if (const float length = glm::length(along); length > 0.0f) {
-      const float towards = glm::dot(along, directionTo(m_eye, s.position)) / length;
-      across = nv / std::sqrt(std::max(1.0f - towards * towards, nv * nv));
-    }
-    // If strokes left as fast as the surface turns away, they would come and go with every turn.
+    const float across = seenAcross(nv, along, directionTo(m_eye, s.position));
     // Strokes along a contour thin out; otherwise they would go behind it all at once.
-    const float seenLevel = hatchLevel(m_layout, seen.perMm * widened(across), m_request.spacing);
+    const float seenLevel =
+        hatchLevel(m_layout, seen.perMm * widened(across, deep), m_request.spacing);
     s.presence =
         std::clamp(seenLevel + 1.0f - float(level), 0.0f, 1.0f) * std::min(1.0f, across / narrow);
   }

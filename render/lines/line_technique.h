@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lists the techniques that find lines on surfaces in a table, which pictures, vector drawings,
 // `sline lines` and the layers of SVG files go through. A new technique is a file with its
-// functions, a kind in lines.h and a row in line_technique.cpp.
+// functions, a kind in lines.h and a row in line_technique.cpp. If styles choose it, its name is a
+// value of `model::Technique`.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "model/base/units.h"
+#include "model/scene/style.h"
 #include "render/lines/chains.h"
 #include "render/lines/cluster_walk.h"
+#include "render/lines/line_preparations.h"
 #include "render/lines/lines.h"
 
 namespace sline::render {
@@ -22,35 +26,61 @@ enum class LinePen {
   cutEdge   ///< on the line, in front of the faces that meet there; half of it stays at Γ = 5
 };
 
-/// Pairs the numbers that lines were found with and their names in `sline lines`.
-using LineFigures = std::vector<std::pair<const char*, float>>;
+/// Describes a limit where lines of a kind may be.
+struct LineThreshold {
+  const char* id = "";       ///< in `sline lines`
+  const char* meaning = "";  ///< in English, with its unit: F and F_c make lengths dimensionless
+  float usual = 0.0f;
+  Limits<float> limits;
+  /// It grows where lines are found on forms that were smoothed more than usual (line_scale.h).
+  bool grows = false;
+};
+
+/// Where lines of a kind that comes from the surface as a whole are looked for.
+struct LineSearch {
+  const model::Surface& surface;
+  const model::Camera& camera;
+  const LineRequest& request;
+  const PreparedLines& prepared;
+};
 
 struct LineTechnique {
   LineKind kind = LineKind::contour;
   const char* id = "";     ///< for `sline lines --kinds`
   const char* layer = "";  ///< in vector drawings: "Contours"
+  /// The technique of a style that draws lines of this kind; empty: each of them does.
+  std::optional<model::Technique> drawnBy = std::nullopt;
   LinePen pen = LinePen::centred;
   Specks specks;         ///< times the style's shortest line
   bool atScale = false;  ///< found on the forms that are large enough in the picture (line_scale.h)
   bool bounds = false;   ///< fills are softened along these lines, so they are always found
+  bool joined = true;    ///< a pen goes on where lines continue each other
+  std::span<const LineThreshold> thresholds = {};  ///< at most `LineThresholds::most`
+  /// Sets those of the thresholds that Γ decides. Null: it decides none.
+  void (*setThresholds)(Gamma gamma, LineThresholds& thresholds) = nullptr;
   /// Returns the T by which lines of the kind have entered at Γ, 0 … 1 (METHOD §7).
   float (*entered)(Gamma gamma) = nullptr;
   /// Returns whether a line may pass through the cluster, judged by its bounds before its vertices
-  /// are looked at. Null: the technique's lines do not come from the surface.
+  /// are looked at. Null: the technique's lines do not come from clusters.
   bool (*mayPass)(const model::Cluster& cluster, model::Facing facing) = nullptr;
   /// Appends the cluster's segments.
   void (*extract)(const ClusterWalk& walk, const LineRequest& request,
                   std::vector<Segment>& segments) = nullptr;
+  /// Computes what all views of a surface share.
+  std::unique_ptr<const PreparedLines> (*prepare)(const model::Surface& surface) = nullptr;
+  /// Appends the segments of the whole surface: instead of `mayPass` and `extract`.
+  void (*find)(const LineSearch& search, std::vector<Segment>& segments) = nullptr;
   /// Leaves out lines that their own surface always hides and replaces entries by ranks, so that
   /// lines enter evenly with `t`, which `entered` gave. Null: all enter at once.
   void (*rank)(std::vector<Segment>& segments, const model::Surface& surface,
                const model::Camera& camera, float t) = nullptr;
-  /// Returns the thresholds at Γ; null where there are none.
-  LineFigures (*figures)(Gamma gamma) = nullptr;
 };
 
 /// Returns the techniques in the order of `LineKind`.
 std::span<const LineTechnique> lineTechniques();
+
+/// Returns the thresholds of all kinds as they are at Γ.
+LineThresholds thresholdsAt(Gamma gamma);
 
 inline const LineTechnique& techniqueOf(LineKind kind) {
   return lineTechniques()[std::size_t(kind)];

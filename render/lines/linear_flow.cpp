@@ -13,6 +13,7 @@ namespace {
 // Where A changes nothing by more than this within t, the series are exact after so many terms.
 constexpr double smallStep = 0.5;
 constexpr int terms = 16;
+constexpr double negligible = 1e-17;
 // Where |qt| is smaller, sinh(qt)/q is taken from its series.
 constexpr double smallAngle = 0.1;
 
@@ -64,28 +65,21 @@ glm::dvec2 LinearFlow::velocity(const glm::dvec2& at) const {
 }
 
 glm::dvec2 LinearFlow::at(const glm::dvec2& from, double t) const {
-  const Solution s = solution(t);
-  return times(s.power, from) + times(s.integral, m_e);
+  const glm::dvec2 start = velocity(from);
+  return from +
+         (m_largest * std::abs(t) <= smallStep ? series(start, t) : times(integral(t), start));
 }
 
-LinearFlow::Solution LinearFlow::solution(double t) const {
-  return m_largest * std::abs(t) <= smallStep ? series(t) : closedForm(t);
-}
-
-/// Sums exp(At) = Σ (At)ᵏ/k! and its integral t·Σ (At)ᵏ/(k + 1)!.
-LinearFlow::Solution LinearFlow::series(double t) const {
-  Matrix power{1.0, 0.0, 0.0, 1.0};
-  Solution sum{power, {t, 0.0, 0.0, t}};
-  for (int k = 1; k < terms; ++k) {
-    const double share = t / double(k);
-    power = {share * (power[0] * m_a[0] + power[1] * m_a[2]),
-             share * (power[0] * m_a[1] + power[1] * m_a[3]),
-             share * (power[2] * m_a[0] + power[3] * m_a[2]),
-             share * (power[2] * m_a[1] + power[3] * m_a[3])};
-    for (std::size_t i = 0; i < 4; ++i) {
-      sum.power[i] += power[i];
-      sum.integral[i] += t / double(k + 1) * power[i];
-    }
+/// Returns I(t)·v = t·Σ (At)ᵏ/(k + 1)!·v.
+glm::dvec2 LinearFlow::series(const glm::dvec2& velocity, double t) const {
+  const double ratio = m_largest * std::abs(t);
+  glm::dvec2 term = t * velocity;
+  glm::dvec2 sum = term;
+  double left = ratio;
+  for (int k = 2; k < terms && left > negligible; ++k) {
+    term = t / double(k) * times(m_a, term);
+    sum += term;
+    left *= ratio / double(k);
   }
   return sum;
 }
@@ -94,34 +88,26 @@ LinearFlow::Matrix LinearFlow::combined(double x, double y) const {
   return {x + y * (m_a[0] - m_mean), y * m_a[1], y * m_a[2], x + y * (m_a[3] - m_mean)};
 }
 
-/// exp(At) = exp(mt)·(cosh(qt)·I + sinh(qt)/q·(A − m·I)). Its integral has the same form: the
-/// integrals of both factors are (g(m + q) ± g(m − q)) over 2 and over 2q, g(λ) = (exp(λt) − 1)/λ,
-/// which no singular A makes inexact. Where q² < 0 the eigenvalues are conjugate.
-LinearFlow::Solution LinearFlow::closedForm(double t) const {
-  const double end = std::exp(m_mean * t);
-  const double angle = std::sqrt(std::abs(m_square)) * std::abs(t);
-  if (angle < smallAngle) {
-    const double x = m_square * t * t;
-    const double cosh = 1.0 + x / 2.0 * (1.0 + x / 12.0 * (1.0 + x / 30.0));
-    const double sinh = t * (1.0 + x / 6.0 * (1.0 + x / 20.0 * (1.0 + x / 42.0)));
+/// exp(As) = exp(ms)·(cosh(qs)·I + sinh(qs)/q·(A − m·I)). The integrals of both factors are
+/// (g(m + q) ± g(m − q)) over 2 and over 2q, g(λ) = (exp(λt) − 1)/λ, which no singular A makes
+/// inexact; where qt is small, they come from the series of both factors. Where q² < 0 the
+/// eigenvalues are conjugate.
+LinearFlow::Matrix LinearFlow::integral(double t) const {
+  if (std::sqrt(std::abs(m_square)) * std::abs(t) < smallAngle) {
     const std::array<double, 6> j = moments(m_mean, t);
-    const double q2 = m_square;
-    return {combined(end * cosh, end * sinh),
-            combined(j[0] + q2 / 2.0 * (j[2] + q2 / 12.0 * j[4]),
-                     j[1] + q2 / 6.0 * (j[3] + q2 / 20.0 * j[5]))};
+    return combined(j[0] + m_square / 2.0 * (j[2] + m_square / 12.0 * j[4]),
+                    j[1] + m_square / 6.0 * (j[3] + m_square / 20.0 * j[5]));
   }
   if (m_square > 0.0) {
     const double q = std::sqrt(m_square);
     const double high = growth(m_mean + q, t);
     const double low = growth(m_mean - q, t);
-    return {combined(end * std::cosh(q * t), end * std::sinh(q * t) / q),
-            combined(0.5 * (high + low), 0.5 * (high - low) / q)};
+    return combined(0.5 * (high + low), 0.5 * (high - low) / q);
   }
   const double q = std::sqrt(-m_square);
   const std::complex<double> lambda(m_mean, q);
   const std::complex<double> g = (std::exp(lambda * t) - 1.0) / lambda;
-  return {combined(end * std::cos(q * t), end * std::sin(q * t) / q),
-          combined(g.real(), g.imag() / q)};
+  return combined(g.real(), g.imag() / q);
 }
 
 std::optional<TriangleExit> exitWithin(const LinearFlow& flow, const glm::dvec2& from,

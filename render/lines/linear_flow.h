@@ -11,7 +11,8 @@
 namespace sline::render {
 
 /// Holds a linear field and its streamlines. The streamline from c0 is
-/// c(t) = exp(At)·c0 + (∫₀ᵗ exp(As) ds)·e1, for any A, singular ones too.
+/// c(t) = exp(At)·c0 + I(t)·e1 with I(t) = ∫₀ᵗ exp(As) ds, and as exp(At) = 1 + I(t)·A, that is
+/// c0 + I(t)·(A·c0 + e1): for any A, singular ones too.
 class LinearFlow {
  public:
   /// Takes the field's values at the three corners, each in components of p2 − p1 and p3 − p1.
@@ -24,13 +25,8 @@ class LinearFlow {
  private:
   /// Matrices row by row.
   using Matrix = std::array<double, 4>;
-  struct Solution {
-    Matrix power;     ///< exp(At)
-    Matrix integral;  ///< ∫₀ᵗ exp(As) ds
-  };
-  Solution solution(double t) const;
-  Solution series(double t) const;
-  Solution closedForm(double t) const;
+  glm::dvec2 series(const glm::dvec2& velocity, double t) const;
+  Matrix integral(double t) const;
   /// Returns x·I + y·(A − m·I).
   Matrix combined(double x, double y) const;
 

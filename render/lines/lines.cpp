@@ -34,7 +34,22 @@ void extract(ClusterWalk& walk, const Cluster& cluster, const LineRequest& reque
   }
 }
 
+/// Finds the lines of a technique that looks at the whole surface.
+void find(const LineTechnique& technique, const Surface& surface, const model::Camera& camera,
+          const LineRequest& request, std::vector<Segment>& segments) {
+  LinePreparations own;
+  LinePreparations& kept = request.preparations ? *request.preparations : own;
+  const std::shared_ptr<const PreparedLines> prepared = kept.of(technique.kind, surface);
+  technique.find({surface, camera, request, *prepared}, segments);
+}
+
 }  // namespace
+
+LineThresholds::LineThresholds() {
+  for (const LineTechnique& technique : lineTechniques())
+    for (std::size_t i = 0; i < technique.thresholds.size(); ++i)
+      set(technique.kind, i, technique.thresholds[i].usual);
+}
 
 LineSet extractLines(const Surface& surface, const model::Camera& camera,
                      const LineRequest& request) {
@@ -50,10 +65,12 @@ LineSet extractLines(const Surface& surface, const model::Camera& camera,
   LineSet lines;
   for (const LineTechnique& technique : lineTechniques()) {
     std::vector<Segment>& all = lines[technique.kind];
+    if (technique.find && request.kinds.has(technique.kind))
+      find(technique, surface, camera, request, all);
     std::size_t count = 0;
     for (const LineSet& part : parts)
       count += part[technique.kind].size();
-    all.reserve(count);
+    all.reserve(all.size() + count);
     for (const LineSet& part : parts)
       all.insert(all.end(), part[technique.kind].begin(), part[technique.kind].end());
   }

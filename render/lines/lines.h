@@ -35,16 +35,10 @@ struct Segment {
   bool concave = false;  ///< contours only: radial curvature < 0, hidden on any closed surface
 };
 
-/// Limits where a line may be (METHOD §5), made dimensionless with F.
-struct LineThresholds {
-  float minimumDerivative = 1.0f;  ///< t_d: Dκr·F² must be above
-  float minimumAngle = 0.05f;      ///< θ_c in radians: acos(nv) must be above
-};
-
 /// Lists the kinds of lines in the order in which they are drawn over each other; each is an index
 /// into `lineTechniques()`.
-enum class LineKind : std::uint8_t { suggestive, contour, section };
-inline constexpr std::size_t lineKindCount = 3;
+enum class LineKind : std::uint8_t { suggestive, confis, contour, section };
+inline constexpr std::size_t lineKindCount = 4;
 
 class LineKinds {
  public:
@@ -53,6 +47,7 @@ class LineKinds {
       add(kind);
   }
   constexpr void add(LineKind kind) { m_bits |= 1u << unsigned(kind); }
+  constexpr void add(LineKinds kinds) { m_bits |= kinds.m_bits; }
   constexpr bool empty() const { return m_bits == 0; }
   constexpr bool has(LineKind kind) const { return ((m_bits >> unsigned(kind)) & 1u) != 0; }
 
@@ -60,12 +55,35 @@ class LineKinds {
   std::uint32_t m_bits = 0;
 };
 
+/// Holds a value for each threshold of each kind of line (see `LineTechnique::thresholds`).
+class LineThresholds {
+ public:
+  static constexpr std::size_t most = 4;  ///< of one kind
+
+  /// Takes the usual values.
+  LineThresholds();
+  float of(LineKind kind, std::size_t which) const { return m_values[std::size_t(kind)][which]; }
+  void set(LineKind kind, std::size_t which, float value) {
+    m_values[std::size_t(kind)][which] = value;
+  }
+
+ private:
+  std::array<std::array<float, most>, lineKindCount> m_values{};
+};
+
+class LinePreparations;
+
 struct LineRequest {
   LineKinds kinds{LineKind::contour, LineKind::suggestive};
-  LineThresholds thresholds;  ///< of the kinds that have some
+  LineThresholds thresholds;
   /// Treats the inner side as a surface too (METHOD §1 "seen from behind"): open shells, or a
   /// camera inside a closed one.
   bool twoSided = false;
+  /// The picture's width over its height: kinds that are many lines leave out what lies outside. 0:
+  /// nothing does.
+  float aspect = 0.0f;
+  /// Keeps what techniques compute once for the surface. Null: it is computed for this request.
+  LinePreparations* preparations = nullptr;
 };
 
 /// Holds the segments of each kind.

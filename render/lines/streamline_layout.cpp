@@ -17,15 +17,18 @@ namespace sline::render {
 
 namespace {
 
-// Distances between lines: the largest as a share of F, the smallest as a share of the mean edge,
-// and from one to the next.
+// Distances between lines: the largest and the smallest as a share of F, the smallest as a share of
+// the mean edge where that is less, and from one to the next.
 constexpr float widest = 0.25f;
-constexpr float closest = 0.7f;
+constexpr float closest = 1.0f / 120.0f;
+constexpr float closestOfEdge = 0.5f;
 constexpr float closer = 0.8408964f;  // four steps halve it
 // A line ends where it comes nearer than this share of the distance to another, and is not worth
 // drawing if less than this share of its length is left.
-constexpr float nearestPass = 0.5f;
-constexpr double leastShare = 0.4;
+constexpr float nearestPass = 0.45f;
+constexpr double leastShare = 0.2;
+// Where no line is worth drawing, none is that starts this share of the distance beside it.
+constexpr float alikeWithin = 0.2f;
 // The most bytes for each triangle of the surface.
 constexpr std::size_t mostBytes = 110;
 // The fewest and the most lines that are traced together.
@@ -35,7 +38,6 @@ constexpr std::size_t mostAtOnce = 512;
 // line's reach.
 constexpr float leftOut = 0.08f;
 constexpr double farthestApart = 1.0 / 6.0;
-constexpr float featureSteps = 32.0f;
 
 /// Scrambles the bits of a number, so that neighbours come in no order.
 std::uint32_t scrambled(std::uint32_t x) {
@@ -84,20 +86,21 @@ class StreamlineLayout::Builder {
         m_field(surface),
         m_tracer(m_field, m_neighbours),
         m_features(meanCurvatureFeatures(surface)),
-        m_room(*surface.mesh, m_neighbours) {
-    for (std::uint32_t i = 0; i < surface.mesh->triangleCount(); ++i)
-      if (m_field.direction(i) != glm::dvec3(0.0))
+        m_room(*surface.mesh, m_neighbours, 2.0f * closest * surface.featureSize) {
+    for (std::uint32_t i = 0; i < m_room.startCount(); ++i)
+      if (m_field.direction(m_room.triangle(i)) != glm::dvec3(0.0))
         m_order.push_back(i);
     // Extrema first, then without any order.
     std::sort(m_order.begin(), m_order.end(), [this](std::uint32_t a, std::uint32_t b) {
-      const bool firstA = m_features[a] >= usualFeature;
-      const bool firstB = m_features[b] >= usualFeature;
+      const bool firstA = m_features[m_room.triangle(a)] >= usualFeature;
+      const bool firstB = m_features[m_room.triangle(b)] >= usualFeature;
       return firstA != firstB ? firstA : scrambled(a) < scrambled(b);
     });
   }
 
   void build() {
-    const float last = closest * m_surface.meanEdge;
+    const float last =
+        std::min(closest * m_surface.featureSize, closestOfEdge * m_surface.meanEdge);
     for (float d = widest * m_surface.featureSize; d >= last && d > 0.0f; d *= closer) {
       layAt(d);
       if (m_layout.bytes() > mostBytes * m_surface.mesh->triangleCount())
@@ -134,19 +137,15 @@ class StreamlineLayout::Builder {
     }
   }
 
-  /// Returns the way from the triangle as far as no other line is near.
+  /// Returns the way from the start as far as no other line is near.
   Line traced(std::uint32_t start, float distance) const {
-    const double reach = m_tracer.length(start);
-    const auto free = [&](bool along) {
-      Line line = m_tracer.trace(start, along, reach);
-      std::size_t count = std::min<std::size_t>(line.size(), 1);
-      while (count < line.size() && m_room.at(line[count].triangle) >= nearestPass * distance)
-        ++count;
-      line.resize(count);
-      return line;
+    const StreamlineStart from = m_room.start(start);
+    const double reach = m_tracer.length(from.triangle);
+    const auto isNear = [&](std::uint32_t triangle, const glm::dvec3& place) {
+      return m_room.near(triangle, glm::vec3(place)) < nearestPass * distance;
     };
-    Line line = free(false);
-    const Line ahead = free(true);
+    Line line = m_tracer.trace(from, false, reach, isNear);
+    const Line ahead = m_tracer.trace(from, true, reach, isNear);
     if (line.empty() || ahead.empty())
       return {};
     const double back = line.back().way;
@@ -163,13 +162,15 @@ class StreamlineLayout::Builder {
   bool take(std::uint32_t start, const Line& line, float distance) {
     if (m_room.at(start) < distance)
       return false;
-    const double reach = m_tracer.length(start);
-    if (line.size() < 2 || line.back().way < leastShare * 2.0 * reach) {
-      m_room.refuse(start, std::nextafter(distance, 0.0f));
+    const double reach = m_tracer.length(m_room.triangle(start));
+    const bool worthIt = line.size() >= 2 && line.back().way >= leastShare * 2.0 * reach;
+    if (worthIt)
+      m_room.add(line, distance);
+    else
+      m_room.refuse(line, alikeWithin * distance, std::nextafter(distance, 0.0f));
+    m_room.limit(start, worthIt ? 0.0f : std::nextafter(distance, 0.0f));
+    if (!worthIt)
       return false;
-    }
-    m_room.add(line, distance);
-    m_room.refuse(start, 0.0f);
     keep(line, float(reach), distance);
     return true;
   }
@@ -183,6 +184,7 @@ class StreamlineLayout::Builder {
                       .reach = reach,
                       .length = float(line.back().way)};
     model::Box box;
+    glm::vec3 normals(0.0f);
     for (std::size_t k = 0; k < kept.size(); ++k) {
       StreamlinePoint point = pointOf(line[kept[k]], line.back().way);
       // What was left out on the way to the middle between two points belongs to the nearer one.
@@ -192,11 +194,29 @@ class StreamlineLayout::Builder {
       for (std::size_t i = low; i <= high; ++i)
         feature = std::max(feature, m_features[line[i].triangle]);
       point.feature = std::uint8_t(std::min(std::lround(featureSteps * feature), 255l));
+      stored.feature = std::max(stored.feature, feature);
+      stored.steepest = std::max(stored.steepest, steepestAt(line[kept[k]].triangle));
+      normals += normalOf(point);
       box.add(point.position);
       m_layout.m_points.push_back(point);
     }
     stored.bounds = {box.centre(), 0.5f * glm::length(box.size())};
+    stored.axis = normals / std::max(glm::length(normals), 1e-20f);
+    for (std::size_t i = stored.first; i < m_layout.m_points.size(); ++i)
+      stored.spread = std::max(
+          stored.spread, std::acos(std::clamp(glm::dot(stored.axis, normalOf(m_layout.m_points[i])),
+                                              -1.0f, 1.0f)));
     m_layout.m_lines.push_back(stored);
+  }
+
+  /// Returns the largest |κ|·F_c at the triangle's corners.
+  float steepestAt(std::uint32_t triangle) const {
+    float largest = 0.0f;
+    for (const std::uint32_t vertex : m_surface.mesh->triangles()[triangle]) {
+      const glm::vec2 k = glm::abs(m_surface.curvature.k[vertex]);
+      largest = std::max({largest, k.x, k.y});
+    }
+    return largest * m_surface.filigreeSize;
   }
 
   StreamlinePoint pointOf(const TracedPoint& at, double length) const {
@@ -223,7 +243,7 @@ class StreamlineLayout::Builder {
     point.normal = glm::packSnorm3x10_1x2(glm::vec4(normal, 0.0f));
     for (std::size_t i = 0; i < s.size(); ++i)
       point.s[i] = glm::packHalf1x16(std::clamp(s[i], -6e4f, 6e4f));
-    point.way = std::uint16_t(std::lround(65535.0 * std::min(at.way / length, 1.0)));
+    point.way = std::uint16_t(std::lround(double(waySteps) * std::min(at.way / length, 1.0)));
     return point;
   }
 

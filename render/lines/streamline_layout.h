@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/gtc/packing.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -19,15 +20,23 @@
 
 namespace sline::render {
 
+inline constexpr float waySteps = 65535.0f;
+inline constexpr float featureSteps = 32.0f;
+
 /// A point of a line with what a view needs to know there, in 36 bytes.
 struct StreamlinePoint {
   glm::vec3 position{0.0f};  ///< on the surface, patient frame, mm
   std::uint32_t triangle = 0;
   std::uint32_t normal = 0;          ///< unit, outwards: glm::packSnorm3x10_1x2
   std::array<std::uint16_t, 6> s{};  ///< S·F_c in space (xx, xy, xz, yy, yz, zz), halves
-  std::uint16_t way = 0;             ///< from the line's first end, in 65535ths of its length
-  std::uint8_t feature = 0;          ///< |H|·F_c where H has an extremum, in 32nds; else 0
+  std::uint16_t way = 0;             ///< from the line's first end, in `waySteps` of its length
+  std::uint8_t feature = 0;  ///< |H|·F_c where H has an extremum, in `featureSteps` of 1; else 0
 };
+
+/// Returns a point's unit normal, outwards.
+inline glm::vec3 normalOf(const StreamlinePoint& point) {
+  return glm::vec3(glm::unpackSnorm3x10_1x2(point.normal));
+}
 
 struct Streamline {
   std::uint32_t first = 0;  ///< in `points`
@@ -36,6 +45,10 @@ struct Streamline {
   float reach = 0.0f;     ///< mm that a line goes either way from where it starts
   float length = 0.0f;    ///< mm
   model::Sphere bounds;
+  glm::vec3 axis{0.0f};   ///< unit, the mean direction of its normals
+  float spread = 0.0f;    ///< the largest angle between the axis and a normal, radians
+  float steepest = 0.0f;  ///< the largest |κ|·F_c
+  float feature = 0.0f;   ///< the largest |H|·F_c of an extremum
 };
 
 /// |H|·F_c from which on extrema are laid out first.

@@ -36,13 +36,14 @@ double medianLength(const model::Surface& surface) {
 /// One line on its way.
 class StreamlineTracer::Walk {
  public:
-  Walk(const StreamlineTracer& tracer, double length) : m_tracer(tracer), m_left(length) {}
+  Walk(const StreamlineTracer& tracer, double length, const Stops& stops)
+      : m_tracer(tracer), m_stops(stops), m_left(length) {}
 
-  std::vector<TracedPoint> from(std::uint32_t triangle, const glm::dvec3& direction) {
-    m_triangle = triangle;
-    m_at = glm::dvec2(1.0 / 3.0);
+  std::vector<TracedPoint> from(const StreamlineStart& start, const glm::dvec3& direction) {
+    m_triangle = start.triangle;
+    m_at = start.at;
     m_direction = direction;
-    m_frame = m_tracer.m_field.frame(triangle);
+    m_frame = m_tracer.m_field.frame(m_triangle);
     keep();
     int idle = 0;
     for (int i = 0; i < mostTriangles && idle < mostIdleCrossings; ++i) {
@@ -113,7 +114,7 @@ class StreamlineTracer::Walk {
 
   bool enterNext(int side) {
     const std::uint32_t next = m_tracer.m_neighbours.across(m_triangle, side);
-    if (next == model::FaceNeighbours::none)
+    if (next == model::FaceNeighbours::none || (m_stops && m_stops(next, m_frame.place(m_at))))
       return false;
     const auto triangles = m_tracer.m_field.surface().mesh->triangles();
     const std::array<double, 3> here = barycentric(m_at);
@@ -134,6 +135,7 @@ class StreamlineTracer::Walk {
   }
 
   const StreamlineTracer& m_tracer;
+  const Stops& m_stops;
   double m_left;  ///< mm
   double m_length = 0.0;
   std::uint32_t m_triangle = 0;
@@ -154,12 +156,12 @@ double StreamlineTracer::length(std::uint32_t triangle) const {
   return curvature > 0.0 ? std::min(thirdOfPi / curvature, m_longest) : m_longest;
 }
 
-std::vector<TracedPoint> StreamlineTracer::trace(std::uint32_t triangle, bool along,
-                                                 double length) const {
-  const glm::dvec3 direction = m_field.direction(triangle);
+std::vector<TracedPoint> StreamlineTracer::trace(const StreamlineStart& start, bool along,
+                                                 double length, const Stops& stops) const {
+  const glm::dvec3 direction = m_field.direction(start.triangle);
   if (direction == glm::dvec3(0.0))
     return {};
-  return Walk(*this, length).from(triangle, along ? direction : -direction);
+  return Walk(*this, length, stops).from(start, along ? direction : -direction);
 }
 
 }  // namespace sline::render

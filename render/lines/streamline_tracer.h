@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct TracedPoint {
   double way = 0.0;       ///< mm from the start
 };
 
+/// A place where a streamline starts: the triangle's barycentre, if nothing else is said.
+struct StreamlineStart {
+  std::uint32_t triangle = 0;
+  glm::dvec2 at{1.0 / 3.0};  ///< see LinearFlow
+};
+
 /// May be used from threads.
 class StreamlineTracer {
  public:
@@ -30,10 +37,13 @@ class StreamlineTracer {
   /// vertices, mm.
   double length(std::uint32_t triangle) const;
 
-  /// Returns the streamline from the triangle's barycentre along its direction, or against it. It
+  /// Says whether a line is to go no farther than a place where it enters a triangle.
+  using Stops = std::function<bool(std::uint32_t triangle, const glm::dvec3& place)>;
+  /// Returns the streamline from there along the triangle's direction, or against it. It
   /// ends after `length` mm, at the surface's border and at an umbilic; it is empty where none
   /// starts.
-  std::vector<TracedPoint> trace(std::uint32_t triangle, bool along, double length) const;
+  std::vector<TracedPoint> trace(const StreamlineStart& start, bool along, double length,
+                                 const Stops& stops = nullptr) const;
 
  private:
   class Walk;

@@ -32,7 +32,10 @@ struct End {
 class ClusterLines {
  public:
   ClusterLines(const ClusterWalk& walk, const LineRequest& request)
-      : m_walk(walk), m_request(request) {
+      : m_walk(walk),
+        m_twoSided(request.twoSided),
+        m_leastDerivative(request.thresholds.of(LineKind::suggestive, leastDerivative)),
+        m_leastAngle(request.thresholds.of(LineKind::suggestive, leastAngle)) {
     std::fill_n(m_known.begin(), walk.cluster().vertexCount, false);
   }
 
@@ -44,16 +47,16 @@ class ClusterLines {
     const auto [lowest, highest] = std::minmax(
         {m_walk.facing()[local[0]], m_walk.facing()[local[1]], m_walk.facing()[local[2]]});
     const bool front = highest > 0.0f;
-    const bool back = m_request.twoSided && lowest < 0.0f;
+    const bool back = m_twoSided && lowest < 0.0f;
     if (!front && !back)
       return;
     // A condition that holds at no corner holds nowhere between them.
     float strongest = -std::numeric_limits<float>::infinity();
     for (const std::uint8_t corner : local) {
       const float d = derivativeAt(corner);
-      strongest = std::max(strongest, m_request.twoSided ? std::abs(d) : d);
+      strongest = std::max(strongest, m_twoSided ? std::abs(d) : d);
     }
-    if (!(strongest > m_request.thresholds.minimumDerivative))
+    if (!(strongest > m_leastDerivative))
       return;
     const std::array<Crossing, 2> on = m_walk.ends(
         local, odd, [this](std::uint8_t vertex) { return m_walk.radialCurvatureAt(vertex); });
@@ -88,10 +91,8 @@ class ClusterLines {
   /// 1 seen from outside, −1 from within (n and the derivative change sign).
   void addClipped(const std::array<End, 2>& c, float side, std::uint32_t triangle,
                   std::vector<Segment>& out) const {
-    const float cosine = std::cos(m_request.thresholds.minimumAngle);
-    const auto excess = [&](const End& x) {
-      return side * x.derivative - m_request.thresholds.minimumDerivative;
-    };
+    const float cosine = std::cos(m_leastAngle);
+    const auto excess = [&](const End& x) { return side * x.derivative - m_leastDerivative; };
     float low = 0.0f;
     float high = 1.0f;
     const auto keepPositive = [&](float atA, float atB) {
@@ -113,7 +114,7 @@ class ClusterLines {
     };
     const auto opacity = [&](float t) {
       // From 0 at the threshold to 1 at twice it: the ends fade out instead of popping (METHOD §5).
-      const float t_d = std::max(m_request.thresholds.minimumDerivative, 1e-6f);
+      const float t_d = std::max(m_leastDerivative, 1e-6f);
       return std::clamp(mix(excess(c[0]), excess(c[1]), t) / t_d, 0.0f, 1.0f);
     };
     out.push_back({.a = mix(c[0].position, c[1].position, low),
@@ -130,23 +131,22 @@ class ClusterLines {
   }
 
   const ClusterWalk& m_walk;
-  const LineRequest& m_request;
+  bool m_twoSided;
+  float m_leastDerivative;
+  float m_leastAngle;
   ClusterWalk::Field m_derivative;
   std::array<bool, model::Clusters::maximumVertices + 1> m_known;
 };
 
 }  // namespace
 
-LineThresholds suggestiveThresholds(Gamma gamma) {
+void setSuggestiveThresholds(Gamma gamma, LineThresholds& thresholds) {
   const float t = std::clamp(gamma.value() - 1.0f, 0.0f, 1.0f);
   constexpr float rightAngle = 1.57079632679f;
-  return {.minimumDerivative = (1.0f - t) * defaultMinimumDerivative + defaultMinimumDerivative,
-          .minimumAngle = rightAngle - (rightAngle - defaultMinimumAngle) * t};
-}
-
-LineFigures suggestiveFigures(Gamma gamma) {
-  const LineThresholds thresholds = suggestiveThresholds(gamma);
-  return {{"t_d", thresholds.minimumDerivative}, {"theta_c", thresholds.minimumAngle}};
+  thresholds.set(LineKind::suggestive, leastDerivative,
+                 (1.0f - t) * defaultMinimumDerivative + defaultMinimumDerivative);
+  thresholds.set(LineKind::suggestive, leastAngle,
+                 rightAngle - (rightAngle - defaultMinimumAngle) * t);
 }
 
 bool suggestiveContoursMayPass(const model::Cluster& cluster, model::Facing) {

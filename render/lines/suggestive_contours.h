@@ -3,6 +3,8 @@
 // DeCarlo et al. 2003).
 #pragma once
 
+#include <array>
+
 #include "model/base/units.h"
 #include "render/lines/line_technique.h"
 
@@ -11,10 +13,19 @@ namespace sline::render {
 inline constexpr float defaultMinimumDerivative = 1.0f;  ///< t_dmin
 inline constexpr float defaultMinimumAngle = 0.05f;      ///< θ_cmin
 
-/// Returns the thresholds that T_SC of METHOD §7 gives at Γ (S eq. 9).
-LineThresholds suggestiveThresholds(Gamma gamma);
-/// Returns these thresholds as `sline lines` writes them.
-LineFigures suggestiveFigures(Gamma gamma);
+enum SuggestiveThreshold : std::size_t { leastDerivative, leastAngle };
+inline constexpr std::array suggestiveThresholds{
+    LineThreshold{.id = "t_d",
+                  .meaning = "Dκr·F² must be above",
+                  .usual = defaultMinimumDerivative,
+                  .limits = {0.0f, 1000.0f},
+                  .grows = true},
+    LineThreshold{.id = "theta_c",
+                  .meaning = "acos(nv) must be above, radians",
+                  .usual = defaultMinimumAngle,
+                  .limits = {0.0f, 1.57079633f}}};
+/// Sets the thresholds that T_SC of METHOD §7 gives at Γ (S eq. 9).
+void setSuggestiveThresholds(Gamma gamma, LineThresholds& thresholds);
 
 bool suggestiveContoursMayPass(const model::Cluster& cluster, model::Facing facing);
 void extractSuggestiveContours(const ClusterWalk& walk, const LineRequest& request,

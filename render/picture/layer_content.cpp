@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/picture/layer_content.h"
 
-#include <set>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "model/base/parallel.h"
@@ -28,20 +29,24 @@ SurfaceFill shownFill(const PictureInput& input, const PreparedStructure& shown)
 
 void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
                       std::span<const std::size_t> changed) {
-  std::set<CachedSurface*> hatched;
+  std::map<CachedSurface*, LineNeeds> needs;
   for (const std::size_t i : changed)
     for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
       const PreparedStructure& shown = layers[i].members[k];
       const float shading = shownFill(input, shown).shading;
       if ((shading > 0.0f && shading < 1.0f) || shown.printedHatching)
         shown.cached->needShape();
-      if (hatches(input, shown) && !shown.cached->strokes)
-        hatched.insert(shown.cached);
+      if (needsLines(input, shown)) {
+        LineNeeds& own = needs[shown.cached];
+        own.kinds.add(shownKinds(shown.style));
+        own.hatching = own.hatching || hatches(input, shown);
+      }
       if (!layers[i].coverage[k].ranges.empty())
         shown.cached->needWhole();
     }
-  const std::vector<CachedSurface*> each(hatched.begin(), hatched.end());
-  parallelFor(each.size(), 1, [&](std::size_t i) { each[i]->needStrokes(); });
+  // Structures of one mesh share what is made here, so it is made before their lines.
+  const std::vector<std::pair<CachedSurface*, LineNeeds>> each(needs.begin(), needs.end());
+  parallelFor(each.size(), 1, [&](std::size_t i) { each[i].first->need(each[i].second); });
 }
 
 void findLines(const PictureInput& input, std::span<const Layer> layers,

@@ -35,8 +35,9 @@ void PreparedSurface::take(const model::MeshPtr& mesh, const model::Provenance& 
   smoothness = fairedSlices * provenance.sliceMm;
 }
 
-void PreparedSurface::needStrokes() {
-  if (!strokes)
+void PreparedSurface::need(const LineNeeds& needs) {
+  lines.make(needs.kinds, *surface);
+  if (needs.hatching && !strokes)
     strokes = std::make_unique<StrokeLayout>(surface, longestHatchStroke / hatchSpacing);
 }
 

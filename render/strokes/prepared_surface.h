@@ -5,6 +5,7 @@
 
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
+#include "render/lines/line_preparations.h"
 #include "render/lines/stroke_layout.h"
 #include "render/strokes/line_scale.h"
 
@@ -15,6 +16,12 @@ namespace sline::render {
 /// vertices carry its noise.
 model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Provenance& provenance);
 
+/// Says which lines a surface is to be ready for.
+struct LineNeeds {
+  LineKinds kinds{};
+  bool hatching = false;
+};
+
 /// Holds a surface with what its strokes need, made once per mesh.
 struct PreparedSurface {
   model::SurfacePtr surface;
@@ -22,12 +29,13 @@ struct PreparedSurface {
   /// The deviation of the Gaussian by which its forms are known to be without smaller ones, mm.
   float smoothness = 0.0f;
   LineScales scales;
+  LinePreparations lines;
 
   /// Sets the surface and what is known of it.
   void take(const model::MeshPtr& mesh, const model::Provenance& provenance);
 
-  /// Prepares the surface for strokes of hatching, once.
-  void needStrokes();
+  /// Prepares the surface for these lines, once each.
+  void need(const LineNeeds& needs);
 };
 
 }  // namespace sline::render

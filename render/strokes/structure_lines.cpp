@@ -58,7 +58,8 @@ bool showsLines(const model::ResolvedStyle& style) {
 
 bool showsHatching(const model::ResolvedStyle& style) {
   return showsLines(style) && transitions(style.gamma).hatching > 0.0f &&
-         style.hatchDensity.value() > 0.0f && style.hatchTone.value() > 0.0f;
+         style.technique == model::Technique::sline && style.hatchDensity.value() > 0.0f &&
+         style.hatchTone.value() > 0.0f;
 }
 
 bool showsEdges(const model::ResolvedStyle& style) {
@@ -71,21 +72,38 @@ float penWidth(const model::Surface& surface, const PictureView& view, float pen
   return pen * std::clamp(across / std::max(6.0f * pen, 1e-6f), 0.5f, 1.0f);
 }
 
+LineKinds shownKinds(const model::ResolvedStyle& style) {
+  LineKinds kinds{};
+  for (const LineTechnique& technique : lineTechniques())
+    if (technique.bounds ||
+        (showsLines(style) && technique.drawnBy.value_or(style.technique) == style.technique &&
+         technique.entered(style.gamma) > 0.0f))
+      kinds.add(technique.kind);
+  return kinds;
+}
+
 LineSet styledLines(PreparedSurface& prepared, const PictureView& view,
                     const model::ResolvedStyle& style) {
   const model::Surface& surface = *prepared.surface;
-  LineRequest request{
-      .kinds = {}, .thresholds = {}, .twoSided = needsTwoSides(surface, view.camera())};
+  LineRequest request{.kinds = {},
+                      .thresholds = {},
+                      .twoSided = needsTwoSides(surface, view.camera()),
+                      .aspect = view.size().x / view.size().y,
+                      .preparations = &prepared.lines};
   LineRequest scaled = request;
+  const LineKinds shown = shownKinds(style);
   for (const LineTechnique& technique : lineTechniques())
-    if (technique.bounds || (showsLines(style) && technique.entered(style.gamma) > 0.0f))
+    if (shown.has(technique.kind))
       (technique.atScale ? scaled : request).kinds.add(technique.kind);
   LineSet lines = extractLines(surface, view.camera(), request);
   if (scaled.kinds.empty())
     return lines;
   const float deviation = scaleDeviation(surface, view, style.lineScale, prepared.smoothness);
   for (const ScaledShape& shape : prepared.scales.at(prepared.surface, deviation)) {
-    scaled.thresholds.minimumDerivative = shape.threshold * LineThresholds{}.minimumDerivative;
+    for (const LineTechnique& technique : lineTechniques())
+      for (std::size_t i = 0; i < technique.thresholds.size(); ++i)
+        if (technique.thresholds[i].grows)
+          scaled.thresholds.set(technique.kind, i, shape.threshold * technique.thresholds[i].usual);
     LineSet found = extractLines(*shape.surface, view.camera(), scaled);
     for (const LineTechnique& technique : lineTechniques())
       for (Segment& s : found[technique.kind]) {
@@ -128,8 +146,9 @@ void joinLines(const model::Surface& surface, const PictureView& view,
       technique.rank(segments, surface, view.camera(), technique.entered(style.gamma));
     if (!(pixel > 0.0f))
       return;
-    Chains chains = technique.pen == LinePen::cutEdge ? connectedChains(segments)
-                                                      : joinedChains(segments, view);
+    Chains chains = technique.pen != LinePen::cutEdge && technique.joined
+                        ? joinedChains(segments, view)
+                        : connectedChains(segments);
     std::vector<float> lengths = lengthsInPicture(chains, segments, view);
     // The longest outline stays, as it may be all there is of a structure.
     if (technique.bounds && !lengths.empty())

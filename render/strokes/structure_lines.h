@@ -29,6 +29,8 @@ struct StructureLines {
 /// Tells whether a structure of that style shows any line.
 bool showsLines(const model::ResolvedStyle& style);
 bool showsHatching(const model::ResolvedStyle& style);
+/// Returns the kinds of lines that the style's technique shows at its Γ.
+LineKinds shownKinds(const model::ResolvedStyle& style);
 /// Tells whether lines leave and the fill needs a soft edge of its own.
 bool showsEdges(const model::ResolvedStyle& style);
 /// Returns the width of the pen in pixels for this structure, before Γ thins it (METHOD §4 ▲).

@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "model/base/parallel.h"
 #include "model/scene/visible_structures.h"
@@ -190,14 +193,15 @@ class Drawing {
       m_keyLight = m_view->toPatient(m_light);
     m_page = {.mmPerPixel = m_settings.sizeMm.y / m_view->size().y,
               .heightMm = m_settings.sizeMm.y};
-    // Structures of one mesh share a layout, so each is made before the lines.
-    std::vector<PreparedSurface*> hatched;
-    for (const Work& work : m_work)
-      if (showsHatching(work.shown.style))
-        hatched.push_back(work.shown.prepared);
-    std::sort(hatched.begin(), hatched.end());
-    hatched.erase(std::unique(hatched.begin(), hatched.end()), hatched.end());
-    parallelFor(hatched.size(), 1, [&](std::size_t i) { hatched[i]->needStrokes(); });
+    // Structures of one mesh share what is made here, so it is made before their lines.
+    std::map<PreparedSurface*, LineNeeds> needs;
+    for (const Work& work : m_work) {
+      LineNeeds& own = needs[work.shown.prepared];
+      own.kinds.add(shownKinds(work.shown.style));
+      own.hatching = own.hatching || showsHatching(work.shown.style);
+    }
+    const std::vector<std::pair<PreparedSurface*, LineNeeds>> each(needs.begin(), needs.end());
+    parallelFor(each.size(), 1, [&](std::size_t i) { each[i].first->need(each[i].second); });
   }
 
   void addFills(std::span<const DepthLayer> layers, const LayerStack& stack,

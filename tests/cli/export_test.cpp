@@ -41,6 +41,7 @@ class ExportTest : public QObject {
  private slots:
   void writesGroupsAndPage();
   void optionsReachTheDrawing();
+  void techniquesAreLayers();
   void sectionsAndViews();
   void theViewsNameIsTrue();
   void labelsAndMarks();
@@ -103,6 +104,27 @@ void ExportTest::optionsReachTheDrawing() {
     const QString one = colours.next().captured(1);
     QVERIFY2(one == "#000000" || one == "#ffffff", qPrintable(one));
   }
+}
+
+void ExportTest::techniquesAreLayers() {
+  const QString ring = m_folder.filePath("ring.obj");
+  writeObj(ring, *torus(40.0f, 15.0f, 120, 48));
+  const auto drawn = [&](const QStringList& flags) {
+    const QString file = m_folder.filePath("ring.svg");
+    QFile::remove(file);
+    runSline(QStringList{"export", ring, "--svg", file, "--gamma", "3", "--from", "superior"} +
+             flags);
+    return contents(file);
+  };
+  const QByteArray usual = drawn({});
+  QVERIFY(usual.contains("\"Contours\"") && usual.contains("\"Hatching\""));
+  QVERIFY(!usual.contains("\"ConFIS\""));
+  const QByteArray streamlines = drawn({"--technique", "ring=confis"});
+  QCOMPARE(streamlines.count("\"ConFIS\""), 1);
+  QVERIFY(streamlines.contains("\"Contours\""));
+  QVERIFY(!streamlines.contains("\"Hatching\"") &&
+          !streamlines.contains("\"Suggestive contours\""));
+  QCOMPARE(runSline({"export", ring, "--svg", "x.svg", "--technique", "fur"}).code, 2);
 }
 
 void ExportTest::sectionsAndViews() {

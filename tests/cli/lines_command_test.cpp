@@ -123,6 +123,10 @@ void LinesCommandTest::jsonHasItsShape() {
       QVERIFY(segment["visible"].isBool());
     }
   }
+  const QJsonValue confis = lines(m_folder.filePath("ring.obj"), {"--kinds", "confis"},
+                                  "slanted.json")["kinds"]["confis"];
+  QVERIFY(confis["segments"].toArray().size() > 100);
+  QVERIFY(std::abs(confis["thresholds"]["margin"].toDouble() - 0.15) < 1e-6);
   const QJsonValue thresholds = kinds["suggestive"]["thresholds"];
   QCOMPARE(thresholds["t_d"].toDouble(), 1.0);  // the defaults of METHOD §5, at gamma 2
   QVERIFY(std::abs(thresholds["theta_c"].toDouble() - 0.05) < 1e-6);
@@ -152,8 +156,9 @@ void LinesCommandTest::kindsAreChosen_data() {
   QTest::addColumn<QStringList>("found");
   QTest::newRow("one") << "suggestive" << QStringList{"suggestive"};
   QTest::newRow("two") << "silhouette,contour" << QStringList{"contour", "silhouette"};
-  QTest::newRow("all") << "contour,suggestive,silhouette,section,hatching"
-                       << QStringList{"contour", "hatching", "section", "silhouette", "suggestive"};
+  QTest::newRow("all") << "contour,suggestive,confis,silhouette,section,hatching"
+                       << QStringList{"confis",  "contour",    "hatching",
+                                      "section", "silhouette", "suggestive"};
 }
 
 void LinesCommandTest::kindsAreChosen() {

@@ -98,10 +98,15 @@ std::vector<StyleNumber> styleNumbers() {
 
 std::vector<StyleChoice> styleChoices() {
   namespace fields = model::style_fields;
-  return {with<fields::hiddenLines>(
-      StyleChoice{.text = tr("Hidden outlines"),
-                  .tip = tr("How outlines are drawn where other structures hide them"),
-                  .names = {tr("Not drawn"), tr("Thin"), tr("Dashed")}})};
+  return {with<fields::technique>(StyleChoice{
+              .text = tr("Technique"),
+              .tip = tr("What draws the form within contours: suggestive contours and hatching, or "
+                        "short streamlines along contours and where the curvature has an extremum"),
+              .names = {tr("Sline"), tr("ConFIS")}}),
+          with<fields::hiddenLines>(
+              StyleChoice{.text = tr("Hidden outlines"),
+                          .tip = tr("How outlines are drawn where other structures hide them"),
+                          .names = {tr("Not drawn"), tr("Thin"), tr("Dashed")}})};
 }
 
 std::vector<StyleColour> styleColours() {

@@ -70,6 +70,13 @@ constexpr std::array fieldFlags{
               .help = "How outlines are drawn where other structures hide them",
               .what = "hidden lines",
               .parse = parseStyleChoice<model::style_fields::hiddenLines>},
+    StyleFlag{.flag = "--technique",
+              .value = "[NAME=]sline|confis",
+              .help = "What draws the form within contours: suggestive contours and hatching "
+                      "(sline, the usual), or short streamlines along contours and where the "
+                      "curvature has an extremum (confis), from Γ = 1 to 3",
+              .what = "technique",
+              .parse = parseStyleChoice<model::style_fields::technique>},
     StyleFlag{.flag = "--halo",
               .value = "[NAME=]H",
               .help = "How many pens before its outline lines behind a structure stop, 0 to 4",

@@ -18,6 +18,7 @@ Style sampleStyle() {
           .opacity = Opacity::clamped(0.7f),
           .fill = Fill::tint,
           .visible = false,
+          .technique = Technique::confis,
           .penWeight = 1.7f,
           .lineVariation = 0.25f,
           .lineSmoothing = 0.5f,

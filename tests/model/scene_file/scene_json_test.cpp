@@ -71,8 +71,9 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
   QCOMPARE(keysOf(root["focus"]), QString("targets context seen_from roles hidden_too given"));
   QCOMPARE(keysOf(root["nodes"][2]), QString("id parent name mesh style locked provenance"));
   QCOMPARE(keysOf(root["nodes"][2]["style"]),
-           QString("colour ink_colour gamma opacity fill visible pen_weight line_variation "
-                   "line_smoothing shortest_line line_scale hidden_lines halo grain hatch_density "
+           QString("colour ink_colour gamma opacity fill visible technique pen_weight "
+                   "line_variation line_smoothing shortest_line line_scale hidden_lines halo grain "
+                   "hatch_density "
                    "hatch_tone"));
   QCOMPARE(keysOf(root["sections"][0]),
            QString("id name normal offset_mm scope enabled faces hatched"));

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "render/lines/suggestive_contours.h"
+#include "render/lines/line_technique.h"
 #include "render/lines/view_fields.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -27,7 +27,7 @@ model::Camera orthographic(const glm::vec3& direction) {
 }
 
 render::LineRequest request(float gamma) {
-  return {.thresholds = render::suggestiveThresholds(Gamma::clamped(gamma))};
+  return {.thresholds = render::thresholdsAt(Gamma::clamped(gamma))};
 }
 
 glm::vec3 middle(const render::Segment& s) {

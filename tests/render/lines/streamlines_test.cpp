@@ -114,7 +114,7 @@ int brokenLines(const Ground& ground, std::uint32_t every) {
   int broken = 0;
   for (std::uint32_t i = 0; i < ground.surface->mesh->triangleCount(); i += every) {
     const double length = ground.tracer.length(i);
-    const std::vector<TracedPoint> line = ground.tracer.trace(i, true, length);
+    const std::vector<TracedPoint> line = ground.tracer.trace({i}, true, length);
     if (line.empty() || line.back().way < 0.999 * length)
       ++broken;
   }
@@ -133,7 +133,7 @@ class StreamlinesTest : public QObject {
     for (std::uint32_t i = 0; i < ground.surface->mesh->triangleCount(); i += 531) {
       const double length = ground.tracer.length(i);
       QVERIFY(std::abs(length - M_PI) < 0.05);  // π/(3/3)
-      const std::vector<TracedPoint> line = ground.tracer.trace(i, true, length);
+      const std::vector<TracedPoint> line = ground.tracer.trace({i}, true, length);
       QVERIFY(line.size() > 10);
       const double u = torus.at(line.front().place).u;
       for (const TracedPoint& p : line)
@@ -148,8 +148,8 @@ class StreamlinesTest : public QObject {
 
   void bothWaysAreOpposite() {
     const Ground ground(test::torus(10, 3, 120, 45));
-    const std::vector<TracedPoint> ahead = ground.tracer.trace(700, true, 1.0);
-    const std::vector<TracedPoint> back = ground.tracer.trace(700, false, 1.0);
+    const std::vector<TracedPoint> ahead = ground.tracer.trace({700}, true, 1.0);
+    const std::vector<TracedPoint> back = ground.tracer.trace({700}, false, 1.0);
     QVERIFY(ahead.front().place == back.front().place);
     const glm::dvec3 one = glm::normalize(ahead[1].place - ahead[0].place);
     const glm::dvec3 other = glm::normalize(back[1].place - back[0].place);
@@ -164,7 +164,7 @@ class StreamlinesTest : public QObject {
     const Ground ground(test::jittered(*test::torus(10, 3, 60, 24), 0.3f, 5, onTorus));
     int compared = 0;
     for (std::uint32_t i = 3; i < ground.surface->mesh->triangleCount(); i += 97) {
-      const std::vector<TracedPoint> line = ground.tracer.trace(i, true, 2.0);
+      const std::vector<TracedPoint> line = ground.tracer.trace({i}, true, 2.0);
       if (line.empty() || line.back().way < 2.0 - 1e-9)
         continue;
       // Steps measure the way along the curve, pieces along chords no longer than an inradius.
@@ -203,7 +203,7 @@ class StreamlinesTest : public QObject {
     std::size_t points = 0;
     for (std::uint32_t i = 0; i < mesh->triangleCount(); i += 3)
       for (const bool along : {true, false})
-        for (const TracedPoint& p : ground.tracer.trace(i, along, ground.tracer.length(i))) {
+        for (const TracedPoint& p : ground.tracer.trace({i}, along, ground.tracer.length(i))) {
           for (const double c : render::barycentric(p.at))
             QVERIFY(c >= -1e-12 && c <= 1.0 + 1e-12);
           const glm::dvec3 there = ground.field.frame(p.triangle).place(p.at);
@@ -217,7 +217,7 @@ class StreamlinesTest : public QObject {
   void neighboursShareATriangle() {
     const Ground ground(test::torus(10, 3, 60, 24));
     for (std::uint32_t i = 0; i < ground.surface->mesh->triangleCount(); i += 17) {
-      const std::vector<TracedPoint> line = ground.tracer.trace(i, true, ground.tracer.length(i));
+      const std::vector<TracedPoint> line = ground.tracer.trace({i}, true, ground.tracer.length(i));
       for (std::size_t k = 1; k < line.size(); ++k) {
         const render::PrincipalField::Frame frame = ground.field.frame(line[k].triangle);
         const glm::dvec2 before = frame.components(line[k - 1].place - frame.origin);
@@ -231,10 +231,10 @@ class StreamlinesTest : public QObject {
   void nothingStartsOnAnUmbilic() {
     const Ground ball(test::sphere(5, 4));
     for (std::uint32_t i = 0; i < ball.surface->mesh->triangleCount(); ++i)
-      QVERIFY(ball.tracer.trace(i, true, 1.0).empty());
+      QVERIFY(ball.tracer.trace({i}, true, 1.0).empty());
     const Ground flat(test::paraboloid(0, 0, 2, 10));
     for (std::uint32_t i = 0; i < flat.surface->mesh->triangleCount(); ++i)
-      QVERIFY(flat.tracer.trace(i, true, 1.0).empty());
+      QVERIFY(flat.tracer.trace({i}, true, 1.0).empty());
     QVERIFY(render::StreamlineLayout(*ball.surface).lines().empty());
   }
 
@@ -331,6 +331,9 @@ class StreamlinesTest : public QObject {
                          d.y * (s[3] * d.y + 2.0 * s[4] * d.z) + s[5] * d.z * d.z;
         QVERIFY(std::abs(k - std::cos(at.v) / (10.0 + 3.0 * std::cos(at.v))) < 0.005);
         QVERIFY(glm::distance(p.position, line.bounds.centre) <= 1.001f * line.bounds.radius);
+        QVERIFY(std::acos(std::min(glm::dot(line.axis, render::normalOf(p)), 1.0f)) <=
+                line.spread + 1e-3f);
+        QVERIFY(line.steepest > 0.95f && line.steepest < 1.1f);
       }
     }
   }
