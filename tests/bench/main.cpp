@@ -26,6 +26,7 @@
 #include "tests/bench/opening.h"
 #include "tests/bench/plain_phong.h"
 #include "tests/bench/report.h"
+#include "tests/bench/techniques.h"
 #include "tests/bench/turning.h"
 #include "tests/bench/vtk_phong.h"
 #include "tests/support/process_memory.h"
@@ -45,6 +46,7 @@ struct Options {
   bool curves = false;
   bool opening = false;
   std::vector<std::string> scales;
+  std::string technique;
   bench::LeaderCourse leaders;
   bool json = false;
 };
@@ -298,6 +300,24 @@ Status runOpening(const Options& options) {
   return Unit{};
 }
 
+/// Prints what the lines of a technique cost, turning once around the scene.
+Status runTechnique(const Options& options, const glm::ivec2& size) {
+  bench::Report report;
+  const auto stage = importStage(options, size, report);
+  if (!stage)
+    return stage.error();
+  const auto names = model::namesOf(model::Technique());
+  const auto named = std::find(names.begin(), names.end(), options.technique);
+  bench::TechniqueRun run{.scene = stage->scene,
+                          .technique = model::Technique(named - names.begin()),
+                          .cameras = {},
+                          .aspect = float(size.x) / float(size.y)};
+  for (int i = 0; i < stage->frames; ++i)
+    run.cameras.push_back(turned(stage->camera, float(i) / float(stage->frames)));
+  std::cout << bench::measureTechnique(run);
+  return Unit{};
+}
+
 /// Prints which leaders do not end on what they name.
 Status runLeaders(const Options& options) {
   auto context = render::gpu::HeadlessContext::create();
@@ -356,6 +376,8 @@ std::optional<Status> runInstead(const Options& options, const glm::ivec2& size)
     return runMeshing(options);
   if (options.opening)
     return runOpening(options);
+  if (!options.technique.empty())
+    return runTechnique(options, size);
   return std::nullopt;
 }
 
@@ -399,6 +421,10 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--scales", options.scales,
                  "Instead: the suggestive strokes of these structures without and with the "
                  "picture's scale");
+  const auto names = model::namesOf(model::Technique());
+  app.add_option("--technique", options.technique,
+                 "Instead: what the lines of this technique cost, per surface and in each view")
+      ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
   addLeaderOptions(app, options.leaders);
   app.add_flag("--json", options.json, "Print JSON");
 }
