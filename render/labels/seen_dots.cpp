@@ -116,6 +116,7 @@ SeenMap::Dots SeenMap::dots(std::uint32_t layer) const {
 SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int x, int y) const {
   Shares shares;
   float left = 1.0f;
+  float clear = 1.0f;  // the chance that no line on a surface before it covers it
   const auto pass = [&](const SeenLayer& of, const SeenCell& cell, float ink, float bent) {
     const SeenFill fill = of.fillOf(cell, bent);
     const float share = left * (ink + (1.0f - ink) * fill.colour);
@@ -133,11 +134,13 @@ SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int
       left = before;
     }
     if (!passed && mine.depth < one.depth && !own.touches(mine.depth, one.depth)) {
-      shares.own = pass(own, mine, mine.ink, 0.0f);
+      shares.own = clear * pass(own, mine, mine.ink, 0.0f);
       passed = true;
     }
     const SeenLayer& other = m_layers[one.layer];
     const SeenCell& cell = other.at(x, y);
+    if (!passed && cell.what == SeenCell::What::surface)
+      clear *= 1.0f - left * other.look().lines();
     const float strokes =
         cell.what == SeenCell::What::surface ? strokesHere * left * other.look().strokes() : 0.0f;
     shares.others = std::max(shares.others, strokes);
@@ -145,7 +148,7 @@ SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int
     shares.others = std::max(shares.others, pass(other, cell, cell.ink, 1.0f));
   }
   if (!passed)
-    shares.own = pass(own, mine, mine.ink, 0.0f);
+    shares.own = clear * pass(own, mine, mine.ink, 0.0f);
   shares.traces = std::max(shares.traces, shares.own);
   return shares;
 }
@@ -186,13 +189,13 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
   };
   std::optional<glm::ivec2> best = all.best(clear);
   const std::optional<glm::ivec2> hidden = best ? std::nullopt : hiddenCell(all);
-  // Where a sliver is all there is, it is seen a little wherever one points at it.
-  if (hidden && all.disc(hidden->x, hidden->y, wide).traces > enough)
+  // Where a sliver is all there is, its outline is everywhere and seen a little.
+  constexpr float little = 0.15f;
+  if (hidden && all.inked[all.index(hidden->x, hidden->y)] &&
+      sharesAt(all.layer, layer, hidden->x, hidden->y).traces > little)
     best = all.best([&](int x, int y) -> std::optional<float> {
       const Dots::Disc dot = all.disc(x, y, all.radius);
-      return all.shows[all.index(x, y)] == Dots::Shows::own && dot.own > dot.others
-                 ? std::optional(dot.own - dot.others)
-                 : std::nullopt;
+      return dot.traces > 0.0f ? std::optional(dot.own + dot.traces - dot.others) : std::nullopt;
     });
   // Ink lies outside the surface: the place on it is beside the dot.
   const auto on = best ? all.layer.coveredNear(best->x, best->y, 4) : std::nullopt;

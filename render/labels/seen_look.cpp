@@ -37,8 +37,8 @@ SeenLook::SeenLook(const model::ResolvedStyle& style)
   // The eye follows a pen of half the usual width as well as any wider one.
   m_lines = t.lines * m_opacity * std::min(2.0f * style.penWeight, 1.0f);
   m_pen = usualPen * style.penWeight;
-  m_strokes = m_lines * (suggestiveInk * t.suggestive + hatchingInk * t.hatching) +
-              m_opacity * unevenShade * t.shading;
+  m_surfaceLines = m_lines * (suggestiveInk * t.suggestive + hatchingInk * t.hatching);
+  m_strokes = m_surfaceLines + m_opacity * unevenShade * t.shading;
 }
 
 SeenFill SeenLook::surface(float facing, float bent) const {

@@ -31,6 +31,8 @@ class SeenLook {
   /// place on the surface, which nobody knows before they are drawn: about as much as they do on
   /// the average.
   float strokes() const { return m_strokes; }
+  /// Returns the share that lines alone take.
+  float lines() const { return m_surfaceLines; }
 
  private:
   model::Fill m_fill;
@@ -40,6 +42,7 @@ class SeenLook {
   float m_complete;
   float m_lines;
   float m_pen;
+  float m_surfaceLines;
   float m_strokes;
 };
 
