@@ -112,22 +112,22 @@ bool FilmLabels::lookAt(const Film& film, const std::function<bool(double)>& go)
   // Places of some frames may also do in others.
   constexpr int some = 24;
   const int step = std::max(film.frames() / some, 1);
-  PlacePool pool;
+  m_pool.clear();
   const int looks = film.frames() + (film.frames() + step - 1) / step;
   int done = 0;
   const auto next = [&] { return !go || go(double(done++) / double(looks)); };
   for (int i = 0; i < film.frames() && next(); i += step) {
     const FilmFrame frame = film.at(i);
-    addPlaces(pool, frame.scene, Screen(frame.camera, m_order.page.sizeMm), m_trees);
+    addPlaces(m_pool, frame.scene, Screen(frame.camera, m_order.page.sizeMm), m_trees);
   }
   for (int i = 0; i < film.frames(); ++i) {
     if (!next())
       return false;
     const FilmFrame frame = film.at(i);
     m_sights.push_back(labelSights(frame.scene, Screen(frame.camera, m_order.page.sizeMm),
-                                   m_order.labels.language, m_trees, {.pool = &pool}));
+                                   m_order.labels.language, m_trees, {.pool = &m_pool}));
   }
-  choosePlaces(m_sights, pool, film);
+  choosePlaces(m_sights, m_pool, film);
   return true;
 }
 
@@ -143,6 +143,9 @@ void FilmLabels::layOut(const Film& film) {
   for (const LabelSights& sights : m_sights)
     frames.push_back(filmRequest(sights, style(), textWidth));
   std::vector<FilmLabel> labels = filmLabels(frames);
+  planHeights(labels, frames, film);
+  uncrossPlaces(frames, m_sights, m_pool, film);
+  labels = filmLabels(frames);
   planHeights(labels, frames, film);
   keepApart(labels, frames, film);
   // What finds no way in spite of the plan is gone for a second, too.

@@ -10,12 +10,14 @@ namespace sline::render {
 
 namespace {
 
-/// Returns what a frame costs with that rank: of two labels in each other's way, one is left out.
+/// Returns what a frame costs with that rank: of two labels in each other's way one is left out,
+/// but many that stand the other way round can still pass each other.
 double costOf(const std::optional<FrameRank>& now, std::size_t rank) {
+  constexpr double inTheWay = 0.3;
   if (!now)
     return 0.0;
   const double off = std::abs(double(now->rank) - double(rank));
-  return now->weight * std::min(0.5 * off, 1.0);
+  return now->weight * std::min(inTheWay * off, 1.0);
 }
 
 }  // namespace
