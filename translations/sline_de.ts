@@ -4295,12 +4295,36 @@
         <translation>Technik</translation>
     </message>
     <message>
-        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum</source>
-        <translation>Was die Form innerhalb der Konturen zeichnet: suggestive Konturen und Schraffur oder kurze Stromlinien an Konturen und wo die Krümmung ein Extremum hat</translation>
-    </message>
-    <message>
         <source>ConFIS</source>
         <translation>ConFIS</translation>
+    </message>
+    <message>
+        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum, or lines that these are compared with</source>
+        <translation>Was die Form innerhalb der Konturen zeichnet: suggestive Konturen und Schraffur, oder kurze Stromlinien an Konturen und wo die Krümmung ein Extremum hat, oder Linien, mit denen diese verglichen werden</translation>
+    </message>
+    <message>
+        <source>Apparent ridges</source>
+        <translation>Scheinbare Grate</translation>
+    </message>
+    <message>
+        <source>Ridges and valleys</source>
+        <translation>Grate und Täler</translation>
+    </message>
+    <message>
+        <source>Photic extremum lines</source>
+        <translation>Photische Extremlinien</translation>
+    </message>
+    <message>
+        <source>Laplacian lines</source>
+        <translation>Laplace-Linien</translation>
+    </message>
+    <message>
+        <source>Demarcating curves</source>
+        <translation>Trennkurven</translation>
+    </message>
+    <message>
+        <source>Highlights</source>
+        <translation>Glanzlinien</translation>
     </message>
 </context>
 <context>

@@ -4295,12 +4295,36 @@
         <translation>Teknikk</translation>
     </message>
     <message>
-        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum</source>
-        <translation>Hva som tegner formen innenfor konturene: suggestive konturer og skravering, eller korte strømlinjer langs konturer og der krumningen har et ekstremum</translation>
-    </message>
-    <message>
         <source>ConFIS</source>
         <translation>ConFIS</translation>
+    </message>
+    <message>
+        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum, or lines that these are compared with</source>
+        <translation>Hva som tegner formen innenfor konturene: suggestive konturer og skravering, eller korte strømlinjer langs konturer og der krumningen har et ekstremum, eller linjer som disse sammenlignes med</translation>
+    </message>
+    <message>
+        <source>Apparent ridges</source>
+        <translation>Tilsynelatende rygger</translation>
+    </message>
+    <message>
+        <source>Ridges and valleys</source>
+        <translation>Rygger og daler</translation>
+    </message>
+    <message>
+        <source>Photic extremum lines</source>
+        <translation>Fotiske ekstremlinjer</translation>
+    </message>
+    <message>
+        <source>Laplacian lines</source>
+        <translation>Laplace-linjer</translation>
+    </message>
+    <message>
+        <source>Demarcating curves</source>
+        <translation>Skillekurver</translation>
+    </message>
+    <message>
+        <source>Highlights</source>
+        <translation>Glanslinjer</translation>
     </message>
 </context>
 <context>

@@ -4295,12 +4295,36 @@
         <translation>Techniek</translation>
     </message>
     <message>
-        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum</source>
-        <translation>Wat de vorm binnen de contouren tekent: suggestieve contouren en arcering, of korte stroomlijnen langs contouren en waar de kromming een extremum heeft</translation>
-    </message>
-    <message>
         <source>ConFIS</source>
         <translation>ConFIS</translation>
+    </message>
+    <message>
+        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum, or lines that these are compared with</source>
+        <translation>Wat de vorm binnen de contouren tekent: suggestieve contouren en arcering, of korte stroomlijnen langs contouren en waar de kromming een extremum heeft, of lijnen waarmee deze worden vergeleken</translation>
+    </message>
+    <message>
+        <source>Apparent ridges</source>
+        <translation>Schijnbare richels</translation>
+    </message>
+    <message>
+        <source>Ridges and valleys</source>
+        <translation>Richels en dalen</translation>
+    </message>
+    <message>
+        <source>Photic extremum lines</source>
+        <translation>Fotische extreemlijnen</translation>
+    </message>
+    <message>
+        <source>Laplacian lines</source>
+        <translation>Laplace-lijnen</translation>
+    </message>
+    <message>
+        <source>Demarcating curves</source>
+        <translation>Scheidingskrommen</translation>
+    </message>
+    <message>
+        <source>Highlights</source>
+        <translation>Glanslijnen</translation>
     </message>
 </context>
 <context>

@@ -34,8 +34,19 @@ inline std::span<const std::string_view> namesOf(HiddenLines /*any*/) {
 /// Says which technique draws the lines within a structure's contours: the one that Γ leads from
 /// suggestive contours to hatching (S), or one of those that it is compared with. ConFIS (C) draws
 /// short streamlines along contours and where the curvature has an extremum.
-enum class Technique { sline, confis };
-inline constexpr std::array<std::string_view, 2> techniqueNames{"sline", "confis"};
+enum class Technique {
+  sline,
+  confis,
+  apparentRidges,
+  ridges,
+  photic,
+  laplacian,
+  demarcating,
+  highlights
+};
+inline constexpr std::array<std::string_view, 8> techniqueNames{
+    "sline",  "confis",    "apparent_ridges", "ridges",
+    "photic", "laplacian", "demarcating",     "highlights"};
 inline std::span<const std::string_view> namesOf(Technique /*any*/) {
   return techniqueNames;
 }

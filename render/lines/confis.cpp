@@ -217,7 +217,7 @@ float marginStrength(float nv, float kappa, float thickness) {
 }
 
 void findConfisLines(const LineSearch& search, std::vector<Segment>& segments) {
-  const StreamlineLayout& layout = static_cast<const ConfisLines&>(search.prepared).layout();
+  const StreamlineLayout& layout = static_cast<const ConfisLines*>(search.prepared)->layout();
   const auto lines = layout.lines();
   Picker whole(search, layout);
   const float perMm = whole.largestScale(search.surface.boundingSphere);

@@ -3,14 +3,30 @@
 
 #include <array>
 
+#include "render/lines/apparent_ridges.h"
 #include "render/lines/confis.h"
 #include "render/lines/contours.h"
+#include "render/lines/demarcating_curves.h"
+#include "render/lines/highlight_lines.h"
+#include "render/lines/laplacian_lines.h"
+#include "render/lines/line_clip.h"
+#include "render/lines/photic_extrema.h"
+#include "render/lines/ridges.h"
 #include "render/lines/stages.h"
 #include "render/lines/suggestive_contours.h"
 
 namespace sline::render {
 
 namespace {
+
+/// The lines that suggestive contours are compared with enter as these do.
+float linesEntered(Gamma gamma) {
+  return transitions(gamma).suggestive;
+}
+
+bool everywhere(const model::Cluster&, model::Facing) {
+  return true;
+}
 
 constexpr std::array techniques{
     LineTechnique{.kind = LineKind::suggestive,
@@ -23,7 +39,7 @@ constexpr std::array techniques{
                   .atScale = true,
                   .thresholds = suggestiveThresholds,
                   .setThresholds = setSuggestiveThresholds,
-                  .entered = [](Gamma gamma) { return transitions(gamma).suggestive; },
+                  .entered = linesEntered,
                   .mayPass = suggestiveContoursMayPass,
                   .extract = extractSuggestiveContours,
                   .rank = rankSuggestiveContours},
@@ -39,6 +55,98 @@ constexpr std::array techniques{
                   .prepare = prepareConfis,
                   .find = findConfisLines,
                   .rank = rankConfisLines},
+    LineTechnique{.kind = LineKind::apparentRidge,
+                  .id = "apparent_ridge",
+                  .layer = "Apparent ridges",
+                  .drawnBy = model::Technique::apparentRidges,
+                  .pen = LinePen::centred,
+                  .specks = {.shortest = 1.0f, .whole = 1.75f},
+                  .atScale = true,
+                  .thresholds = apparentRidgeThresholds,
+                  .entered = linesEntered,
+                  .find = findApparentRidges,
+                  .rank = rankByStrength},
+    LineTechnique{.kind = LineKind::ridge,
+                  .id = "ridge",
+                  .layer = "Ridges",
+                  .drawnBy = model::Technique::ridges,
+                  .pen = LinePen::centred,
+                  .specks = {.shortest = 1.0f, .whole = 1.75f},
+                  .thresholds = ridgeThresholds,
+                  .entered = linesEntered,
+                  .prepare = prepareRidges,
+                  .find = findRidges,
+                  .rank = rankByStrength},
+    LineTechnique{.kind = LineKind::valley,
+                  .id = "valley",
+                  .layer = "Valleys",
+                  .drawnBy = model::Technique::ridges,
+                  .pen = LinePen::centred,
+                  .specks = {.shortest = 1.0f, .whole = 1.75f},
+                  .thresholds = ridgeThresholds,
+                  .entered = linesEntered,
+                  .prepare = prepareValleys,
+                  .find = findValleys,
+                  .rank = rankByStrength},
+    LineTechnique{.kind = LineKind::photic,
+                  .id = "photic",
+                  .layer = "Photic extremum lines",
+                  .drawnBy = model::Technique::photic,
+                  .pen = LinePen::centred,
+                  .specks = {.shortest = 1.0f, .whole = 1.75f},
+                  .atScale = true,
+                  .thresholds = photicThresholds,
+                  .entered = linesEntered,
+                  .mayPass = everywhere,
+                  .extract = extractPhoticExtrema,
+                  .rank = rankByStrength},
+    LineTechnique{.kind = LineKind::laplacian,
+                  .id = "laplacian",
+                  .layer = "Laplacian lines",
+                  .drawnBy = model::Technique::laplacian,
+                  .pen = LinePen::centred,
+                  .specks = {.shortest = 1.0f, .whole = 1.75f},
+                  .atScale = true,
+                  .thresholds = laplacianThresholds,
+                  .entered = linesEntered,
+                  .mayPass = everywhere,
+                  .extract = extractLaplacianLines,
+                  .rank = rankByStrength},
+    LineTechnique{.kind = LineKind::demarcating,
+                  .id = "demarcating",
+                  .layer = "Demarcating curves",
+                  .drawnBy = model::Technique::demarcating,
+                  .pen = LinePen::centred,
+                  .specks = {.shortest = 1.0f, .whole = 1.75f},
+                  .thresholds = demarcatingThresholds,
+                  .entered = linesEntered,
+                  .prepare = prepareDemarcatingCurves,
+                  .find = findDemarcatingCurves,
+                  .rank = rankByStrength},
+    LineTechnique{.kind = LineKind::suggestiveHighlight,
+                  .id = "suggestive_highlight",
+                  .layer = "Suggestive highlights",
+                  .drawnBy = model::Technique::highlights,
+                  .pen = LinePen::centred,
+                  .specks = {.shortest = 1.0f, .whole = 1.75f},
+                  .atScale = true,
+                  .thresholds = suggestiveHighlightThresholds,
+                  .entered = linesEntered,
+                  .mayPass = everywhere,
+                  .extract = extractSuggestiveHighlights,
+                  .rank = rankByStrength},
+    LineTechnique{.kind = LineKind::principalHighlight,
+                  .id = "principal_highlight",
+                  .layer = "Principal highlights",
+                  .drawnBy = model::Technique::highlights,
+                  .pen = LinePen::centred,
+                  .specks = {.shortest = 1.0f, .whole = 1.75f},
+                  .atScale = true,
+                  .thresholds = principalHighlightThresholds,
+                  .entered = linesEntered,
+                  .mayPass = everywhere,
+                  .extract = extractPrincipalHighlights,
+                  .rank = rankByStrength},
     LineTechnique{.kind = LineKind::contour,
                   .id = "contour",
                   .layer = "Contours",

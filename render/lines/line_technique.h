@@ -41,7 +41,7 @@ struct LineSearch {
   const model::Surface& surface;
   const model::Camera& camera;
   const LineRequest& request;
-  const PreparedLines& prepared;
+  const PreparedLines* prepared = nullptr;  ///< null where the technique prepares nothing
 };
 
 struct LineTechnique {

@@ -39,8 +39,9 @@ void find(const LineTechnique& technique, const Surface& surface, const model::C
           const LineRequest& request, std::vector<Segment>& segments) {
   LinePreparations own;
   LinePreparations& kept = request.preparations ? *request.preparations : own;
-  const std::shared_ptr<const PreparedLines> prepared = kept.of(technique.kind, surface);
-  technique.find({surface, camera, request, *prepared}, segments);
+  const std::shared_ptr<const PreparedLines> prepared =
+      technique.prepare ? kept.of(technique.kind, surface) : nullptr;
+  technique.find({surface, camera, request, prepared.get()}, segments);
 }
 
 }  // namespace

@@ -37,8 +37,21 @@ struct Segment {
 
 /// Lists the kinds of lines in the order in which they are drawn over each other; each is an index
 /// into `lineTechniques()`.
-enum class LineKind : std::uint8_t { suggestive, confis, contour, section };
-inline constexpr std::size_t lineKindCount = 4;
+enum class LineKind : std::uint8_t {
+  suggestive,
+  confis,
+  apparentRidge,
+  ridge,
+  valley,
+  photic,
+  laplacian,
+  demarcating,
+  suggestiveHighlight,
+  principalHighlight,
+  contour,
+  section
+};
+inline constexpr std::size_t lineKindCount = 12;
 
 class LineKinds {
  public:

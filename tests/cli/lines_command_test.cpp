@@ -156,9 +156,23 @@ void LinesCommandTest::kindsAreChosen_data() {
   QTest::addColumn<QStringList>("found");
   QTest::newRow("one") << "suggestive" << QStringList{"suggestive"};
   QTest::newRow("two") << "silhouette,contour" << QStringList{"contour", "silhouette"};
-  QTest::newRow("all") << "contour,suggestive,confis,silhouette,section,hatching"
-                       << QStringList{"confis",  "contour",    "hatching",
-                                      "section", "silhouette", "suggestive"};
+  QTest::newRow("all") << "contour,suggestive,confis,ridge,valley,apparent_ridge,photic,"
+                          "laplacian,demarcating,suggestive_highlight,principal_highlight,"
+                          "silhouette,section,hatching"
+                       << QStringList{"apparent_ridge",
+                                      "confis",
+                                      "contour",
+                                      "demarcating",
+                                      "hatching",
+                                      "laplacian",
+                                      "photic",
+                                      "principal_highlight",
+                                      "ridge",
+                                      "section",
+                                      "silhouette",
+                                      "suggestive",
+                                      "suggestive_highlight",
+                                      "valley"};
 }
 
 void LinesCommandTest::kindsAreChosen() {

@@ -101,8 +101,11 @@ std::vector<StyleChoice> styleChoices() {
   return {with<fields::technique>(StyleChoice{
               .text = tr("Technique"),
               .tip = tr("What draws the form within contours: suggestive contours and hatching, or "
-                        "short streamlines along contours and where the curvature has an extremum"),
-              .names = {tr("Sline"), tr("ConFIS")}}),
+                        "short streamlines along contours and where the curvature has an extremum, "
+                        "or lines that these are compared with"),
+              .names = {tr("Sline"), tr("ConFIS"), tr("Apparent ridges"), tr("Ridges and valleys"),
+                        tr("Photic extremum lines"), tr("Laplacian lines"),
+                        tr("Demarcating curves"), tr("Highlights")}}),
           with<fields::hiddenLines>(
               StyleChoice{.text = tr("Hidden outlines"),
                           .tip = tr("How outlines are drawn where other structures hide them"),

@@ -71,10 +71,14 @@ constexpr std::array fieldFlags{
               .what = "hidden lines",
               .parse = parseStyleChoice<model::style_fields::hiddenLines>},
     StyleFlag{.flag = "--technique",
-              .value = "[NAME=]sline|confis",
+              .value = "[NAME=]sline|confis|apparent_ridges|ridges|photic|laplacian|demarcating|"
+                       "highlights",
               .help = "What draws the form within contours: suggestive contours and hatching "
-                      "(sline, the usual), or short streamlines along contours and where the "
-                      "curvature has an extremum (confis), from Γ = 1 to 3",
+                      "(sline, the usual), short streamlines along contours and where the "
+                      "curvature has an extremum (confis), from Γ = 1 to 3, or lines that these "
+                      "are compared with, from Γ = 1 to 2: apparent ridges, ridges and valleys, "
+                      "photic extremum lines, Laplacian lines, demarcating curves, suggestive and "
+                      "principal highlights",
               .what = "technique",
               .parse = parseStyleChoice<model::style_fields::technique>},
     StyleFlag{.flag = "--halo",
