@@ -23,6 +23,7 @@
 #include "tests/bench/leaders.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/meshing.h"
+#include "tests/bench/occlusion.h"
 #include "tests/bench/opening.h"
 #include "tests/bench/plain_phong.h"
 #include "tests/bench/report.h"
@@ -45,6 +46,7 @@ struct Options {
   int turning = 0;
   bool curves = false;
   bool opening = false;
+  bool occlusion = false;
   std::vector<std::string> scales;
   std::string technique;
   bench::LeaderCourse leaders;
@@ -318,6 +320,18 @@ Status runTechnique(const Options& options, const glm::ivec2& size) {
   return Unit{};
 }
 
+/// Prints how long the ambient occlusion of each surface takes, as its file has it.
+Status runOcclusion(const Options& options) {
+  model::ImportOptions unsmoothed;
+  unsmoothed.smoothing.mode = model::Smoothing::Mode::off;
+  const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
+  const auto imported = model::importInputs(inputs, unsmoothed);
+  if (!imported)
+    return imported.error();
+  std::cout << bench::measureOcclusion(imported->scene);
+  return Unit{};
+}
+
 /// Prints which leaders do not end on what they name.
 Status runLeaders(const Options& options) {
   auto context = render::gpu::HeadlessContext::create();
@@ -378,6 +392,8 @@ std::optional<Status> runInstead(const Options& options, const glm::ivec2& size)
     return runOpening(options);
   if (!options.technique.empty())
     return runTechnique(options, size);
+  if (options.occlusion)
+    return runOcclusion(options);
   return std::nullopt;
 }
 
@@ -418,6 +434,8 @@ void addOptions(CLI::App& app, Options& options) {
                "Instead: say how far curves lie from the lines that they stand for");
   app.add_flag("--opening", options.opening,
                "Instead of turning: choose the look that the scene opens with");
+  app.add_flag("--occlusion", options.occlusion,
+               "Instead of turning: find how much of its own sky each surface hides");
   app.add_option("--scales", options.scales,
                  "Instead: the suggestive strokes of these structures without and with the "
                  "picture's scale");
