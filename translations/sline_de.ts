@@ -4326,6 +4326,10 @@
         <source>Highlights</source>
         <translation>Glanzlinien</translation>
     </message>
+    <message>
+        <source>Γ over the surface</source>
+        <translation>Γ über die Fläche</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -4326,6 +4326,10 @@
         <source>Highlights</source>
         <translation>Glanslinjer</translation>
     </message>
+    <message>
+        <source>Γ over the surface</source>
+        <translation>Γ over flaten</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -4326,6 +4326,10 @@
         <source>Highlights</source>
         <translation>Glanslijnen</translation>
     </message>
+    <message>
+        <source>Γ over the surface</source>
+        <translation>Γ over het oppervlak</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -6,6 +6,7 @@
 #include <map>
 #include <type_traits>
 
+#include "model/scene/gamma_map.h"
 #include "model/scene/resolved_styles.h"
 #include "model/scene/style_fields.h"
 

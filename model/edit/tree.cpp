@@ -37,15 +37,35 @@ bool pointsAt(const Annotation& annotation, const NodeSet& nodes) {
   return std::any_of(annotation.anchors.begin(), annotation.anchors.end(), onOne);
 }
 
-/// Removes the nodes from sections, annotations and saved views.
+/// Removes the nodes from what Γ follows; a map that has lost all its targets goes too.
+void forget(Style& style, const NodeSet& gone) {
+  if (!style.gammaMap)
+    return;
+  const auto isGone = [&gone](NodeId id) { return gone.contains(id.value); };
+  if (std::erase_if(style.gammaMap->targets, isGone) > 0 && style.gammaMap->targets.empty())
+    style.gammaMap.reset();
+}
+
+void forgetIn(std::vector<Look>& looks, const NodeSet& gone) {
+  std::erase_if(looks, [&gone](const Look& look) { return gone.contains(look.node.value); });
+  for (Look& look : looks)
+    forget(look.style, gone);
+}
+
 void forget(Focus& focus, const NodeSet& gone) {
   const auto isGone = [&gone](NodeId id) { return gone.contains(id.value); };
   std::erase_if(focus.targets, isGone);
   std::erase_if(focus.wishes.roles, [&](const auto& wish) { return isGone(wish.first); });
-  std::erase_if(focus.given, [&](const Look& look) { return isGone(look.node); });
+  forgetIn(focus.given, gone);
 }
 
+/// Removes the nodes from sections, annotations, saved views and what Γ follows.
 void forget(Scene& scene, const NodeSet& gone) {
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes)
+    forget(node.style, gone);
+  scene.setNodes(std::move(nodes));
+
   const auto cutsNothing = [&gone](const Section& section) {
     return section.scope != rootId && gone.contains(section.scope.value);
   };
@@ -67,8 +87,7 @@ void forget(Scene& scene, const NodeSet& gone) {
     if (view.sections)
       std::erase_if(*view.sections, cutsNothing);
     if (view.looks)
-      std::erase_if(*view.looks,
-                    [&gone](const Look& look) { return gone.contains(look.node.value); });
+      forgetIn(*view.looks, gone);
     if (view.annotations)
       std::erase_if(*view.annotations,
                     [&unsaid](AnnotationId id) { return unsaid.contains(id.value); });

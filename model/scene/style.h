@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "model/base/units.h"
+#include "model/scene/gamma_map.h"
 
 namespace sline::model {
 
@@ -69,6 +70,7 @@ struct Style {
   std::optional<float> grain;
   std::optional<HatchDensity> hatchDensity;
   std::optional<HatchTone> hatchTone;
+  std::optional<GammaMap> gammaMap;
   bool operator==(const Style&) const = default;
 };
 
@@ -93,6 +95,7 @@ struct ResolvedStyle {
   float grain = 0.0f;  ///< how much of the pen is a pencil on rough paper, 0 … 1
   HatchDensity hatchDensity = HatchDensity::clamped(1.0f);
   HatchTone hatchTone = HatchTone::clamped(1.0f);
+  GammaMap gammaMap;  ///< how Γ varies over the surface
   bool operator==(const ResolvedStyle&) const = default;
 };
 

@@ -60,6 +60,7 @@ inline constexpr StyleField<&Style::grain, &ResolvedStyle::grain> grain{"grain",
 inline constexpr StyleField<&Style::hatchDensity, &ResolvedStyle::hatchDensity> hatchDensity{
     "hatch_density"};
 inline constexpr StyleField<&Style::hatchTone, &ResolvedStyle::hatchTone> hatchTone{"hatch_tone"};
+inline constexpr StyleField<&Style::gammaMap, &ResolvedStyle::gammaMap> gammaMap{"gamma_by"};
 }  // namespace style_fields
 
 /// Calls visit(field) for every field, in the order of scene files.
@@ -82,6 +83,7 @@ constexpr void forEachStyleField(const Visit& visit) {
   visit(style_fields::grain);
   visit(style_fields::hatchDensity);
   visit(style_fields::hatchTone);
+  visit(style_fields::gammaMap);
 }
 
 /// Calls visit(field) for the fields that are part of a look: all but the visibility.

@@ -2,6 +2,7 @@
 #include "model/scene_file/style_json.h"
 
 #include "model/base/colour_text.h"
+#include "model/scene/gamma_map.h"
 #include "model/scene/style_fields.h"
 
 namespace sline::model {
@@ -19,12 +20,55 @@ float numberWithin(const JsonValue& value, const Limits<float>& limits) {
   return limits.low;
 }
 
+/// Returns a curve written as a list of pairs.
+std::vector<GammaPoint> curveFrom(const JsonValue& list) {
+  std::vector<GammaPoint> curve;
+  list.forEach([&](const JsonValue& pair) {
+    const std::array<float, 2> point = pair.numbers<2>();
+    if (curve.size() >= mostGammaPoints)
+      return list.fail("a curve has 2 to 8 points");
+    curve.push_back({point[0], point[1]});
+  });
+  return curve;
+}
+
+std::optional<GammaMap> gammaMapFrom(JsonObject& style, std::string_view key, bool newer) {
+  const std::optional<JsonValue> value = style.take(key);
+  if (!value)
+    return std::nullopt;
+  JsonObject object(*value);
+  GammaMap map;
+  const auto scalar = object.takeChoice("scalar", gammaScalarNames, newer);
+  if (!scalar && !newer)
+    value->fail("a scalar is expected here");
+  if (!scalar) {
+    // What a newer program means stays as it stands.
+    style.giveBack(key, value->json());
+    return std::nullopt;
+  }
+  map.scalar = GammaScalar(*scalar);
+  if (const auto list = object.take("targets"))
+    list->forEach([&](const JsonValue& id) {
+      if (map.targets.size() >= mostGammaTargets)
+        return list->fail("there are more than 1000 targets");
+      map.targets.push_back({std::uint64_t(id.whole(1, std::int64_t(1) << 53))});
+    });
+  if (const auto list = object.take("curve"))
+    map.curve = curveFrom(*list);
+  if (const auto fault = gammaMapFault(map))
+    value->fail(*fault);
+  style.giveBack(key, object.rest());
+  return map;
+}
+
 template <class Field>
 std::optional<typename Field::Value> fieldFrom(JsonObject& object, const Field& field, bool newer) {
   using Value = typename Field::Value;
   if constexpr (std::is_enum_v<Value>) {
     const auto index = object.takeChoice(field.key, namesOf(Value()), newer);
     return index ? std::optional(Value(*index)) : std::nullopt;
+  } else if constexpr (std::same_as<Value, GammaMap>) {
+    return gammaMapFrom(object, field.key, newer);
   } else {
     const std::optional<JsonValue> value = object.take(field.key);
     if (!value)
@@ -48,6 +92,14 @@ Ordered fieldJson(bool flag) {
 }
 Ordered fieldJson(float number) {
   return jsonNumber(number);
+}
+Ordered fieldJson(const GammaMap& map) {
+  Ordered json = {{"scalar", gammaScalarNames[std::size_t(map.scalar)]}};
+  for (const NodeId target : map.targets)
+    json["targets"].push_back(target.value);
+  for (const GammaPoint& point : map.curve)
+    json["curve"].push_back({jsonNumber(point.scalar), jsonNumber(point.offset)});
+  return json;
 }
 template <class Value>
 Ordered fieldJson(const Value& value) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/scene/gamma_map.h"
 #include "model/scene/style_fields.h"
 
 namespace sline::widgets {
@@ -32,6 +33,31 @@ QString written(const Colour& c) {
   return QStringLiteral("#%1").arg(c.red << 16 | c.green << 8 | c.blue, 6, 16, QLatin1Char('0'));
 }
 
+/// Tells whether the map means something in other scenes: the targets of distances are of one.
+bool isOfAnyScene(const model::GammaMap& map) {
+  return map.scalar != model::GammaScalar::distance;
+}
+
+/// Returns "occlusion@0:0,1:+3".
+QString written(const model::GammaMap& map) {
+  const std::string_view name = model::gammaScalarNames[std::size_t(map.scalar)];
+  return QString::fromUtf8(name.data(), qsizetype(name.size())) + QLatin1Char('@') +
+         QString::fromStdString(model::curveText(map.curve));
+}
+
+std::optional<model::GammaMap> gammaMap(const QVariant& value) {
+  const std::string text = value.toString().toStdString();
+  const std::size_t at = text.find('@');
+  const auto& names = model::gammaScalarNames;
+  const auto name = std::find(names.begin(), names.end(), text.substr(0, at));
+  if (at == std::string::npos || name == names.end())
+    return std::nullopt;
+  model::GammaMap map{.scalar = model::GammaScalar(name - names.begin())};
+  if (const auto curve = model::curveFromText(std::string_view(text).substr(at + 1)))
+    map.curve = *curve;
+  return model::gammaMapFault(map) || !isOfAnyScene(map) ? std::nullopt : std::optional(map);
+}
+
 /// Reads a setting's value; returns none where it makes no sense.
 template <class Field>
 std::optional<typename Field::Value> readField(const Field& field, const QVariant& value) {
@@ -40,6 +66,8 @@ std::optional<typename Field::Value> readField(const Field& field, const QVarian
     return colour(value);
   } else if constexpr (std::is_same_v<Value, bool>) {
     return std::nullopt;  // presets hold looks
+  } else if constexpr (std::is_same_v<Value, model::GammaMap>) {
+    return gammaMap(value);
   } else if constexpr (std::is_enum_v<Value>) {
     const auto names = model::namesOf(Value());
     const auto found = std::find(names.begin(), names.end(), value.toString().toStdString());
@@ -62,6 +90,9 @@ QVariant settingOf(float value) {
 }
 QVariant settingOf(const Colour& colour) {
   return written(colour);
+}
+QVariant settingOf(const model::GammaMap& map) {
+  return written(map);
 }
 template <class T>
 QVariant settingOf(const T& value) {
@@ -116,7 +147,10 @@ bool PresetStore::has(const QString& name) const {
   });
 }
 
-bool PresetStore::save(const QString& name, const model::Style& look) {
+bool PresetStore::save(const QString& name, const model::Style& kept) {
+  model::Style look = kept;
+  if (look.gammaMap && !isOfAnyScene(*look.gammaMap))
+    look.gammaMap.reset();
   const std::string key = name.trimmed().toStdString();
   if (key.empty() || look == model::Style())
     return false;

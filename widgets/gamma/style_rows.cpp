@@ -126,6 +126,11 @@ std::vector<StyleField> styleFields() {
     fields.push_back({row.id, row.text, row.field.look(0.0f)});
   for (const StyleChoice& row : styleChoices())
     fields.push_back({row.id, row.text, row.look(0)});
+  // Which part of a structure is told more is said of it alone.
+  fields.push_back({QStringLiteral("gammaMap"),
+                    tr("Γ over the surface"),
+                    {.gammaMap = model::GammaMap()},
+                    false});
   for (const StyleColour& row : styleColours()) {
     model::Style which;
     which.*row.field = Colour();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/trigonometric.hpp>
+#include <map>
 
 #include "app/cli/files/camera_file.h"
 #include "app/cli/files/interruption.h"
@@ -44,32 +45,34 @@ std::size_t depthOf(const model::Scene& scene, model::NodeId id) {
   return depth;
 }
 
-/// Holds one patch for one node and all below it.
+/// Holds what is said of one node and all below it.
 struct Patch {
   model::NodeId node;
-  std::size_t depth = 0;  ///< 0: the root
   model::Style style;
 };
+/// Lists patches by the depth of their node, the root's 0, those of one depth in the order in which
+/// they were given.
+using Patches = std::multimap<std::size_t, Patch>;
 
 Status collect(const model::Scene& scene, const std::vector<Assignment<model::Style>>& assignments,
-               std::vector<Patch>& patches) {
+               Patches& patches) {
   for (const Assignment<model::Style>& assignment : assignments) {
     if (!assignment.name) {
-      patches.push_back({model::rootId, 0, assignment.value});
+      patches.insert({0, {model::rootId, assignment.value}});
       continue;
     }
     const auto ids = nodesNamed(scene, *assignment.name);
     if (!ids.ok())
       return ids.error();
     for (const model::NodeId id : *ids)
-      patches.push_back({id, depthOf(scene, id), assignment.value});
+      patches.insert({depthOf(scene, id), {id, assignment.value}});
   }
   return Unit{};
 }
 
 template <class T>
 Status collect(const model::Scene& scene, const std::vector<Assignment<T>>& assignments,
-               std::optional<T> model::Style::*field, std::vector<Patch>& patches) {
+               std::optional<T> model::Style::*field, Patches& patches) {
   std::vector<Assignment<model::Style>> styles;
   for (const Assignment<T>& assignment : assignments) {
     styles.push_back({assignment.name, {}});
@@ -291,11 +294,11 @@ model::Scene withSavedView(const model::Scene& scene, const PictureSpec& spec) {
 }
 
 Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec) {
-  std::vector<Patch> patches;
+  Patches patches;
   if (spec.fill) {
     model::Style style;
     style.fill = spec.fill;
-    patches.push_back({model::rootId, 0, style});
+    patches.insert({0, {model::rootId, style}});
   }
   if (Status ok = collect(scene, spec.gammas, &model::Style::gamma, patches); !ok.ok())
     return ok.error();
@@ -305,10 +308,8 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec) 
     return ok.error();
   if (Status ok = collect(scene, spec.styles, patches); !ok.ok())
     return ok.error();
-  std::stable_sort(patches.begin(), patches.end(),
-                   [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
   model::Scene result = scene;
-  for (const Patch& patch : patches)
+  for (const auto& [depth, patch] : patches)
     result = model::withLook(result, allBelow(scene, patch.node), patch.style).scene;
   if (spec.blackAndWhite)
     result = model::withInkAlone(result).scene;

@@ -32,6 +32,25 @@ NodeId movedId(NodeId id, const NewIds& ids) {
   return found == ids.end() ? NodeId{} : found->second;
 }
 
+/// Maps the targets of what Γ follows; a map that has none in the scene goes.
+void move(Style& style, const NewIds& ids) {
+  if (!style.gammaMap || style.gammaMap->targets.empty())
+    return;
+  for (NodeId& id : style.gammaMap->targets)
+    id = movedId(id, ids);
+  std::erase(style.gammaMap->targets, rootId);
+  if (style.gammaMap->targets.empty())
+    style.gammaMap.reset();
+}
+
+void moveIn(std::vector<Look>& looks, const NewIds& ids) {
+  for (Look& look : looks) {
+    look.node = movedId(look.node, ids);
+    move(look.style, ids);
+  }
+  std::erase_if(looks, [](const Look& look) { return look.node == rootId; });
+}
+
 Annotation moved(Annotation annotation, const NewIds& ids) {
   for (Anchor& anchor : annotation.anchors)
     if (auto* point = std::get_if<SurfacePoint>(&anchor))
@@ -49,9 +68,7 @@ Focus moved(Focus focus, const NewIds& ids) {
     if (const NodeId now = movedId(id, ids); !isNowhere(now))
       roles[now] = role;
   focus.wishes.roles = std::move(roles);
-  for (Look& look : focus.given)
-    look.node = movedId(look.node, ids);
-  std::erase_if(focus.given, [&](const Look& look) { return isNowhere(look.node); });
+  moveIn(focus.given, ids);
   return focus;
 }
 
@@ -59,11 +76,8 @@ View moved(View view, const NewIds& ids, const std::map<AnnotationId, Annotation
   if (view.sections)
     for (Section& section : *view.sections)
       section = moved(section, ids);
-  if (view.looks) {
-    for (Look& look : *view.looks)
-      look.node = movedId(look.node, ids);
-    std::erase_if(*view.looks, [](const Look& look) { return look.node == rootId; });
-  }
+  if (view.looks)
+    moveIn(*view.looks, ids);
   if (view.annotations) {
     std::vector<AnnotationId> shown;
     for (const AnnotationId old : *view.annotations)
@@ -105,6 +119,8 @@ NewIds append(Scene& to, const Scene& added) {
     ids[old] = node.id;
     nodes.push_back(std::move(node));
   }
+  for (std::size_t i = nodes.size() - added.nodes().size(); i < nodes.size(); ++i)
+    move(nodes[i].style, ids);
   to.setNodes(std::move(nodes));
   for (const Section& section : added.sections())
     to.appendSection(moved(section, ids));

@@ -36,6 +36,8 @@ Json styleExtras(const model::ResolvedStyle& style) {
   said.colour.reset();
   said.opacity.reset();
   said.visible.reset();
+  if (style.gammaMap.scalar == model::GammaScalar::none)
+    said.gammaMap.reset();
   // Comes last, as not every structure has one.
   const std::optional<Colour> ink = std::exchange(said.inkColour, std::nullopt);
   Json extras = ownStyleExtras(said);

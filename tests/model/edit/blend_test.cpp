@@ -65,12 +65,15 @@ void BlendTest::looksChangeEvenly() {
                     .gamma = Gamma::clamped(4),
                     .opacity = Opacity::clamped(0.5f),
                     .fill = Fill::none,
-                    .penWeight = 3.0f});
+                    .penWeight = 3.0f,
+                    .gammaMap = GammaMap{.scalar = GammaScalar::occlusion,
+                                         .curve = {{0.0f, 0.0f}, {1.0f, 3.0f}}}});
   const SceneBlend blend(p.from, p.to);
   const ResolvedStyle middle = blend.at(0.5).resolve(p.ball);
   QCOMPARE(middle.gamma.value(), 2.5f);
   QCOMPARE(middle.opacity.value(), 0.75f);
   QCOMPARE(middle.penWeight, 2.0f);
+  QCOMPARE(middle.gammaMap.offsetAt(1.0f), 1.5f);
   QCOMPARE(middle.colour, (Colour{100, 100, 100}));
   QCOMPARE(blend.at(0.4).resolve(p.ball).fill, Fill::paper);
   QCOMPARE(blend.at(0.6).resolve(p.ball).fill, Fill::none);

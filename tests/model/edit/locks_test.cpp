@@ -34,7 +34,9 @@ class LocksTest : public QObject {
                       .fill = Fill::tint,
                       .penWeight = 3.0f,
                       .hatchDensity = HatchDensity::clamped(2.0f),
-                      .hatchTone = HatchTone::clamped(2.0f)};
+                      .hatchTone = HatchTone::clamped(2.0f),
+                      .gammaMap = GammaMap{.scalar = GammaScalar::occlusion,
+                                           .curve = usualCurve(GammaScalar::occlusion)}};
     row("gamma",
         [](const Scene& s, Ids ids) { return withLook(s, ids, {.gamma = Gamma::clamped(5.0f)}); });
     row("colour", [](const Scene& s, Ids ids) {

@@ -63,6 +63,7 @@ class ViewsEditTest : public QObject {
   void viewSpeaksOfWhatIsGone();
   void looksBringBackWhatWasSeen();
   void removedNodesAreForgotten();
+  void removedTargetsAreForgotten();
   void placeOnASurface();
   void annotationsThatCannotBe_data();
   void annotationsThatCannotBe();
@@ -109,12 +110,35 @@ void ViewsEditTest::looksBringBackWhatWasSeen() {
                             .visible = false,
                             .penWeight = 3.0f,
                             .hatchDensity = HatchDensity::clamped(2),
-                            .hatchTone = HatchTone::clamped(0.5f)})
+                            .hatchTone = HatchTone::clamped(0.5f),
+                            .gammaMap = GammaMap{.scalar = GammaScalar::distance,
+                                                 .targets = {s.one},
+                                                 .curve = {{0, 1}, {1, 2}}}})
                       .scene;
   QVERIFY(!changed.resolve(s.two).visible);
   const Scene back = withViewApplied(changed, view).scene;
   for (const NodeId id : {s.one, s.two, s.other})
     QCOMPARE(back.resolve(id), s.scene.resolve(id));
+}
+
+void ViewsEditTest::removedTargetsAreForgotten() {
+  Sample s;
+  const auto toTargets = [](std::vector<NodeId> targets) {
+    return Style{.gammaMap = GammaMap{.scalar = GammaScalar::distance,
+                                      .targets = std::move(targets),
+                                      .curve = {{0, 1}, {1, 2}}}};
+  };
+  s.scene = withLook(s.scene, std::array{s.other}, toTargets({s.one, s.two})).scene;
+  std::vector<View> views = s.scene.views();
+  views[0].looks = {{.node = s.other, .style = toTargets({s.one})}};
+  s.scene.setViews(views);
+  Focus focus;
+  focus.given = {{.node = s.other, .style = toTargets({s.two, s.one})}};
+  s.scene.setFocus(focus);
+  const Scene after = removed(s.scene, std::array{s.one}).scene;
+  QCOMPARE(after.find(s.other)->style.gammaMap->targets, std::vector<NodeId>{s.two});
+  QVERIFY(!after.views()[0].looks->front().style.gammaMap);
+  QCOMPARE(after.focus().given.front().style.gammaMap->targets, std::vector<NodeId>{s.two});
 }
 
 void ViewsEditTest::removedNodesAreForgotten() {

@@ -28,7 +28,10 @@ Style sampleStyle() {
           .halo = 1.5f,
           .grain = 0.5f,
           .hatchDensity = HatchDensity::clamped(0.6f),
-          .hatchTone = HatchTone::clamped(1.3f)};
+          .hatchTone = HatchTone::clamped(1.3f),
+          .gammaMap = GammaMap{.scalar = GammaScalar::distance,
+                               .targets = {{5}, {1}},
+                               .curve = {{0.0f, 3.0f}, {12.5f, 0.1f}, {40.0f, -1.0f}}}};
 }
 
 Provenance sampleProvenance() {

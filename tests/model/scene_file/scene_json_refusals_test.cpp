@@ -78,6 +78,20 @@ void SceneJsonRefusalsTest::refuses_data() {
   row(
       "a huge number", [](Json& j) { j["nodes"][2]["style"]["pen_weight"] = 1e300; },
       "nodes[2].style.pen_weight", "too large");
+  const auto map = [&row](const char* name, const char* key, const Json& value, const char* where,
+                          const char* reason) {
+    row(
+        name, [=](Json& j) { j["nodes"][2]["style"]["gamma_by"][key] = value; },
+        (std::string("nodes[2].style.gamma_by") + where).c_str(), reason);
+  };
+  map("an unknown scalar", "scalar", "mood", ".scalar", "another word");
+  map("a curve of one point", "curve", Json::parse("[[0, 1]]"), "", "2 to 8");
+  map("a curve of many points", "curve", Json(100'000, Json::parse("[0, 1]")), ".curve", "2 to 8");
+  map("a point of three numbers", "curve", Json::parse("[[0, 1, 2]]"), ".curve[0]", "2 numbers");
+  map("scalars that descend", "curve", Json::parse("[[1, 1], [0, 1]]"), "", "ascend");
+  map("an offset beyond 5", "curve", Json::parse("[[0, 1], [1, 5.5]]"), "", "-5 to 5");
+  map("many targets", "targets", Json(100'000, 1), ".targets", "1000 targets");
+  map("a target below 1", "targets", Json::parse("[0]"), ".targets[0]", "whole number");
   row(
       "a colour by name", [](Json& j) { j["nodes"][2]["style"]["colour"] = "red"; },
       "nodes[2].style.colour", "#rrggbb");

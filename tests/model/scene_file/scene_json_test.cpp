@@ -73,8 +73,8 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
   QCOMPARE(keysOf(root["nodes"][2]["style"]),
            QString("colour ink_colour gamma opacity fill visible technique pen_weight "
                    "line_variation line_smoothing shortest_line line_scale hidden_lines halo grain "
-                   "hatch_density "
-                   "hatch_tone"));
+                   "hatch_density hatch_tone gamma_by"));
+  QCOMPARE(keysOf(root["nodes"][2]["style"]["gamma_by"]), QString("scalar targets curve"));
   QCOMPARE(keysOf(root["sections"][0]),
            QString("id name normal offset_mm scope enabled faces hatched"));
   QCOMPARE(keysOf(root["nodes"][2]["provenance"]),
@@ -100,6 +100,7 @@ void SceneJsonTest::unknownKeysAreKeptEverywhere() {
                        &json["nodes"][2],
                        &json["nodes"][2]["mesh"],
                        &json["nodes"][2]["style"],
+                       &json["nodes"][2]["style"]["gamma_by"],
                        &json["nodes"][2]["provenance"],
                        &json["sections"][0],
                        &json["views"][0],

@@ -26,13 +26,20 @@ void PresetStoreTest::survivesItsFile() {
                       .fill = model::Fill::veil,
                       .penWeight = 1.5f,
                       .hatchDensity = HatchDensity::clamped(2.0f),
-                      .hatchTone = HatchTone::clamped(0.25f)};
+                      .hatchTone = HatchTone::clamped(0.25f),
+                      .gammaMap = model::GammaMap{.scalar = model::GammaScalar::occlusion,
+                                                  .curve = {{0.1f, -0.5f}, {0.9f, 3.0f}}}};
   {
     widgets::PresetStore store(settings);
     QVERIFY(store.save(QStringLiteral(" Zarte Linie "), all));
     QVERIFY(!store.save(QStringLiteral("  "), all));
     QVERIFY(!store.save(QStringLiteral("nothing"), {}));
     QVERIFY(store.save(QStringLiteral("a"), {.gamma = Gamma::clamped(1.0f)}));
+    // A distance is from structures of one scene.
+    QVERIFY(!store.save(QStringLiteral("near"),
+                        {.gammaMap = model::GammaMap{.scalar = model::GammaScalar::distance,
+                                                     .targets = {{3}},
+                                                     .curve = {{0, 1}, {1, 2}}}}));
     QVERIFY(!store.rename(QStringLiteral("a"), QStringLiteral("Zarte Linie")));
   }
   settings.sync();

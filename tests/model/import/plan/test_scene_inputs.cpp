@@ -101,6 +101,8 @@ void SceneInputsTest::twoSceneFilesAreOne() {
   QVERIFY(std::get<SurfacePoint>(both.annotations()[2].anchors[0]).structure ==
           both.nodes()[count + 2].id);
   QCOMPARE(both.annotations().size(), std::size_t(4));
+  const std::vector<NodeId> targets{both.nodes()[count + 4].id, both.nodes()[count].id};
+  QVERIFY(both.nodes()[count + 2].style.gammaMap->targets == targets);
   QVERIFY(both.keyLight() == one.keyLight());
   QVERIFY(both.nodes()[count + 1].parent == both.nodes()[count].id);
   QVERIFY(sceneFileBytes({.scene = both}).ok());
