@@ -7,6 +7,7 @@
 
 #include "model/base/contrast.h"
 #include "model/edit/style_edits.h"
+#include "model/scene/gamma_map.h"
 #include "model/scene/resolved_styles.h"
 
 namespace sline::model {
@@ -94,6 +95,17 @@ bool hasNoLook(const Scene& scene) {
   return !nodes && !views;
 }
 
+namespace {
+
+/// Holds Γ of a structure within `most` wherever it varies.
+GammaMap heldWithin(GammaMap map, Gamma own, Gamma most) {
+  for (GammaPoint& point : map.curve)
+    point.offset = std::min(point.offset, most.value() - own.value());
+  return map;
+}
+
+}  // namespace
+
 Edited withInkAlone(const Scene& scene) {
   const Gamma hatched = Gamma::clamped(3.0f);
   std::vector<Node> nodes = scene.nodes();
@@ -112,6 +124,8 @@ Edited withInkAlone(const Scene& scene) {
           style.hatchTone.value() * (1.0f + darker * (style.gamma.value() - hatched.value())));
       node.style.gamma = hatched;
     }
+    if (style.gammaMap.scalar != GammaScalar::none)
+      node.style.gammaMap = heldWithin(style.gammaMap, std::min(style.gamma, hatched), hatched);
     // Half of a fill would be a tone again.
     if (shaded || style.fill != Fill::none) {
       node.style.fill = style.opacity.value() >= 0.5f ? Fill::paper : Fill::none;

@@ -108,6 +108,7 @@ Segment inOrder(const Segment& s, bool reversed) {
   std::swap(turned.normalA, turned.normalB);
   std::swap(turned.opacityA, turned.opacityB);
   std::swap(turned.entryA, turned.entryB);
+  std::swap(turned.gammaA, turned.gammaB);
   std::swap(turned.moveA, turned.moveB);
   std::swap(turned.pressureA, turned.pressureB);
   return turned;
@@ -138,6 +139,7 @@ class Joiner {
       m_joint.normalB = s.normalB;
       m_joint.opacityB = s.opacityB;
       m_joint.entryB = s.entryB;
+      m_joint.gammaB = s.gammaB;
       return;
     }
     finish();

@@ -21,12 +21,14 @@ Segment part(const Segment& s, double t, double u) {
     rest.normalA = unitOr(at(s.normalA, s.normalB, t), s.normalA);
     rest.opacityA = at(s.opacityA, s.opacityB, t);
     rest.entryA = at(s.entryA, s.entryB, t);
+    rest.gammaA = at(s.gammaA, s.gammaB, t);
   }
   if (u < 1.0) {
     rest.b = at(s.a, s.b, u);
     rest.normalB = unitOr(at(s.normalA, s.normalB, u), s.normalB);
     rest.opacityB = at(s.opacityA, s.opacityB, u);
     rest.entryB = at(s.entryA, s.entryB, u);
+    rest.gammaB = at(s.gammaA, s.gammaB, u);
   }
   return rest;
 }
@@ -57,7 +59,8 @@ HatchPoint between(const HatchPoint& a, const HatchPoint& b, double t) {
   const auto at = [t](const auto& x, const auto& y) { return x + float(t) * (y - x); };
   return {.position = at(a.position, b.position),
           .normal = unitOr(at(a.normal, b.normal), a.normal),
-          .halfWidth = at(a.halfWidth, b.halfWidth)};
+          .halfWidth = at(a.halfWidth, b.halfWidth),
+          .ink = at(a.ink, b.ink)};
 }
 
 /// Collects the parts of strokes.

@@ -12,6 +12,7 @@
 #include "render/lines/frustum.h"
 #include "render/lines/hatch_cells.h"
 #include "render/lines/hatch_tone.h"
+#include "render/lines/stages.h"
 #include "render/lines/view_fields.h"
 #include "render/lines/view_scale.h"
 
@@ -43,6 +44,7 @@ struct Sample {
   float weight = 0.0f;  ///< see HatchField
   float angle = 2.0f;
   float presence = 0.0f;  ///< 0 … 1: strokes of the finest level grow from nothing
+  float gamma = 0.0f;     ///< where it varies
   glm::vec2 seen{0.0f};   ///< λ
   bool inked() const { return weight > 0.0f && angle < 1.0f && presence > 0.0f; }
 };
@@ -71,9 +73,15 @@ class Hatcher {
     m_layout.beginView();
     const std::vector<LaidCell> cells =
         neededCells(m_layout, m_fields.clusters(), m_scale, m_frustum, m_request.spacing);
-    m_entered = m_request.entered;
-    if (m_entered < 1.0f)
-      m_entered = evenlyEntered(cells);
+    if (varies()) {
+      measureInk(cells);
+    } else {
+      m_entered = m_request.entered;
+      if (m_entered < 1.0f) {
+        measureInk(cells);
+        m_entered = evenlyEntered(m_entered);
+      }
+    }
     forEachStroke(cells, [this](const LaidCell& cell, const LaidTile& tile, const LaidStroke& s) {
       sample(cell.level, tile, s);
       keepPieces(m_layout.position(tile.points[s.seedPoint]), s.seed);
@@ -82,6 +90,8 @@ class Hatcher {
   }
 
  private:
+  bool varies() const { return !m_request.gammas.empty(); }
+
   template <class Body>
   void forEachStroke(const std::vector<LaidCell>& cells, const Body& body) {
     for (const LaidCell& cell : cells) {
@@ -105,6 +115,9 @@ class Hatcher {
       s.weight = b.x * f0.weight + b.y * f1.weight + b.z * f2.weight;
       s.angle = b.x * f0.angle + b.y * f1.angle + b.z * f2.angle;
       s.position = valueAt(*m_layout.surface().mesh, m_layout.surface().mesh->positions(), s.at);
+      if (varies())
+        s.gamma = b.x * m_request.gammas[t[0]] + b.y * m_request.gammas[t[1]] +
+                  b.z * m_request.gammas[t[2]];
     }
     for (std::uint32_t i = 0; i < stroke.count; ++i)
       if (m_samples[i].weight > 0.0f && m_samples[i].angle < 1.0f)
@@ -155,12 +168,9 @@ class Hatcher {
                     std::sqrt(m_request.tone));
   }
 
-  /// Re-times θ_c (METHOD §7 ▲) so that the amount of ink grows evenly with T_H: returns the value
-  /// of `entered` at which the strokes' ink is that share of all of it.
-  float evenlyEntered(const std::vector<LaidCell>& cells) {
-    constexpr int steps = 32;
+  /// Finds how much ink the strokes have for some values of `entered`.
+  void measureInk(const std::vector<LaidCell>& cells) {
     constexpr std::uint32_t stride = 3;
-    std::array<float, steps + 1> ink{};
     const CoarseDepth depth(m_layout.surface(), m_camera);
     forEachStroke(cells, [&](const LaidCell& cell, const LaidTile& tile, const LaidStroke& stroke) {
       sample(cell.level, tile, stroke);
@@ -170,17 +180,30 @@ class Hatcher {
           continue;
         const Sample& before = m_samples[i > 0 ? i - 1 : 0];
         const float length = before.inked() ? glm::distance(before.seen, s.seen) : 0.0f;
-        for (int step = 1; step <= steps; ++step) {
-          const float width = halfWidth(s, float(step) / float(steps));
-          ink[std::size_t(step)] += m_layout.length() > 0.0f ? width * length : width * width;
+        for (int step = 1; step <= inkSteps; ++step) {
+          const float width = halfWidth(s, float(step) / float(inkSteps));
+          m_ink[std::size_t(step)] += m_layout.length() > 0.0f ? width * length : width * width;
         }
       }
     });
-    const float wanted = m_request.entered * ink[steps];
-    for (std::size_t i = 1; i <= steps; ++i)
-      if (ink[i] >= wanted && ink[i] > ink[i - 1])
-        return (float(i - 1) + (wanted - ink[i - 1]) / (ink[i] - ink[i - 1])) / float(steps);
+  }
+
+  /// Re-times θ_c (METHOD §7 ▲) so that the amount of ink grows evenly with T_H: returns the value
+  /// of `entered` at which the strokes' ink is that share of all of it.
+  float evenlyEntered(float share) const {
+    const float wanted = share * m_ink[inkSteps];
+    for (std::size_t i = 1; i <= inkSteps; ++i)
+      if (m_ink[i] >= wanted && m_ink[i] > m_ink[i - 1])
+        return (float(i - 1) + (wanted - m_ink[i - 1]) / (m_ink[i] - m_ink[i - 1])) /
+               float(inkSteps);
     return 1.0f;
+  }
+
+  float enteredAt(const Sample& s) const {
+    if (!varies())
+      return m_entered;
+    const float share = transitions(Gamma::clamped(s.gamma)).hatching;
+    return share > 0.0f && share < 1.0f ? evenlyEntered(share) : share;
   }
 
   HatchPoint pointOf(const Sample& s) const {
@@ -189,7 +212,8 @@ class Hatcher {
     normal /= std::max(glm::length(normal), 1e-20f);
     if (m_request.twoSided && glm::dot(normal, directionTo(m_eye, s.position)) < 0.0f)
       normal = -normal;
-    return {s.position, normal, halfWidth(s, m_entered)};
+    return {s.position, normal, halfWidth(s, enteredAt(s)),
+            varies() ? transitions(Gamma::clamped(s.gamma)).lines : 1.0f};
   }
 
   /// Takes over what is drawn of the samples, piece by piece.
@@ -271,6 +295,8 @@ class Hatcher {
   ViewScale m_scale;
   Frustum m_frustum;
   HatchFields m_fields;
+  static constexpr int inkSteps = 32;
+  std::array<float, inkSteps + 1> m_ink{};
   float m_entered = 1.0f;
   std::vector<Sample> m_samples;
   std::vector<HatchPoint> m_piece;
@@ -286,8 +312,8 @@ float spacingOf(HatchDensity density) {
 
 Hatching extractHatching(StrokeLayout& layout, const model::Camera& camera,
                          const HatchingRequest& request) {
-  if (!(request.entered > 0.0f) || !(request.tone > 0.0f) || !(request.spacing > 0.0f) ||
-      !std::isfinite(request.spacing))
+  if ((!(request.entered > 0.0f) && request.gammas.empty()) || !(request.tone > 0.0f) ||
+      !(request.spacing > 0.0f) || !std::isfinite(request.spacing))
     return {};
   return Hatcher(layout, camera, request).hatch();
 }

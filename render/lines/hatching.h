@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "model/base/units.h"
@@ -20,6 +21,7 @@ struct HatchPoint {
   glm::vec3 position{0.0f};  ///< on the surface, patient frame, mm
   glm::vec3 normal{0.0f};    ///< unit, on the side that faces the eye
   float halfWidth = 0.0f;    ///< λ
+  float ink = 1.0f;  ///< a factor on width and opacity, 0 … 1, where Γ varies over the structure
 };
 
 /// Points `first` … `first + count − 1` of `Hatching::points`, in drawing order. The visible part
@@ -52,6 +54,7 @@ float spacingOf(HatchDensity density);
 
 struct HatchingRequest {
   float entered = 1.0f;              ///< T_H, 0 … 1; the amount of ink grows evenly with it
+  std::span<const float> gammas;     ///< Γ per vertex, which then says T_H; empty: `entered` does
   float spacing = hatchSpacing;      ///< λ between strokes
   float tone = 1.0f;                 ///< a factor on the strokes' width; some white always stays
   glm::vec3 light = upperLeftLight;  ///< towards the light of form shadows, in the camera's frame

@@ -25,6 +25,8 @@ struct Segment {
   float opacityB = 1.0f;
   float entryA = 0.0f;  ///< suggestive contours: the T_SC at which S eq. 9 lets the point in, 0 … 1
   float entryB = 0.0f;
+  float gammaA = 0.0f;  ///< Γ there, where it varies over the structure; else without a meaning
+  float gammaB = 0.0f;
   /// The move from the line to the curve that a pen draws in its place (METHOD §11.2), mm, across
   /// the view.
   glm::vec3 moveA{0.0f};

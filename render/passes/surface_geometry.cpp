@@ -42,6 +42,15 @@ void SurfaceGeometry::addShape(std::span<const PackedShape> shape) {
   rebuild();
 }
 
+void SurfaceGeometry::setGammaOffsets(std::span<const float> offsets) {
+  const bool first = !m_gammaOffsets;
+  if (first)
+    m_gammaOffsets.emplace(gpu::BufferKind::vertices, "offsets of gamma");
+  m_gammaOffsets->fill(std::as_bytes(offsets));
+  if (first)
+    rebuild();
+}
+
 void SurfaceGeometry::showOnly(std::span<const std::uint32_t> indices) {
   m_visibleIndices.stream(std::as_bytes(indices));
 }
@@ -58,6 +67,10 @@ void SurfaceGeometry::rebuild() {
         {.buffer = &*m_shape,
          .stride = sizeof(PackedShape),
          .attributes = {{2, 4, AttributeType::signed16, 0}, {3, 2, AttributeType::signed16, 8}}});
+  if (m_gammaOffsets)
+    streams.push_back({.buffer = &*m_gammaOffsets,
+                       .stride = sizeof(float),
+                       .attributes = {{4, 1, AttributeType::float32, 0}}});
   m_geometry = std::make_unique<gpu::Geometry>(streams, &m_indices, "surface");
   m_visibleGeometry =
       std::make_unique<gpu::Geometry>(std::move(streams), &m_visibleIndices, "visible surface");

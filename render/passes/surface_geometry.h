@@ -38,6 +38,8 @@ class SurfaceGeometry {
   /// Adds one entry per vertex; only fills at 3 < Γ < 4 read it.
   void addShape(std::span<const PackedShape> shape);
   bool hasShape() const { return m_shape.has_value(); }
+  /// Sets by how much Γ differs at each vertex; only fills over which it varies read it.
+  void setGammaOffsets(std::span<const float> offsets);
   /// Returns the whole surface, once `addWhole` was called.
   const gpu::Geometry& geometry() const { return *m_geometry; }
   /// Sets the triangles that `visibleGeometry` has until the next call.
@@ -52,6 +54,7 @@ class SurfaceGeometry {
   gpu::Buffer m_indices;
   gpu::Buffer m_visibleIndices;
   std::optional<gpu::Buffer> m_shape;
+  std::optional<gpu::Buffer> m_gammaOffsets;
   std::unique_ptr<gpu::Geometry> m_geometry;
   std::unique_ptr<gpu::Geometry> m_visibleGeometry;
   std::uint32_t m_indexCount = 0;

@@ -125,7 +125,8 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
     if (layer.parts.fills && hasCaps(member))
       markCaps(member, view, layer.mask);
     if (layer.parts.fills && showsEdges(member.style))
-      layer.edges[i] = edges(member.surface(), view, lines.at(member.id).lines, layer.area);
+      layer.edges[i] =
+          edges(member.surface(), view, member.style, lines.at(member.id).lines, layer.area);
   }
   const PreparedStructure& first = layer.members.front();
   layer.inked = first.printedHatching;

@@ -25,8 +25,8 @@ struct PreparedStructure : DrawnStructure {
 
   bool operator==(const PreparedStructure& other) const {
     return id == other.id && mesh == other.mesh && style == other.style &&
-           printedHatching == other.printedHatching && pattern == other.pattern &&
-           alike(sections, other.sections);
+           gammaOffsets == other.gammaOffsets && printedHatching == other.printedHatching &&
+           pattern == other.pattern && alike(sections, other.sections);
   }
 };
 

@@ -33,8 +33,7 @@ void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
   for (const std::size_t i : changed)
     for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
       const PreparedStructure& shown = layers[i].members[k];
-      const float shading = shownFill(input, shown).shading;
-      if ((shading > 0.0f && shading < 1.0f) || shown.printedHatching)
+      if (shownFill(input, shown).byForm || shown.printedHatching)
         shown.cached->needShape();
       if (needsLines(input, shown)) {
         LineNeeds& own = needs[shown.cached];
@@ -64,14 +63,16 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
           absent.push_back({&shown, &it->second});
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const PreparedStructure& shown = *absent[i].shown;
-    absent[i].lines->lines = styledLines(*shown.prepared, input.view, shown.style);
+    absent[i].lines->lines =
+        styledLines(*shown.prepared, input.view, shown.style, shown.gammaOffsets.get());
   });
   stopwatch.lines();
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const PreparedStructure& shown = *absent[i].shown;
     StructureLines& drawn = *absent[i].lines;
     if (hatches(input, shown))
-      drawn.hatching = styledHatching(*shown.cached->strokes, input.view, shown.style, input.light);
+      drawn.hatching = styledHatching(*shown.cached->strokes, input.view, shown.style, input.light,
+                                      shown.gammaOffsets.get());
     if (shown.cut) {
       cutLines(*shown.cut, drawn);
       drawn.patterns = facePatterns(shown, input.view);

@@ -39,6 +39,8 @@ void LayerPainter::drawMember(gpu::Device& device, const MemberDraw& member,
                               const passes::SurfaceView& view, DrawQueue& queue) const {
   const PreparedStructure& shown = member.layer.members[member.index];
   const Coverage& coverage = member.layer.coverage[member.index];
+  if (member.fill.gammaOffsets)
+    shown.cached->showGammaOffsets(member.fill.gammaOffsets);
   const std::vector<glm::vec4> sections =
       shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
   passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
@@ -135,7 +137,8 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
       draw.count = layers[i].edges[k].size();
       const SurfaceFill fill = shownFill(input, shown);
       draw.kind = passes::InkKind::edges;
-      draw.paint = glm::vec4(fill.colour, fill.complete * fill.opacity);
+      draw.paint =
+          glm::vec4(fill.colour, (fill.gammaOffsets ? 1.0f : fill.complete) * fill.opacity);
       draw.key = keyLight(input);
       append(layers[i].edges[k]);
       edges.push_back(draw);

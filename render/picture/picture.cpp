@@ -9,6 +9,7 @@
 #include "render/picture/layer_painter.h"
 #include "render/picture/picture_canvas.h"
 #include "render/strokes/face_patterns.h"
+#include "render/strokes/gamma_offsets.h"
 
 namespace sline::render {
 
@@ -79,6 +80,7 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
     shown.style = structure.style;
     shown.cached = &surfaces.at(node.mesh, node.provenance);
     shown.prepared = shown.cached;
+    findGammaOffsets(scene, shown);
     shown.sections = sectionsThatCut(scene.sectionsOf(node.id), node.mesh->bounds());
     if (!shown.sections.empty()) {
       shown.pattern = cutPattern(scene, node);

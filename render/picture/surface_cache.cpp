@@ -35,6 +35,13 @@ void CachedSurface::needShape() {
   geometry->addShape(shape);
 }
 
+void CachedSurface::showGammaOffsets(const GammaOffsetsPtr& offsets) {
+  if (m_shownOffsets == offsets)
+    return;
+  geometry->setGammaOffsets(*offsets);
+  m_shownOffsets = offsets;
+}
+
 void CachedSurface::needWhole() {
   if (geometry->hasWhole())
     return;

@@ -9,6 +9,7 @@
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
 #include "render/passes/surface_geometry.h"
+#include "render/strokes/gamma_offsets.h"
 #include "render/strokes/prepared_surface.h"
 
 namespace sline::render {
@@ -18,8 +19,13 @@ struct CachedSurface : PreparedSurface {
 
   /// Uploads the curvature that fills at 3 < Γ < 4 need, once.
   void needShape();
+  /// Uploads by how much Γ differs at each vertex, unless that is what was uploaded last.
+  void showGammaOffsets(const GammaOffsetsPtr& offsets);
   /// Uploads all triangles in the order of the clusters, for drawing without culling, once.
   void needWhole();
+
+ private:
+  GammaOffsetsPtr m_shownOffsets;
 };
 
 class SurfaceCache {

@@ -23,6 +23,8 @@ struct DrawnStructure {
   /// How its cut faces are drawn where the section shows tissue.
   model::CutPattern pattern = model::CutPattern::plain;
 
+  GammaOffsetsPtr gammaOffsets;  ///< null where Γ is the same all over it
+
   const model::Surface& surface() const { return *prepared->surface; }
 };
 

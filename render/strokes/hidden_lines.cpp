@@ -9,7 +9,6 @@
 
 #include "render/lines/chains.h"
 #include "render/lines/line_technique.h"
-#include "render/lines/stages.h"
 #include "render/strokes/stroke_maker.h"
 
 namespace sline::render {
@@ -34,6 +33,14 @@ std::vector<Stroke> besideOutlines(const model::Surface& surface, const PictureV
   for (const Segment& s : segments)
     maker.contour(s, width, 1.0f, 1.0f);
   return maker.take();
+}
+
+/// Returns the segments with what Γ leaves of each, where it varies.
+std::vector<Segment> left(const std::vector<Segment>& segments, const model::ResolvedStyle& style) {
+  std::vector<Segment> some = segments;
+  if (gammaVaries(style))
+    std::transform(some.begin(), some.end(), some.begin(), leaving);
+  return some;
 }
 
 const std::vector<Segment>& outlinesOf(const StructureLines& drawn) {
@@ -146,11 +153,12 @@ std::vector<Stroke> hiddenStrokes(const model::Surface& surface, const PictureVi
                                   const PixelRect& area) {
   if (style.hiddenLines == model::HiddenLines::none || !showsLines(style))
     return {};
-  const float pen = penWidth(surface, view, style.penWeight) * transitions(style.gamma).lines;
+  const float pen = penWidth(surface, view, style.penWeight) * evenInk(style);
   return besideOutlines(
       surface, view,
-      style.hiddenLines == model::HiddenLines::dashed ? drawn.dashes : outlinesOf(drawn), area,
-      std::min(pen, std::max(hiddenWidth * pen, leastHidden * view.outputUnit())));
+      left(style.hiddenLines == model::HiddenLines::dashed ? drawn.dashes : outlinesOf(drawn),
+           style),
+      area, std::min(pen, std::max(hiddenWidth * pen, leastHidden * view.outputUnit())));
 }
 
 float haloWidth(const model::Surface& surface, const PictureView& view,
@@ -166,7 +174,7 @@ std::vector<Stroke> haloStrokes(const model::Surface& surface, const PictureView
   const float width = haloWidth(surface, view, style);
   if (!(width > 0.0f))
     return {};
-  std::vector<Segment> even = outlinesOf(drawn);
+  std::vector<Segment> even = left(outlinesOf(drawn), style);
   // They begin beside the pen's own ink, which hidden outlines may need.
   const float pen = width / (1.0f + style.halo);
   for (Segment& s : even) {

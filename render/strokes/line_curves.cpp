@@ -39,17 +39,19 @@ struct Sample {
   glm::vec3 normal;
   float opacity;
   float entry;
+  float gamma;
 };
 
 Sample mixed(const Segment& s, bool reversed, float t) {
   const float u = reversed ? 1.0f - t : t;
   // The ends themselves are exact, as neighbours share them.
   if (u <= 0.0f)
-    return {s.a, s.normalA, s.opacityA, s.entryA};
+    return {s.a, s.normalA, s.opacityA, s.entryA, s.gammaA};
   if (u >= 1.0f)
-    return {s.b, s.normalB, s.opacityB, s.entryB};
+    return {s.b, s.normalB, s.opacityB, s.entryB, s.gammaB};
   return {glm::mix(s.a, s.b, u), glm::mix(s.normalA, s.normalB, u),
-          glm::mix(s.opacityA, s.opacityB, u), glm::mix(s.entryA, s.entryB, u)};
+          glm::mix(s.opacityA, s.opacityB, u), glm::mix(s.entryA, s.entryB, u),
+          glm::mix(s.gammaA, s.gammaB, u)};
 }
 
 /// One chain, sampled at even distances of the picture.
@@ -142,6 +144,8 @@ class CurveMaker {
                      .opacityB = b.opacity,
                      .entryA = a.entry,
                      .entryB = b.entry,
+                     .gammaA = a.gamma,
+                     .gammaB = b.gamma,
                      .moveA = shift[i],
                      .moveB = shift[i + 1],
                      .pressureA = pressure[i],
@@ -159,6 +163,7 @@ class CurveMaker {
       std::swap(t.normalA, t.normalB);
       std::swap(t.opacityA, t.opacityB);
       std::swap(t.entryA, t.entryB);
+      std::swap(t.gammaA, t.gammaB);
     }
     return t;
   }

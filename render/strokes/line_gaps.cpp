@@ -144,6 +144,8 @@ Segment bridgeBetween(const std::vector<Segment>& segments, const LineEnd& from,
           .opacityB = to.atB ? b.opacityB : b.opacityA,
           .entryA = from.atB ? a.entryB : a.entryA,
           .entryB = to.atB ? b.entryB : b.entryA,
+          .gammaA = from.atB ? a.gammaB : a.gammaA,
+          .gammaB = to.atB ? b.gammaB : b.gammaA,
           .triangle = a.triangle};
 }
 

@@ -7,6 +7,7 @@
 #include "model/scene/scene.h"
 #include "render/lines/line_preparations.h"
 #include "render/lines/stroke_layout.h"
+#include "render/strokes/gamma_offsets.h"
 #include "render/strokes/line_scale.h"
 
 namespace sline::render {
@@ -30,6 +31,7 @@ struct PreparedSurface {
   float smoothness = 0.0f;
   LineScales scales;
   LinePreparations lines;
+  GammaFields gammaFields;
 
   /// Sets the surface and what is known of it.
   void take(const model::MeshPtr& mesh, const model::Provenance& provenance);

@@ -70,11 +70,13 @@ class StrokeMaker {
            devicePen(s.pressureB * width, s.opacityB * opacity));
   }
 
-  /// Adds the edge of a fill along a contour, one pixel wide.
-  void edge(const Segment& s) {
+  /// Adds the edge of a fill along a contour, one pixel wide, as opaque as said at a and b.
+  void edge(const Segment& s, float opacityA, float opacityB) {
     Segment plain = s;
     plain.moveA = plain.moveB = glm::vec3(0.0f);
-    plain.pressureA = plain.pressureB = plain.opacityA = plain.opacityB = 1.0f;
+    plain.pressureA = plain.pressureB = 1.0f;
+    plain.opacityA = opacityA;
+    plain.opacityB = opacityB;
     contour(plain, 1.0f, 1.0f, 1.0f);
   }
 
@@ -90,21 +92,27 @@ class StrokeMaker {
     finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
   }
 
-  /// Adds a line on the surface; `t` is T_SC.
-  void surfaceLine(const Segment& s, float width, float opacity, float t) {
+  /// How a pen draws one end of a line on the surface.
+  struct LineEnd {
+    Pen pen;  ///< of a line that has entered
+    float t;  ///< T_SC
+  };
+  /// Adds a line on the surface.
+  void surfaceLine(const Segment& s, const LineEnd& atA, const LineEnd& atB) {
     Stroke stroke;
     if (!place(s, stroke))
       return;
     stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
                        1.5f * m_view.millimetresPerPixel(s.a) *
                            std::max(slope(s.a, s.normalA), slope(s.b, s.normalB));
-    const auto pen = [&](float fade, float rank, float pressure) {
-      const float share = entered(t, rank);
-      const float full = width * pressure * (0.45f + 0.55f * fade);
+    const auto pen = [](const LineEnd& end, float fade, float rank, float pressure) {
+      const float share = entered(end.t, rank);
+      const float full = end.pen.width * pressure * (0.45f + 0.55f * fade);
       return devicePen(full * std::min(1.0f, 0.35f + 0.65f * share),
-                       opacity * std::sqrt(fade) * std::min(1.0f, 2.0f * share));
+                       end.pen.opacity * std::sqrt(fade) * std::min(1.0f, 2.0f * share));
     };
-    finish(stroke, pen(s.opacityA, s.entryA, s.pressureA), pen(s.opacityB, s.entryB, s.pressureB));
+    finish(stroke, pen(atA, s.opacityA, s.entryA, s.pressureA),
+           pen(atB, s.opacityB, s.entryB, s.pressureB));
   }
 
   /// Adds the marks on a cut face, at its depth.
@@ -136,8 +144,7 @@ class StrokeMaker {
         stroke.tolerance = surfaceTolerance(a, b);
         stroke.kind = StrokeKind::hatching;
         stroke.softness = hatchEdge(unit);
-        finish(stroke, devicePen(2.0f * a.halfWidth * unit * width, opacity),
-               devicePen(2.0f * b.halfWidth * unit * width, opacity));
+        finish(stroke, hatchPen(a, width, opacity), hatchPen(b, width, opacity));
       }
       from = to;
     }
@@ -148,7 +155,7 @@ class StrokeMaker {
         dot.tolerance = surfaceTolerance(at, at);
         dot.kind = StrokeKind::hatching;
         dot.softness = hatchEdge(unit);
-        const Pen pen = devicePen(2.0f * at.halfWidth * unit * width, opacity);
+        const Pen pen = hatchPen(at, width, opacity);
         finish(dot, pen, pen);
       }
     }
@@ -158,6 +165,11 @@ class StrokeMaker {
   // Limits within which points of hatching become one capsule: in λ and in points.
   static constexpr float chordError = 0.12f;
   static constexpr std::size_t longestChord = 8;
+
+  Pen hatchPen(const HatchPoint& at, float width, float opacity) const {
+    return devicePen(2.0f * at.halfWidth * m_view.outputUnit() * (width * at.ink),
+                     opacity * at.ink);
+  }
 
   float surfaceTolerance(const HatchPoint& a, const HatchPoint& b) const {
     return 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +

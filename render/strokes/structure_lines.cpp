@@ -53,17 +53,21 @@ float outlineError(const model::Surface& surface, const PictureView& view) {
 }  // namespace
 
 bool showsLines(const model::ResolvedStyle& style) {
-  return transitions(style.gamma).lines > 0.0f && style.penWeight > 0.0f;
+  return transitions(gammaSpan(style).least).lines > 0.0f && style.penWeight > 0.0f;
 }
 
 bool showsHatching(const model::ResolvedStyle& style) {
-  return showsLines(style) && transitions(style.gamma).hatching > 0.0f &&
+  return showsLines(style) && transitions(gammaSpan(style).most).hatching > 0.0f &&
          style.technique == model::Technique::sline && style.hatchDensity.value() > 0.0f &&
          style.hatchTone.value() > 0.0f;
 }
 
 bool showsEdges(const model::ResolvedStyle& style) {
-  return transitions(style.gamma).complete > 0.0f && style.opacity.value() > 0.0f;
+  return transitions(gammaSpan(style).most).complete > 0.0f && style.opacity.value() > 0.0f;
+}
+
+float evenInk(const model::ResolvedStyle& style) {
+  return gammaVaries(style) ? 1.0f : transitions(style.gamma).lines;
 }
 
 float penWidth(const model::Surface& surface, const PictureView& view, float penWeight) {
@@ -73,17 +77,39 @@ float penWidth(const model::Surface& surface, const PictureView& view, float pen
 }
 
 LineKinds shownKinds(const model::ResolvedStyle& style) {
+  const Gamma most = gammaSpan(style).most;
   LineKinds kinds{};
   for (const LineTechnique& technique : lineTechniques())
     if (technique.bounds ||
         (showsLines(style) && technique.drawnBy.value_or(style.technique) == style.technique &&
-         technique.entered(style.gamma) > 0.0f))
+         technique.entered(most) > 0.0f))
       kinds.add(technique.kind);
   return kinds;
 }
 
-LineSet styledLines(PreparedSurface& prepared, const PictureView& view,
-                    const model::ResolvedStyle& style) {
+namespace {
+
+/// Returns a time at which the technique ranks its lines, should any of them enter at some time
+/// of their own.
+float rankingTime(const LineTechnique& technique, const model::ResolvedStyle& style) {
+  const GammaSpan span = gammaSpan(style);
+  const float first = technique.entered(span.least);
+  return first == technique.entered(span.most) ? first : 0.5f;
+}
+
+/// Sets Γ at the segments' ends.
+void setGammas(std::vector<Segment>& segments, const model::Mesh& mesh, Gamma own,
+               const GammaOffsets* offsets) {
+  parallelFor(segments.size(), 2048, [&](std::size_t i) {
+    Segment& s = segments[i];
+    s.gammaA = offsets ? gammaAt(mesh, *offsets, own, s.triangle, s.a) : own.value();
+    s.gammaB = offsets ? gammaAt(mesh, *offsets, own, s.triangle, s.b) : own.value();
+  });
+}
+
+/// Returns the segments without their Γ.
+LineSet linesOf(PreparedSurface& prepared, const PictureView& view,
+                const model::ResolvedStyle& style) {
   const model::Surface& surface = *prepared.surface;
   LineRequest request{.kinds = {},
                       .thresholds = {},
@@ -115,10 +141,26 @@ LineSet styledLines(PreparedSurface& prepared, const PictureView& view,
   return lines;
 }
 
+}  // namespace
+
+LineSet styledLines(PreparedSurface& prepared, const PictureView& view,
+                    const model::ResolvedStyle& style, const GammaOffsets* offsets) {
+  LineSet lines = linesOf(prepared, view, style);
+  if (gammaVaries(style))
+    for (const LineTechnique& technique : lineTechniques())
+      setGammas(lines[technique.kind], *prepared.surface->mesh, style.gamma, offsets);
+  return lines;
+}
+
 Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
-                        const model::ResolvedStyle& style, const glm::vec3& light) {
+                        const model::ResolvedStyle& style, const glm::vec3& light,
+                        const GammaOffsets* offsets) {
+  std::vector<float> gammas(gammaVaries(style) && offsets ? offsets->size() : 0);
+  for (std::size_t v = 0; v < gammas.size(); ++v)
+    gammas[v] = Gamma::clamped(style.gamma.value() + (*offsets)[v]).value();
   return extractHatching(layout, view.camera(),
                          {.entered = transitions(style.gamma).hatching,
+                          .gammas = gammas,
                           .spacing = spacingOf(style.hatchDensity),
                           .tone = style.hatchTone.value(),
                           .light = light,
@@ -143,7 +185,7 @@ void joinLines(const model::Surface& surface, const PictureView& view,
     const LineTechnique& technique = techniques[i];
     std::vector<Segment>& segments = drawn.lines[technique.kind];
     if (technique.rank)
-      technique.rank(segments, surface, view.camera(), technique.entered(style.gamma));
+      technique.rank(segments, surface, view.camera(), rankingTime(technique, style));
     if (!(pixel > 0.0f))
       return;
     Chains chains = technique.pen != LinePen::cutEdge && technique.joined
@@ -190,6 +232,17 @@ float innerContourShare(const model::ResolvedStyle& style) {
   return glm::mix(1.0f, innerContour, style.lineVariation);
 }
 
+Segment leaving(const Segment& segment) {
+  const float a = transitions(Gamma::clamped(segment.gammaA)).lines;
+  const float b = transitions(Gamma::clamped(segment.gammaB)).lines;
+  Segment s = segment;
+  s.pressureA *= a;
+  s.pressureB *= b;
+  s.opacityA *= a;
+  s.opacityB *= b;
+  return s;
+}
+
 std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& view,
                             const model::ResolvedStyle& style, const StructureLines& drawn,
                             const PixelRect& area) {
@@ -197,17 +250,29 @@ std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& vi
   const Transitions t = transitions(style.gamma);
   const float pen = penWidth(surface, view, style.penWeight);
   const float innerShare = innerContourShare(style);
+  const bool varies = gammaVaries(style);
   const auto set = [&](const LineTechnique& technique) {
-    const float entered = technique.entered(style.gamma);
     for (const Segment& s : drawn.lines[technique.kind])
       switch (technique.pen) {
-        case LinePen::outside:
-          maker.contour(s, pen * t.lines, t.lines,
-                        innerShare * render::entered(entered, 0.5f * (s.entryA + s.entryB)));
+        case LinePen::outside: {
+          const float entered = technique.entered(
+              varies ? Gamma::clamped(0.5f * (s.gammaA + s.gammaB)) : style.gamma);
+          const float inner = innerShare * render::entered(entered, 0.5f * (s.entryA + s.entryB));
+          if (varies)
+            maker.contour(leaving(s), pen, 1.0f, inner);
+          else
+            maker.contour(s, pen * t.lines, t.lines, inner);
           break;
-        case LinePen::centred:
-          maker.surfaceLine(s, pen * t.lines, t.lines, entered);
+        }
+        case LinePen::centred: {
+          const auto end = [&](float own) -> StrokeMaker::LineEnd {
+            const Gamma gamma = varies ? Gamma::clamped(own) : style.gamma;
+            const float lines = transitions(gamma).lines;
+            return {{pen * lines, lines}, technique.entered(gamma)};
+          };
+          maker.surfaceLine(s, end(s.gammaA), end(s.gammaB));
           break;
+        }
         case LinePen::cutEdge:
           // Cut edges stay outlined where other lines leave: half as wide.
           maker.outline(s, pen * (0.5f + 0.5f * t.lines), style.penWeight > 0.0f ? 1.0f : 0.0f);
@@ -218,7 +283,8 @@ std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& vi
     if (technique.pen != LinePen::cutEdge)
       set(technique);
   for (const HatchStroke& s : drawn.hatching.strokes)
-    maker.hatching(std::span(drawn.hatching.points).subspan(s.first, s.count), t.lines, t.lines);
+    maker.hatching(std::span(drawn.hatching.points).subspan(s.first, s.count),
+                   varies ? 1.0f : t.lines, varies ? 1.0f : t.lines);
   // Like cut edges, patterns stay where other lines leave. Under a fine pen they thin less than its
   // lines, as strokes of less than a pixel would be grey.
   if (style.penWeight > 0.0f)
@@ -231,12 +297,16 @@ std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& vi
 }
 
 std::vector<Stroke> edges(const model::Surface& surface, const PictureView& view,
-                          const LineSet& lines, const PixelRect& area) {
+                          const model::ResolvedStyle& style, const LineSet& lines,
+                          const PixelRect& area) {
   StrokeMaker maker(surface, view, area);
+  const auto complete = [varies = gammaVaries(style)](float gamma) {
+    return varies ? transitions(Gamma::clamped(gamma)).complete : 1.0f;
+  };
   for (const LineTechnique& technique : lineTechniques())
     if (technique.bounds)
       for (const Segment& s : lines[technique.kind])
-        maker.edge(s);
+        maker.edge(s, complete(s.gammaA), complete(s.gammaB));
   return maker.take();
 }
 

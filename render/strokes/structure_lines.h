@@ -11,6 +11,7 @@
 #include "render/lines/lines.h"
 #include "render/raster/pixel_rect.h"
 #include "render/strokes/face_patterns.h"
+#include "render/strokes/gamma_offsets.h"
 #include "render/strokes/picture_view.h"
 #include "render/strokes/prepared_surface.h"
 #include "render/strokes/sectioned_surface.h"
@@ -33,16 +34,20 @@ bool showsHatching(const model::ResolvedStyle& style);
 LineKinds shownKinds(const model::ResolvedStyle& style);
 /// Tells whether lines leave and the fill needs a soft edge of its own.
 bool showsEdges(const model::ResolvedStyle& style);
+/// Returns the share of width and opacity that Γ leaves to all lines alike; 1 where it varies.
+float evenInk(const model::ResolvedStyle& style);
 /// Returns the width of the pen in pixels for this structure, before Γ thins it (METHOD §4 ▲).
 float penWidth(const model::Surface& surface, const PictureView& view, float penWeight);
 
-/// Returns the segments that the style's lines and edges ask for, in the patient's frame.
+/// Returns the segments that the style's lines and edges ask for, in the patient's frame. Where Γ
+/// varies, each knows its own; without offsets it is the structure's.
 LineSet styledLines(PreparedSurface& prepared, const PictureView& view,
-                    const model::ResolvedStyle& style);
+                    const model::ResolvedStyle& style, const GammaOffsets* offsets = nullptr);
 /// Returns the hatching that the style asks for; `light` is the direction towards the light in the
 /// camera's frame.
 Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
-                        const model::ResolvedStyle& style, const glm::vec3& light);
+                        const model::ResolvedStyle& style, const glm::vec3& light,
+                        const GammaOffsets* offsets = nullptr);
 /// Ends the lines at the section planes and adds the outlines of the cut faces.
 void cutLines(const SectionedSurface& cut, StructureLines& drawn);
 /// Finds when each line enters its stage and joins lines to the strokes that a pen would draw:
@@ -64,6 +69,9 @@ ContourProbes contourProbes(const model::Surface& surface, const PictureView& vi
 /// Returns the share of a pen's width that contours within their own mask have.
 float innerContourShare(const model::ResolvedStyle& style);
 
+/// Returns an outline with the share of its width and opacity that Γ at its ends leaves.
+Segment leaving(const Segment& segment);
+
 /// Returns the strokes within `area`: lines on the surface, then contours, each farthest first.
 std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& view,
                             const model::ResolvedStyle& style, const StructureLines& drawn,
@@ -73,9 +81,10 @@ std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& vi
 std::size_t firstContour(std::span<const Stroke> strokes);
 
 /// Returns the contours within `area` as strokes of one pixel that soften a fill's edge, farthest
-/// first.
+/// first; where Γ varies, as opaque as the fill is complete.
 std::vector<Stroke> edges(const model::Surface& surface, const PictureView& view,
-                          const LineSet& lines, const PixelRect& area);
+                          const model::ResolvedStyle& style, const LineSet& lines,
+                          const PixelRect& area);
 
 /// Returns the pixels that a stroke can touch.
 PixelRect strokeBounds(const Stroke& segment);

@@ -26,6 +26,17 @@ float washStrength(model::Fill fill) {
 
 }  // namespace
 
+FillStages fillStages() {
+  constexpr std::size_t half = 16;
+  FillStages stages{};
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    const float part = float(i) / float(half);
+    const Transitions t = transitions(Gamma::clamped(i < half ? 3.0f + part * part : 3.0f + part));
+    stages[i] = {t.shading, t.complete, 0.0f, 0.0f};
+  }
+  return stages;
+}
+
 glm::vec4 backgroundColour(Background background) {
   switch (background) {
     case Background::white:
@@ -51,12 +62,12 @@ Colour inkColour(const model::ResolvedStyle& style, Background background) {
 }
 
 bool isOpaque(const model::ResolvedStyle& style) {
-  return transitions(style.gamma).complete >= 1.0f && style.opacity.value() >= 1.0f;
+  return transitions(gammaSpan(style).least).complete >= 1.0f && style.opacity.value() >= 1.0f;
 }
 
 bool hasFill(const model::ResolvedStyle& style) {
   return style.opacity.value() > 0.0f &&
-         (style.fill != model::Fill::none || transitions(style.gamma).shading > 0.0f);
+         (style.fill != model::Fill::none || transitions(gammaSpan(style).most).shading > 0.0f);
 }
 
 float fillCover(const model::ResolvedStyle& style) {
@@ -72,11 +83,16 @@ SurfaceFill surfaceFill(const DrawnStructure& shown, const PictureView& view,
   SurfaceFill fill;
   if (!hasFill(style))
     return fill;
-  fill.kind = t.shading > 0.0f ? Kind::phong : Kind::flat;
+  const GammaSpan span = gammaSpan(style);
+  fill.kind = transitions(span.most).shading > 0.0f ? Kind::phong : Kind::flat;
   fill.colour = rgb(style.colour);
   fill.shading = t.shading;
   fill.complete = t.complete;
+  fill.leastComplete = transitions(span.least).complete;
   fill.opacity = style.opacity.value();
+  fill.gamma = style.gamma.value();
+  fill.gammaOffsets = shown.gammaOffsets;
+  fill.byForm = transitions(span.most).shading > 0.0f && transitions(span.least).shading < 1.0f;
   fill.filigree = shown.surface().filigreeSize;
   fill.darkGround = background == Background::dark;
   fill.twoSided = needsTwoSides(shown.surface(), view.camera());

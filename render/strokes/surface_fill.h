@@ -2,6 +2,7 @@
 // Describes how a structure's surface is filled, and the colours of ink and ground (METHOD §7).
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -22,15 +23,25 @@ struct SurfaceFill {
   Kind kind = Kind::depthOnly;
   glm::vec4 wash{0.0f};  ///< premultiplied, under the shading; a flat fill consists of it alone
   glm::vec3 colour{1.0f};
-  float shading = 0.0f;   ///< T_P
-  float complete = 0.0f;  ///< clamp01(Γ − 4): mixes the opacity with 1
-  float opacity = 1.0f;   ///< that of the style
+  float shading = 0.0f;        ///< T_P
+  float complete = 0.0f;       ///< clamp01(Γ − 4): mixes the opacity with 1
+  float leastComplete = 0.0f;  ///< the least that `complete` is anywhere
+  float opacity = 1.0f;        ///< that of the style
+  float gamma = 2.0f;          ///< the structure's own
+  /// By how much Γ differs at each vertex; null: nowhere. Then it says T_P and clamp01(Γ − 4).
+  GammaOffsetsPtr gammaOffsets;
+  bool byForm = false;    ///< somewhere shading has entered in part, as the form's curvature says
   float filigree = 1.0f;  ///< F_c in mm
   /// Fills enter as light instead of shade: from parts that face the eye, while on paper they enter
   /// from the rim, as S eq. 11 says.
   bool darkGround = false;
   bool twoSided = false;  ///< normals turn towards the eye
 };
+
+/// Holds T_P (x) and clamp01(Γ − 4) (y) at some Γ, for shaders: at 3 + (i/16)² for i = 0 … 16, as
+/// shading sets in steeply, and at 3 + i/16 for i = 16 … 32.
+using FillStages = std::array<glm::vec4, 33>;
+FillStages fillStages();
 
 /// Returns red, green and blue from 0 to 1, encoded as sRGB.
 inline glm::vec3 rgb(const Colour& colour) {

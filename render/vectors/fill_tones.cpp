@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
+#include "render/lines/stages.h"
 #include "render/lines/view_fields.h"
 
 namespace sline::render {
@@ -46,15 +47,16 @@ class Shader {
   Shader(const DrawnStructure& shown, const LayerInput& input)
       : m_surface(shown.surface()),
         m_input(input),
-        m_fill(surfaceFill(shown, input.view, input.background)) {
-    if (m_fill.kind == SurfaceFill::Kind::phong && m_fill.shading < 1.0f)
+        m_fill(surfaceFill(shown, input.view, input.background)),
+        m_even(transitions(Gamma::clamped(m_fill.gamma))) {
+    if (m_fill.kind == SurfaceFill::Kind::phong && m_fill.byForm)
       findGradients();
   }
 
   bool flat() const { return m_fill.kind != SurfaceFill::Kind::phong; }
   /// Tells whether some parts of the fill let more through than others.
   bool variesInOpacity() const {
-    return m_fill.complete < 1.0f && m_fill.wash.a < 0.999f * m_fill.opacity;
+    return m_fill.leastComplete < 1.0f && m_fill.wash.a < 0.999f * m_fill.opacity;
   }
   const glm::vec4& wash() const { return m_fill.wash; }
 
@@ -68,14 +70,19 @@ class Shader {
     glm::vec3 place(0.0f);
     glm::vec3 normal(0.0f);
     float gradient = 0.0f;
+    float offset = 0.0f;
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t vertex = corners[std::size_t(k)];
       place += w[k] * positions[vertex];
       normal += w[k] * m_surface.normals[vertex];
       if (!m_gradients.empty())
         gradient += w[k] * m_gradients[vertex];
+      if (m_fill.gammaOffsets)
+        offset += w[k] * (*m_fill.gammaOffsets)[vertex];
     }
-    return shaded(glm::normalize(normal), directionTo(m_input.view.eye(), place), gradient);
+    const Transitions t =
+        m_fill.gammaOffsets ? transitions(Gamma::clamped(m_fill.gamma + offset)) : m_even;
+    return shaded(glm::normalize(normal), directionTo(m_input.view.eye(), place), gradient, t);
   }
 
  private:
@@ -94,17 +101,17 @@ class Shader {
     });
   }
 
-  glm::vec4 shaded(const glm::vec3& normal, const glm::vec3& towardsEye, float gradient) const {
+  glm::vec4 shaded(const glm::vec3& normal, const glm::vec3& towardsEye, float gradient,
+                   const Transitions& t) const {
     float nv = glm::dot(normal, towardsEye);
     const float side = m_fill.twoSided && nv < 0.0f ? -1.0f : 1.0f;
     nv = std::clamp(nv * side, 0.0f, 1.0f);
-    const float threshold = quarterTurn * (1.0f - m_fill.shading);
+    const float threshold = quarterTurn * (1.0f - t.shading);
     const float angle = m_fill.darkGround ? std::asin(nv) : std::acos(nv);
     const float byAngle =
         std::clamp((angle - threshold) / std::max(quarterTurn - threshold, 1e-4f), 0.0f, 1.0f);
-    const float byLight =
-        std::clamp(gradient * side, 0.0f, 1.0f) * (1.0f - m_fill.shading) + m_fill.shading;
-    const float entered = glm::mix(byAngle * byLight, 1.0f, m_fill.complete);
+    const float byLight = std::clamp(gradient * side, 0.0f, 1.0f) * (1.0f - t.shading) + t.shading;
+    const float entered = glm::mix(byAngle * byLight, 1.0f, t.complete);
     const float opacity = entered * m_fill.opacity;
     glm::vec3 colour = phong(m_fill.colour, nv);
     if (const glm::vec3& key = m_input.keyLight; key != glm::vec3(0.0f)) {
@@ -120,6 +127,7 @@ class Shader {
   const model::Surface& m_surface;
   const LayerInput& m_input;
   SurfaceFill m_fill;
+  Transitions m_even;  ///< where Γ is the structure's
   std::vector<float> m_gradients;
 };
 

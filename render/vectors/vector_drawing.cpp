@@ -15,6 +15,7 @@
 #include "render/lines/stages.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/face_patterns.h"
+#include "render/strokes/gamma_offsets.h"
 #include "render/strokes/hidden_lines.h"
 #include "render/strokes/structure_lines.h"
 #include "render/strokes/surface_fill.h"
@@ -130,7 +131,7 @@ class Drawing {
   /// files small.
   double pixelsPerTone() const {
     const auto shaded = std::count_if(m_work.begin(), m_work.end(), [](const Work& work) {
-      return transitions(work.shown.style.gamma).shading > 0.0f;
+      return transitions(gammaSpan(work.shown.style).most).shading > 0.0f;
     });
     return std::clamp(double(shaded) / 9.0, 3.0, 9.0);
   }
@@ -148,6 +149,7 @@ class Drawing {
           .prepared = &prepared(node),
           .sections = sectionsThatCut(m_scene.sectionsOf(node.id), node.mesh->bounds()),
           .cut = nullptr};
+      findGammaOffsets(m_scene, shown);
       if (!shown.sections.empty()) {
         shown.pattern = cutPattern(m_scene, node);
         shown.cut = m_sections.at(shown.prepared->surface, shown.sections);
@@ -223,9 +225,10 @@ class Drawing {
     if (!hasLines(work.shown))
       return;
     const DrawnStructure& shown = work.shown;
-    work.lines.lines = styledLines(*shown.prepared, *m_view, shown.style);
+    work.lines.lines = styledLines(*shown.prepared, *m_view, shown.style, shown.gammaOffsets.get());
     if (showsHatching(shown.style))
-      work.lines.hatching = styledHatching(*shown.prepared->strokes, *m_view, shown.style, m_light);
+      work.lines.hatching = styledHatching(*shown.prepared->strokes, *m_view, shown.style, m_light,
+                                           shown.gammaOffsets.get());
     if (shown.cut) {
       cutLines(*shown.cut, work.lines);
       work.lines.patterns = facePatterns(shown, *m_view);
@@ -254,7 +257,7 @@ class Drawing {
     if (!hasLines(work.shown))
       return structure;
     const model::ResolvedStyle& style = work.shown.style;
-    const float ink = transitions(style.gamma).lines;
+    const float ink = evenInk(style);
     const Colour colour = inkColour(style, m_settings.environment.background);
     StructureLines one;
     const bool pens = ink > 0.0f && style.penWeight > 0.0f;
@@ -308,7 +311,7 @@ class Drawing {
     const std::vector<Stroke> found = hiddenStrokes(surface, *m_view, style, work.lines, work.area);
     if (found.empty())
       return;
-    const float ink = transitions(style.gamma).lines;
+    const float ink = evenInk(style);
     const StrokeScene scene{.stack = stack,
                             .own = layers[index],
                             .ownIndex = index,

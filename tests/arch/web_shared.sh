@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$1"
 command -v clang++ >/dev/null || { echo "clang++ is not installed"; exit 77; }
-rooms=(model/anatomy model/base model/geometry model/fairing model/scene render/raster render/lines render/strokes render/labels render/gpu render/passes
+rooms=(model/anatomy model/base model/geometry model/fairing model/scalars model/scene render/raster render/lines render/strokes render/labels render/gpu render/passes
   render/picture render/vectors)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

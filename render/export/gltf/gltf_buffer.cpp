@@ -75,6 +75,17 @@ int GltfBuffer::points(std::span<const glm::vec3> values, bool withBounds) {
   return accessor(std::move(described));
 }
 
+int GltfBuffer::numbers(std::span<const float> values) {
+  const int view = open(arrayBuffer);
+  for (const float value : values)
+    append(m_bytes, std::bit_cast<std::uint32_t>(value));
+  close();
+  return accessor({{"bufferView", view},
+                   {"componentType", floating},
+                   {"count", values.size()},
+                   {"type", "SCALAR"}});
+}
+
 int GltfBuffer::triangles(const model::Mesh& mesh) {
   // The greatest index of a type means a new start and no vertex (§3.7.2.1).
   const bool isShort = mesh.vertexCount() <= 65535;

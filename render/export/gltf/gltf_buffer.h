@@ -27,6 +27,9 @@ class GltfBuffer {
   /// Returns the surface of a mesh with triangles; structures that share a mesh share it here too.
   const GltfSurface& surfaceOf(const model::MeshPtr& mesh);
 
+  /// Adds a number for each vertex of a mesh; returns the accessor's index.
+  int numbers(std::span<const float> values);
+
   const Json& accessors() const { return m_accessors; }
   const Json& views() const { return m_views; }
   /// Returns the bytes, little-endian; their length is a multiple of 4.

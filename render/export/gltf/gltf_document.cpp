@@ -9,6 +9,8 @@
 #include "render/export/gltf/gltf_buffer.h"
 #include "render/export/gltf/gltf_json.h"
 #include "render/export/gltf/gltf_sights.h"
+#include "render/strokes/drawn_structure.h"
+#include "render/strokes/gamma_offsets.h"
 
 namespace sline::render {
 
@@ -97,14 +99,32 @@ class Document {
   std::size_t addMesh(std::size_t i) {
     const model::Node& node = m_order.scene.nodes()[i];
     const GltfSurface& surface = m_buffer.surfaceOf(node.mesh);
-    m_meshes.push_back(
-        {{"name", node.name},
-         {"primitives",
-          Json::array(
-              {{{"attributes", {{"POSITION", surface.positions}, {"NORMAL", surface.normals}}},
-                {"indices", surface.indices},
-                {"material", materialOf(m_styles[i])}}})}});
+    Json attributes{{"POSITION", surface.positions}, {"NORMAL", surface.normals}};
+    if (const std::vector<float> gammas = gammasOf(i); !gammas.empty())
+      attributes["_GAMMA"] = m_buffer.numbers(gammas);
+    m_meshes.push_back({{"name", node.name},
+                        {"primitives", Json::array({{{"attributes", std::move(attributes)},
+                                                     {"indices", surface.indices},
+                                                     {"material", materialOf(m_styles[i])}}})}});
     return m_meshes.size() - 1;
+  }
+
+  /// Returns Γ at each vertex as pictures draw it, where it varies over the surface; else nothing.
+  std::vector<float> gammasOf(std::size_t i) const {
+    if (!gammaVaries(m_styles[i]))
+      return {};
+    const model::Node& node = m_order.scene.nodes()[i];
+    PreparedSurface prepared;
+    prepared.take(node.mesh, node.provenance);
+    DrawnStructure shown{
+        .id = node.id, .mesh = node.mesh, .style = m_styles[i], .prepared = &prepared};
+    findGammaOffsets(m_order.scene, shown);
+    if (!shown.gammaOffsets)
+      return {};
+    std::vector<float> gammas = *shown.gammaOffsets;
+    for (float& gamma : gammas)
+      gamma = Gamma::clamped(m_styles[i].gamma.value() + gamma).value();
+    return gammas;
   }
 
   /// Returns the material, which structures of one colour and opacity share.

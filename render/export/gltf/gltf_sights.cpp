@@ -19,10 +19,13 @@ namespace {
 
 constexpr std::array<const char*, 4> kindNames{"label", "callout", "pin", "distance"};
 
-/// Returns what a style itself defines, as in scene files but for the form of the keys.
+/// Returns what a style itself defines, as in scene files but for the form of the keys. How Γ
+/// varies over a surface is said at its vertices.
 Json ownStyleExtras(const model::Style& style) {
   Json extras = Json::object();
-  const Json own = model::styleJson(style);
+  model::Style said = style;
+  said.gammaMap.reset();
+  const Json own = model::styleJson(said);
   for (const auto& [key, value] : own.items())
     extras[model::camelCase(key)] = value;
   return extras;
@@ -36,8 +39,6 @@ Json styleExtras(const model::ResolvedStyle& style) {
   said.colour.reset();
   said.opacity.reset();
   said.visible.reset();
-  if (style.gammaMap.scalar == model::GammaScalar::none)
-    said.gammaMap.reset();
   // Comes last, as not every structure has one.
   const std::optional<Colour> ink = std::exchange(said.inkColour, std::nullopt);
   Json extras = ownStyleExtras(said);

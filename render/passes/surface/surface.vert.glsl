@@ -9,11 +9,18 @@ out vec3 towardsEye;
 out vec3 place;
 #endif
 out float gradient;  // ⟨k, v̂⟩·F_c
+#ifdef GAMMA_VARIES
+layout(location = 4) in float gammaOffset;
+out float offset;
+#endif
 
 void main() {
   gl_Position = layerClip(viewProjection * vec4(position, 1.0), pictureSize, layer);
 #ifdef SECTIONED
   place = position;
+#endif
+#ifdef GAMMA_VARIES
+  offset = gammaOffset;
 #endif
   vec3 toEye = eye.xyz - eye.w * position;
   float away = eye.w / max(length(toEye), 1e-20);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/passes/surface/surface_pass.h"
 
+#include <algorithm>
+#include <array>
+
 #include "render/passes/shader_files.h"
 
 namespace sline::render::passes {
@@ -37,12 +40,36 @@ gpu::ProgramRecipe phongRecipe() {
                        {"key", UniformType::vec3}}};
 }
 
+/// Returns the program of surfaces over which Γ varies.
+gpu::ProgramRecipe varyingRecipe() {
+  gpu::ProgramRecipe recipe = phongRecipe();
+  recipe.name = "surface shaded by its own gamma";
+  recipe.vertexFile = "surface_gamma.vert.glsl";
+  recipe.fragmentFile = "surface_gamma.frag.glsl";
+  recipe.uniforms.push_back({"gamma", UniformType::real});
+  recipe.uniforms.push_back({"stages[0]", UniformType::vec4});
+  return recipe;
+}
+
 /// Returns the same program, but without the parts that sections cut away.
 gpu::ProgramRecipe sectioned(gpu::ProgramRecipe recipe) {
-  const bool flat = recipe.fragmentFile == "flat.frag.glsl";
-  recipe.name = flat ? "cut flat surface" : "cut shaded surface";
-  recipe.vertexFile = flat ? "flat_cut.vert.glsl" : "surface_cut.vert.glsl";
-  recipe.fragmentFile = flat ? "flat_cut.frag.glsl" : "surface_cut.frag.glsl";
+  struct Cut {
+    std::string_view whole;
+    std::string_view name;
+    std::string_view vertexFile;
+    std::string_view fragmentFile;
+  };
+  constexpr std::array cuts{
+      Cut{"flat.frag.glsl", "cut flat surface", "flat_cut.vert.glsl", "flat_cut.frag.glsl"},
+      Cut{"surface.frag.glsl", "cut shaded surface", "surface_cut.vert.glsl",
+          "surface_cut.frag.glsl"},
+      Cut{"surface_gamma.frag.glsl", "cut surface shaded by its own gamma",
+          "surface_gamma_cut.vert.glsl", "surface_gamma_cut.frag.glsl"}};
+  const auto cut = std::find_if(cuts.begin(), cuts.end(),
+                                [&](const Cut& each) { return each.whole == recipe.fragmentFile; });
+  recipe.name = cut->name;
+  recipe.vertexFile = cut->vertexFile;
+  recipe.fragmentFile = cut->fragmentFile;
   recipe.uniforms.push_back({"sections[0]", UniformType::vec4});
   recipe.uniforms.push_back({"sectionCount", UniformType::integer});
   return recipe;
@@ -52,6 +79,7 @@ gpu::ProgramRecipe sectioned(gpu::ProgramRecipe recipe) {
 
 Result<std::unique_ptr<SurfacePass>> SurfacePass::create(gpu::Dialect dialect) {
   std::unique_ptr<SurfacePass> pass(new SurfacePass);
+  pass->m_stages = fillStages();
   const auto make = [dialect](std::unique_ptr<gpu::Program>& program,
                               const gpu::ProgramRecipe& recipe) -> Status {
     auto made = gpu::Program::create(shaderFiles(), dialect, recipe);
@@ -60,9 +88,11 @@ Result<std::unique_ptr<SurfacePass>> SurfacePass::create(gpu::Dialect dialect) {
     program = std::move(*made);
     return Unit{};
   };
-  for (const Status& status : {make(pass->m_flat, flatRecipe()), make(pass->m_phong, phongRecipe()),
-                               make(pass->m_flatCut, sectioned(flatRecipe())),
-                               make(pass->m_phongCut, sectioned(phongRecipe()))})
+  for (const Status& status :
+       {make(pass->m_flat, flatRecipe()), make(pass->m_phong, phongRecipe()),
+        make(pass->m_flatCut, sectioned(flatRecipe())),
+        make(pass->m_phongCut, sectioned(phongRecipe())), make(pass->m_varying, varyingRecipe()),
+        make(pass->m_varyingCut, sectioned(varyingRecipe()))})
     if (!status)
       return status.error();
   return pass;
@@ -73,8 +103,10 @@ void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const Sur
   const SurfaceFill& fill = draw.fill;
   const bool shaded = fill.kind == SurfaceFill::Kind::phong;
   const bool cut = !draw.sections.empty();
-  const gpu::Program& program =
-      cut ? (shaded ? *m_phongCut : *m_flatCut) : (shaded ? *m_phong : *m_flat);
+  const bool varies = shaded && fill.gammaOffsets;
+  const gpu::Program& program = varies   ? (cut ? *m_varyingCut : *m_varying)
+                                : shaded ? (cut ? *m_phongCut : *m_phong)
+                                         : (cut ? *m_flatCut : *m_flat);
   if (cut) {
     program.set("sections[0]", draw.sections);
     program.set("sectionCount", int(draw.sections.size()));
@@ -90,6 +122,10 @@ void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const Sur
     program.set("colour", fill.colour);
     program.set("wash", fill.wash);
     program.set("transition", glm::vec3(fill.shading, fill.complete, fill.opacity));
+    if (varies) {
+      program.set("gamma", fill.gamma);
+      program.set("stages[0]", std::span<const glm::vec4>(m_stages));
+    }
     program.set("twoSided", fill.twoSided ? 1 : 0);
     program.set("darkGround", fill.darkGround ? 1 : 0);
     program.set("key", view.key);

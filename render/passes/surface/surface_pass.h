@@ -21,6 +21,9 @@ class SurfacePass {
   // Separate programs, so that uncut surfaces pay nothing: `discard` costs early depth tests.
   std::unique_ptr<gpu::Program> m_flatCut;
   std::unique_ptr<gpu::Program> m_phongCut;
+  std::unique_ptr<gpu::Program> m_varying;
+  std::unique_ptr<gpu::Program> m_varyingCut;
+  FillStages m_stages{};  ///< of Γ, for those two
 };
 
 }  // namespace sline::render::passes

@@ -93,6 +93,7 @@ class EditTest : public QObject {
   void showsOnlyAfterHiding();
   void inkAlone_data();
   void inkAlone();
+  void inkAloneWhereGammaVaries();
 };
 
 void EditTest::treeEdits_data() {
@@ -301,6 +302,24 @@ void EditTest::showsOnlyAfterHiding() {
   QCOMPARE(visibleNames(dark), QString());
   QCOMPARE(visibleNames(withOnlyVisible(dark, s.ids("b1")).scene), QString("b1"));
   QCOMPARE(visibleNames(withOnlyVisible(dark, s.ids("root")).scene), QString("b1 b2 a d"));
+}
+
+void EditTest::inkAloneWhereGammaVaries() {
+  Sample s;
+  for (const float gamma : {1.0f, 4.0f}) {
+    const Scene scene =
+        withLook(s.scene, s.ids("A"),
+                 {.gamma = Gamma::clamped(gamma),
+                  .gammaMap = GammaMap{.scalar = GammaScalar::occlusion,
+                                       .curve = {{0.0f, -1.0f}, {0.5f, 1.0f}, {1.0f, 4.0f}}}})
+            .scene;
+    const Edited edited = withInkAlone(scene);
+    const ResolvedStyle drawn = edited.scene.resolve(s.id("b1"));
+    for (int i = 0; i <= 10; ++i)
+      QVERIFY(drawn.gamma.value() + drawn.gammaMap.offsetAt(0.1f * float(i)) <= 3.0f);
+    QCOMPARE(drawn.gammaMap.offsetAt(0.0f), -1.0f);
+    QVERIFY(!withInkAlone(edited.scene).changed);
+  }
 }
 
 void EditTest::inkAlone_data() {

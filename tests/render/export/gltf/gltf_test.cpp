@@ -6,6 +6,9 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
@@ -74,6 +77,7 @@ class GltfTest : public QObject {
   void sidesStay();
   void coloursAreLinear();
   void saysHowItIsDrawn();
+  void gammaStandsAtVertices();
   void annotationsAndCameras();
   void readsBack();
   void sameBytesAndPadding();
@@ -123,6 +127,41 @@ void GltfTest::saysHowItIsDrawn() {
   QCOMPARE(scene["frame"].toString(), QString("LPS"));
   QCOMPARE(scene["sections"][0]["name"].toString(), QString("middle"));
   QCOMPARE(scene["sections"][0]["offset"].toDouble(), 10.0);
+}
+
+void GltfTest::gammaStandsAtVertices() {
+  Sample s = sample();
+  // Γ rises from 1 to 5 between 120 and 130 mm from the left ball.
+  setStyle(s.scene, s.front,
+           {.gamma = Gamma::clamped(1.0f),
+            .gammaMap = model::GammaMap{.scalar = model::GammaScalar::distance,
+                                        .targets = {s.left},
+                                        .curve = {{120.0f, 0.0f}, {130.0f, 4.0f}}}});
+  const std::string bytes = bytesOf(s.scene);
+  const QJsonObject root = jsonOf(bytes);
+  const auto attributesOf = [&root](const char* name) {
+    return root["meshes"][nodeNamed(root, name)["mesh"].toInt()]["primitives"][0]["attributes"]
+        .toObject();
+  };
+  QVERIFY(!attributesOf("top ball").contains("_GAMMA"));
+  const QJsonValue extras = nodeNamed(root, "front ball")["extras"];
+  QVERIFY(extras["gammaBy"].isUndefined());
+  const QJsonValue accessor = root["accessors"][attributesOf("front ball")["_GAMMA"].toInt()];
+  const model::Mesh& mesh = *s.scene.find(s.front)->mesh;
+  QCOMPARE(accessor["count"].toInt(), int(mesh.vertexCount()));
+  QCOMPARE(accessor["type"].toString(), QString("SCALAR"));
+  const QJsonValue view = root["bufferViews"][accessor["bufferView"].toInt()];
+  const std::size_t begin =
+      20 + number(bytes, 12) + 8 + std::size_t(view["byteOffset"].toInteger());
+  const glm::vec3 middle(100.0f, 5.0f, 3.0f);
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+    const float gamma = std::bit_cast<float>(number(bytes, begin + 4 * v));
+    const float distance = glm::distance(mesh.positions()[v], middle) - 10.0f;
+    const float expected = 1.0f + 4.0f * std::clamp((distance - 120.0f) / 10.0f, 0.0f, 1.0f);
+    // The ball is of 80 triangles.
+    QVERIFY2(std::abs(gamma - expected) < 0.4f,
+             qPrintable(QStringLiteral("%1, not %2").arg(gamma).arg(expected)));
+  }
 }
 
 void GltfTest::annotationsAndCameras() {

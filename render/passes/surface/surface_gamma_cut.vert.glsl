@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
+#define GAMMA_VARIES
+#define SECTIONED
+#include "surface.vert.glsl"
