@@ -233,6 +233,9 @@ Result<PictureSpec> parseFlagsWithoutOutput(const PictureFlags& flags) {
     return filled.error();
   if (Status parsed = parseAssignments(flags.gammas, parseGamma, spec.gammas); !parsed.ok())
     return parsed.error();
+  if (Status parsed = parseAssignments(flags.gammaMaps, parseGammaMap, spec.gammaMaps);
+      !parsed.ok())
+    return parsed.error();
   if (Status parsed = parseAssignments(flags.colours, parseColour, spec.colours); !parsed.ok())
     return parsed.error();
   if (Status parsed = parseAssignments(flags.inkColours, parseColour, spec.inkColours);
@@ -301,6 +304,15 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec) 
     patches.insert({0, {model::rootId, style}});
   }
   if (Status ok = collect(scene, spec.gammas, &model::Style::gamma, patches); !ok.ok())
+    return ok.error();
+  std::vector<Assignment<model::GammaMap>> maps;
+  for (const Assignment<GammaMapWish>& wish : spec.gammaMaps) {
+    Result<model::GammaMap> map = gammaMapIn(scene, wish.value);
+    if (!map.ok())
+      return map.error();
+    maps.push_back({wish.name, std::move(*map)});
+  }
+  if (Status ok = collect(scene, maps, &model::Style::gammaMap, patches); !ok.ok())
     return ok.error();
   if (Status ok = collect(scene, spec.colours, &model::Style::colour, patches); !ok.ok())
     return ok.error();

@@ -9,6 +9,7 @@
 
 #include "app/cli/files/progress.h"
 #include "app/cli/flags/focus_flags.h"
+#include "app/cli/flags/gamma_flags.h"
 #include "app/cli/flags/label_flags.h"
 #include "app/cli/flags/section_flags.h"
 #include "app/cli/flags/values.h"
@@ -36,6 +37,7 @@ struct PictureFlags {
   std::optional<bool> keyLight;
   bool blackAndWhite = false;
   std::vector<std::string> gammas;
+  std::vector<std::string> gammaMaps;
   std::vector<std::string> colours;
   std::vector<std::string> inkColours;
   /// Holds what was typed after each of the flags of style_flags.h that were given.
@@ -68,6 +70,7 @@ struct PictureSpec {
   std::optional<model::OpeningLook> fitted;  ///< the look that views are fitted to
   std::optional<model::Fill> fill;
   std::vector<Assignment<Gamma>> gammas;
+  std::vector<Assignment<GammaMapWish>> gammaMaps;
   std::vector<Assignment<Colour>> colours;
   std::vector<Assignment<Colour>> inkColours;
   std::vector<Assignment<model::Style>> styles;  ///< each sets one field
