@@ -41,6 +41,24 @@ float luminance(const glm::vec4& colour) {
   return glm::dot(glm::vec3(colour), glm::vec3(0.299f, 0.587f, 0.114f));
 }
 
+// Steps of opacity, and as many of light, where Γ varies: there light is no function of opacity.
+constexpr int gridSide = 15;
+
+/// Returns a threshold, 0 … 1, of a pixel's place among its 4 × 4 neighbours (Bayer 1973): the mean
+/// of pixels is nearer to the truth than a step.
+float ditherAt(std::size_t column, std::size_t row) {
+  constexpr std::array<int, 16> order{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+  return (float(order[4 * (row % 4) + column % 4]) + 0.5f) / 16.0f;
+}
+
+/// Returns the tone of a colour, premultiplied, among gridSide².
+int gridTone(const glm::vec4& colour, float dither) {
+  const auto step = [dither](float value) {
+    return std::clamp(int(std::floor(value * float(gridSide - 1) + dither)), 0, gridSide - 1);
+  };
+  return step(colour.a) * gridSide + step(luminance(colour) / std::max(colour.a, 1e-4f));
+}
+
 /// Shades as surface.frag.glsl does, on the CPU.
 class Shader {
  public:
@@ -58,6 +76,7 @@ class Shader {
   bool variesInOpacity() const {
     return m_fill.leastComplete < 1.0f && m_fill.wash.a < 0.999f * m_fill.opacity;
   }
+  bool gammaVaries() const { return m_fill.gammaOffsets != nullptr; }
   const glm::vec4& wash() const { return m_fill.wash; }
 
   glm::vec4 colourAt(std::uint32_t triangle, const glm::vec2& pixel) const {
@@ -143,6 +162,7 @@ void fillTones(const DrawnStructure& shown, const LayerInput& input,
     return;
   }
   const bool byOpacity = shader.variesInOpacity();
+  const bool byBoth = byOpacity && shader.gammaVaries();
   struct Sum {
     glm::dvec4 colour{0.0};
     std::size_t pixels = 0;
@@ -153,7 +173,7 @@ void fillTones(const DrawnStructure& shown, const LayerInput& input,
   const int toneSteps = byOpacity ? mostToneSteps
                                   : std::clamp(int(std::sqrt(double(area)) / input.pixelsPerTone),
                                                fewestToneSteps, mostToneSteps);
-  std::array<Sum, mostToneSteps + 1> sums;
+  std::vector<Sum> sums(std::size_t(byBoth ? gridSide * gridSide : mostToneSteps + 1));
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (triangles[i] == 0)
       continue;
@@ -163,13 +183,14 @@ void fillTones(const DrawnStructure& shown, const LayerInput& input,
         glm::vec2(layer.area.x, layer.area.y) + glm::vec2(float(column), float(row)) + 0.5f;
     const glm::vec4 colour = shader.colourAt(triangles[i] - 1, pixel);
     const float value = byOpacity ? colour.a : luminance(colour);
-    const int step = std::clamp(int(std::lround(value * float(toneSteps))), 0, toneSteps);
+    const int step = byBoth ? gridTone(colour, ditherAt(column, row))
+                            : std::clamp(int(std::lround(value * float(toneSteps))), 0, toneSteps);
     layer.tones[i] = std::uint8_t(step + 1);
     sums[std::size_t(step)].colour += glm::dvec4(colour);
     ++sums[std::size_t(step)].pixels;
   }
   // Leaves out tones that no pixel has.
-  std::array<std::uint8_t, mostToneSteps + 2> renamed{};
+  std::vector<std::uint8_t> renamed(sums.size() + 1);
   for (std::size_t step = 0; step < sums.size(); ++step)
     if (sums[step].pixels > 0) {
       layer.colours.emplace_back(sums[step].colour / double(sums[step].pixels));

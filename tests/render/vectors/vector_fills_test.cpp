@@ -128,6 +128,32 @@ class VectorFillsTest : public QObject {
     QCOMPARE(paintedAt(drawn, 21.0f, 0.0f), glm::vec3(255.0f));
   }
 
+  // Where Γ falls from 5 to 2 within a ball, its opaque part keeps its light and shade.
+  void shadingStaysWhereGammaVaries() {
+    const Colour colour{180, 90, 70};
+    model::Scene scene;
+    const model::NodeId far = scene.append(
+        {.name = "far",
+         .style = {.visible = false},
+         .mesh = test::moved(*test::sphere(1.0f, 2), 1.0f, {-100'000.0f, 0.0f, 0.0f})});
+    scene.append(
+        {.name = "ball",
+         .style = {.colour = colour,
+                   .gamma = Gamma::clamped(5.0f),
+                   .gammaMap = model::GammaMap{.scalar = model::GammaScalar::distance,
+                                               .targets = {far},
+                                               .curve = {{99'995.0f, 0.0f}, {100'003.0f, -3.0f}}}},
+         .mesh = test::sphere(20.0f, 5)});
+    const auto drawn = render::drawVectors(scene, frontal(), {});
+    QVERIFY(drawn.ok());
+    for (float x = -18.0f; x <= -6.0f; x += 1.5f)
+      QVERIFY2(largest(paintedAt(*drawn, x, 2.0f) - shaded(colour, 20.0f, x, 2.0f)) < 10.0f,
+               qPrintable(QString::number(double(x))));
+    for (float x = 6.0f; x <= 18.0f; x += 1.5f)
+      QVERIFY2(largest(paintedAt(*drawn, x, 2.0f) - 255.0f) < 4.0f,
+               qPrintable(QString::number(double(x))));
+  }
+
   void shadingEntersFromTheRim() {
     const auto drawn = drawing({{{0.0f, 0.0f, 0.0f}, 20.0f, 4.0f, {180, 90, 70}}});
     float before = paintedAt(drawn, 0.0f, 0.0f).g;
