@@ -4961,6 +4961,75 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::GammaCurve</name>
+    <message>
+        <source>Curve of Γ</source>
+        <translation>Kurve von Γ</translation>
+    </message>
+    <message>
+        <source>What is added to Γ, from left to right along the value. Drag a point; a double click or Insert adds one, Delete takes one away. Arrow keys move the chosen point, Space chooses the next</source>
+        <translation>Was zu Γ hinzukommt, von links nach rechts entlang des Werts. Punkte lassen sich ziehen; ein Doppelklick oder Einfg fügt einen hinzu, Entf nimmt einen weg. Pfeiltasten bewegen den gewählten Punkt, die Leertaste wählt den nächsten</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: %3 at %4</source>
+        <translation>Punkt %1 von %2: %3 bei %4</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::GammaMapEditor</name>
+    <message>
+        <source>Γ over the surface</source>
+        <translation>Γ über die Fläche</translation>
+    </message>
+    <message>
+        <source>Lets Γ vary from place to place on a structure</source>
+        <translation>Lässt Γ von Ort zu Ort auf einer Struktur verschieden sein</translation>
+    </message>
+    <message>
+        <source>The same everywhere</source>
+        <translation>Überall gleich</translation>
+    </message>
+    <message>
+        <source>By cavities</source>
+        <translation>Nach Höhlungen</translation>
+    </message>
+    <message>
+        <source>By curvature</source>
+        <translation>Nach Krümmung</translation>
+    </message>
+    <message>
+        <source>By distance</source>
+        <translation>Nach Abstand</translation>
+    </message>
+    <message>
+        <source>Several</source>
+        <translation>Mehrere</translation>
+    </message>
+    <message>
+        <source>Cavities: how much of its own sky the surface hides, 0 to 1. Curvature: 1 on a ball, negative in hollows. Distance: millimetres from another structure</source>
+        <translation>Höhlungen: wie viel von ihrem eigenen Himmel die Fläche verdeckt, 0 bis 1. Krümmung: 1 auf einer Kugel, negativ in Mulden. Abstand: Millimeter von einer anderen Struktur</translation>
+    </message>
+    <message>
+        <source>Distance from</source>
+        <translation>Abstand von</translation>
+    </message>
+    <message>
+        <source>The structure or group from which distances are measured</source>
+        <translation>Die Struktur oder Gruppe, von der aus Abstände gemessen werden</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n items</source>
+        <translation>
+            <numerusform>%n Element</numerusform>
+            <numerusform>%n Elemente</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::GammaPanel</name>
     <message>
         <source>Nothing selected</source>

@@ -182,6 +182,16 @@
     </message>
 </context>
 <context>
+    <name>sline::widgets::GammaMapEditor</name>
+    <message numerus="yes">
+        <source>%n items</source>
+        <translation>
+            <numerusform>%n item</numerusform>
+            <numerusform>%n items</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::GammaPanel</name>
     <message numerus="yes">
         <source>%n items</source>

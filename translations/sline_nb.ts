@@ -4961,6 +4961,75 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::GammaCurve</name>
+    <message>
+        <source>Curve of Γ</source>
+        <translation>Kurve for Γ</translation>
+    </message>
+    <message>
+        <source>What is added to Γ, from left to right along the value. Drag a point; a double click or Insert adds one, Delete takes one away. Arrow keys move the chosen point, Space chooses the next</source>
+        <translation>Hva som legges til Γ, fra venstre mot høyre langs verdien. Dra et punkt; et dobbeltklikk eller Insert legger til et, Delete tar et bort. Piltastene flytter det valgte punktet, mellomrom velger det neste</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: %3 at %4</source>
+        <translation>Punkt %1 av %2: %3 ved %4</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::GammaMapEditor</name>
+    <message>
+        <source>Γ over the surface</source>
+        <translation>Γ over flaten</translation>
+    </message>
+    <message>
+        <source>Lets Γ vary from place to place on a structure</source>
+        <translation>Lar Γ variere fra sted til sted på en struktur</translation>
+    </message>
+    <message>
+        <source>The same everywhere</source>
+        <translation>Likt overalt</translation>
+    </message>
+    <message>
+        <source>By cavities</source>
+        <translation>Etter hulrom</translation>
+    </message>
+    <message>
+        <source>By curvature</source>
+        <translation>Etter krumning</translation>
+    </message>
+    <message>
+        <source>By distance</source>
+        <translation>Etter avstand</translation>
+    </message>
+    <message>
+        <source>Several</source>
+        <translation>Flere</translation>
+    </message>
+    <message>
+        <source>Cavities: how much of its own sky the surface hides, 0 to 1. Curvature: 1 on a ball, negative in hollows. Distance: millimetres from another structure</source>
+        <translation>Hulrom: hvor mye av sin egen himmel flaten skjuler, 0 til 1. Krumning: 1 på en kule, negativ i fordypninger. Avstand: millimeter fra en annen struktur</translation>
+    </message>
+    <message>
+        <source>Distance from</source>
+        <translation>Avstand fra</translation>
+    </message>
+    <message>
+        <source>The structure or group from which distances are measured</source>
+        <translation>Strukturen eller gruppen som avstander måles fra</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Ingenting</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n items</source>
+        <translation>
+            <numerusform>%n element</numerusform>
+            <numerusform>%n elementer</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::GammaPanel</name>
     <message>
         <source>Nothing selected</source>

@@ -4961,6 +4961,75 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::GammaCurve</name>
+    <message>
+        <source>Curve of Γ</source>
+        <translation>Kromme van Γ</translation>
+    </message>
+    <message>
+        <source>What is added to Γ, from left to right along the value. Drag a point; a double click or Insert adds one, Delete takes one away. Arrow keys move the chosen point, Space chooses the next</source>
+        <translation>Wat bij Γ komt, van links naar rechts langs de waarde. Sleep een punt; een dubbelklik of Insert voegt er een toe, Delete haalt er een weg. Pijltoetsen verplaatsen het gekozen punt, de spatiebalk kiest het volgende</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: %3 at %4</source>
+        <translation>Punt %1 van %2: %3 bij %4</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::GammaMapEditor</name>
+    <message>
+        <source>Γ over the surface</source>
+        <translation>Γ over het oppervlak</translation>
+    </message>
+    <message>
+        <source>Lets Γ vary from place to place on a structure</source>
+        <translation>Laat Γ van plaats tot plaats op een structuur verschillen</translation>
+    </message>
+    <message>
+        <source>The same everywhere</source>
+        <translation>Overal gelijk</translation>
+    </message>
+    <message>
+        <source>By cavities</source>
+        <translation>Naar holten</translation>
+    </message>
+    <message>
+        <source>By curvature</source>
+        <translation>Naar kromming</translation>
+    </message>
+    <message>
+        <source>By distance</source>
+        <translation>Naar afstand</translation>
+    </message>
+    <message>
+        <source>Several</source>
+        <translation>Meerdere</translation>
+    </message>
+    <message>
+        <source>Cavities: how much of its own sky the surface hides, 0 to 1. Curvature: 1 on a ball, negative in hollows. Distance: millimetres from another structure</source>
+        <translation>Holten: hoeveel van zijn eigen hemel het oppervlak verbergt, 0 tot 1. Kromming: 1 op een bol, negatief in kuilen. Afstand: millimeters van een andere structuur</translation>
+    </message>
+    <message>
+        <source>Distance from</source>
+        <translation>Afstand van</translation>
+    </message>
+    <message>
+        <source>The structure or group from which distances are measured</source>
+        <translation>De structuur of groep van waaraf afstanden worden gemeten</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Niets</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n items</source>
+        <translation>
+            <numerusform>%n onderdeel</numerusform>
+            <numerusform>%n onderdelen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::GammaPanel</name>
     <message>
         <source>Nothing selected</source>

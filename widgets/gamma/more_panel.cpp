@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/gamma/gamma_map_editor.h"
 #include "widgets/gamma/style_editors.h"
 
 namespace sline::widgets {
@@ -30,6 +31,7 @@ MorePanel::MorePanel(Session& session, QSettings& settings, QWidget* parent)
     m_editors.push_back(new StyleNumberEditor(session, row));
   for (const StyleChoice& row : styleChoices())
     m_editors.push_back(new StyleChoiceEditor(session, row));
+  m_editors.push_back(new GammaMapEditor(session));
   for (const StyleColour& row : styleColours())
     m_editors.push_back(new StyleColourEditor(session, row));
   for (StyleEditor* editor : m_editors)

@@ -11,9 +11,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "model/edit/node_sets.h"
-#include "model/scene/resolved_styles.h"
 #include "widgets/gamma/range_box.h"
+#include "widgets/gamma/selected_looks.h"
 #include "widgets/gamma/style_slider.h"
 #include "widgets/session/colour_dialog.h"
 
@@ -21,34 +20,9 @@ namespace sline::widgets {
 
 namespace {
 
-/// Returns the looks of the selected structures; a group without structures has its own.
-std::vector<model::ResolvedStyle> looksOf(const model::Scene& scene, const NodeIds& ids) {
-  std::vector<model::ResolvedStyle> looks;
-  for (const model::ResolvedStructure& structure : model::resolvedBelow(scene, ids))
-    looks.push_back(structure.style);
-  if (looks.empty() && !ids.empty())
-    looks.push_back(scene.resolve(ids.front()));
-  return looks;
-}
-
-/// Tells whether one of the nodes has a value of its own.
-template <class Says>
-bool anyOfSays(const model::Scene& scene, const model::NodeSet& asked, const Says& says) {
-  const std::vector<model::Node>& nodes = scene.nodes();
-  return std::any_of(nodes.begin(), nodes.end(), [&](const model::Node& node) {
-    return asked.contains(node.id.value) && says(node.style);
-  });
-}
-
 template <class Says>
 bool anySays(const model::Scene& scene, const NodeIds& ids, const Says& says) {
   return anyOfSays(scene, model::setOf(ids), says);
-}
-
-/// Tells the same of the nodes and all below them, which a reset makes inherit again.
-template <class Says>
-bool anyBelowSays(const model::Scene& scene, const NodeIds& ids, const Says& says) {
-  return anyOfSays(scene, model::withAllBelow(scene, model::setOf(ids)), says);
 }
 
 QIcon swatch(const std::optional<QColor>& colour, const QPalette& palette, bool mixed) {
