@@ -252,11 +252,16 @@ std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& vi
   const float innerShare = innerContourShare(style);
   const bool varies = gammaVaries(style);
   const auto set = [&](const LineTechnique& technique) {
+    const auto endAt = [&](Gamma gamma) -> StrokeMaker::LineEnd {
+      const float lines = transitions(gamma).lines;
+      return {{pen * lines, lines}, technique.entered(gamma)};
+    };
+    const StrokeMaker::LineEnd even = endAt(style.gamma);
     for (const Segment& s : drawn.lines[technique.kind])
       switch (technique.pen) {
         case LinePen::outside: {
-          const float entered = technique.entered(
-              varies ? Gamma::clamped(0.5f * (s.gammaA + s.gammaB)) : style.gamma);
+          const float entered =
+              varies ? technique.entered(Gamma::clamped(0.5f * (s.gammaA + s.gammaB))) : even.t;
           const float inner = innerShare * render::entered(entered, 0.5f * (s.entryA + s.entryB));
           if (varies)
             maker.contour(leaving(s), pen, 1.0f, inner);
@@ -264,15 +269,12 @@ std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& vi
             maker.contour(s, pen * t.lines, t.lines, inner);
           break;
         }
-        case LinePen::centred: {
-          const auto end = [&](float own) -> StrokeMaker::LineEnd {
-            const Gamma gamma = varies ? Gamma::clamped(own) : style.gamma;
-            const float lines = transitions(gamma).lines;
-            return {{pen * lines, lines}, technique.entered(gamma)};
-          };
-          maker.surfaceLine(s, end(s.gammaA), end(s.gammaB));
+        case LinePen::centred:
+          if (varies)
+            maker.surfaceLine(s, endAt(Gamma::clamped(s.gammaA)), endAt(Gamma::clamped(s.gammaB)));
+          else
+            maker.surfaceLine(s, even, even);
           break;
-        }
         case LinePen::cutEdge:
           // Cut edges stay outlined where other lines leave: half as wide.
           maker.outline(s, pen * (0.5f + 0.5f * t.lines), style.penWeight > 0.0f ? 1.0f : 0.0f);
