@@ -113,9 +113,9 @@ GammaOffsetsPtr GammaFields::at(const model::Surface& surface, const model::Gamm
 }
 
 void findGammaOffsets(const model::Scene& scene, DrawnStructure& shown) {
-  model::GammaMap& map = shown.style.gammaMap;
-  if (map.scalar == model::GammaScalar::none)
+  if (!gammaVaries(shown.style))
     return;
+  model::GammaMap& map = shown.style.gammaMap;
   std::vector<model::MeshPtr> targets;
   if (map.scalar == model::GammaScalar::distance)
     targets = targetsOf(scene, shown.id, map);

@@ -28,7 +28,7 @@ GammaSpan gammaSpan(const model::ResolvedStyle& style);
 
 /// Tells whether Γ may differ from place to place.
 inline bool gammaVaries(const model::ResolvedStyle& style) {
-  return style.gammaMap.scalar != model::GammaScalar::none;
+  return style.gammaMap.scalar != model::GammaScalar::none && !style.gammaMap.curve.empty();
 }
 
 /// Returns Γ at a point of that triangle, from 0 to 5.

@@ -212,10 +212,15 @@ void GammaMapPictureTest::changesAreSeen() {
   halves.scene.setNodes(nodes);
   const Image lower = picture(halves.scene);
   QVERIFY(difference(moved, lower).share > 0.01);
-  // Without its target Γ is the structure's.
-  nodes[1].style.gammaMap->targets = {{77}};
-  halves.scene.setNodes(nodes);
-  QCOMPARE(difference(picture(halves.scene), picture(plainRing(0.0f))).largest, 0);
+  // Without its target, or a curve, Γ is the structure's.
+  for (const model::GammaMap& map : {model::GammaMap{.scalar = model::GammaScalar::distance,
+                                    .targets = {{77}},
+                                    .curve = nodes[1].style.gammaMap->curve},
+                                     model::GammaMap{.scalar = model::GammaScalar::curvature}}) {
+    nodes[1].style.gammaMap = map;
+    halves.scene.setNodes(nodes);
+    QCOMPARE(difference(picture(halves.scene), picture(plainRing(0.0f))).largest, 0);
+  }
 }
 
 void GammaMapPictureTest::meshesMayBeShared() {
