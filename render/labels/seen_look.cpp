@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/lines/stages.h"
+#include "render/strokes/gamma_offsets.h"
 #include "render/strokes/section_caps.h"
 #include "render/strokes/surface_fill.h"
 
@@ -34,6 +35,9 @@ SeenLook::SeenLook(const model::ResolvedStyle& style)
   const Transitions t = transitions(style.gamma);
   m_shading = t.shading;
   m_complete = t.complete;
+  const Transitions most = transitions(gammaSpan(style).most);
+  m_mostShading = most.shading;
+  m_mostComplete = most.complete;
   // The eye follows a pen of half the usual width as well as any wider one.
   m_lines = t.lines * m_opacity * std::min(2.0f * style.penWeight, 1.0f);
   m_pen = usualPen * style.penWeight;
@@ -42,6 +46,13 @@ SeenLook::SeenLook(const model::ResolvedStyle& style)
 }
 
 SeenFill SeenLook::surface(float facing, float bent) const {
+  SeenFill fill = surfaceAt(m_shading, m_complete, facing, bent);
+  if (m_mostShading > m_shading || m_mostComplete > m_complete)
+    fill.cover = std::max(fill.cover, surfaceAt(m_mostShading, m_mostComplete, facing, bent).cover);
+  return fill;
+}
+
+SeenFill SeenLook::surfaceAt(float shading, float complete, float facing, float bent) const {
   SeenFill wash;
   if (m_fill == model::Fill::paper)
     wash.cover = m_opacity;
@@ -51,14 +62,14 @@ SeenFill SeenLook::surface(float facing, float bent) const {
     wash = {tintStrength * m_opacity, tintStrength * m_opacity};
   // As surface.frag.glsl has it.
   constexpr float quarterTurn = 1.5707963f;
-  const float threshold = quarterTurn * (1.0f - m_shading);
+  const float threshold = quarterTurn * (1.0f - shading);
   const float angle = std::acos(std::clamp(facing, 0.0f, 1.0f));
   const float byAngle =
-      m_shading > 0.0f
+      shading > 0.0f
           ? std::clamp((angle - threshold) / std::max(quarterTurn - threshold, 1e-4f), 0.0f, 1.0f)
           : 0.0f;
-  const float byLight = bent * (1.0f - m_shading) + m_shading;
-  const float entered = byAngle * byLight + (1.0f - byAngle * byLight) * m_complete;
+  const float byLight = bent * (1.0f - shading) + shading;
+  const float entered = byAngle * byLight + (1.0f - byAngle * byLight) * complete;
   const float shade = entered * m_opacity;
   const float own = shade * tone(std::clamp(facing, 0.0f, 1.0f), entered);
   return {own + wash.colour * (1.0f - shade), shade + wash.cover * (1.0f - shade)};

@@ -19,7 +19,8 @@ class SeenLook {
 
   /// Returns the fill where the surface has that cosine between its normal and the line of sight.
   /// While shading enters, it does so first where the surface is bent (METHOD §7): the share of
-  /// that is `bent`, 0 … 1, of which pictures alone know.
+  /// that is `bent`, 0 … 1, of which pictures alone know. Where Γ varies over the surface, it shows
+  /// what its own Γ says and hides as much as anywhere, so that no leader ends on what it hides.
   SeenFill surface(float facing, float bent = 0.0f) const;
   /// Returns the fill of a cut face.
   SeenFill cutFace(model::CutFaces faces) const;
@@ -35,11 +36,15 @@ class SeenLook {
   float lines() const { return m_surfaceLines; }
 
  private:
+  SeenFill surfaceAt(float shading, float complete, float facing, float bent) const;
+
   model::Fill m_fill;
   float m_gamma;
   float m_opacity;
   float m_shading;
   float m_complete;
+  float m_mostShading;  ///< anywhere on the structure
+  float m_mostComplete;
   float m_lines;
   float m_pen;
   float m_surfaceLines;

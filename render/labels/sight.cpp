@@ -7,6 +7,7 @@
 
 #include "model/geometry/sight.h"
 #include "model/scene/resolved_styles.h"
+#include "render/strokes/gamma_offsets.h"
 
 namespace sline::render {
 
@@ -15,7 +16,7 @@ namespace {
 bool hidesWhatIsBehind(const model::ResolvedStyle& style) {
   constexpr float shaded = 3.5f;  // halfway from hatching to shading
   constexpr float thin = 0.4f;
-  const bool filled = style.gamma.value() >= shaded || style.fill == model::Fill::paper;
+  const bool filled = gammaSpan(style).most.value() >= shaded || style.fill == model::Fill::paper;
   return filled && style.opacity.value() >= thin;
 }
 

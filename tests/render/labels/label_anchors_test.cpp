@@ -4,6 +4,7 @@
 
 #include "model/edit/look.h"
 #include "render/labels/anchors.h"
+#include "render/labels/seen_look.h"
 #include "render/labels/seen_map.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -120,6 +121,24 @@ class LabelAnchorsTest : public QObject {
     model::Style clear;
     clear.opacity = Opacity::clamped(0.1f);
     QVERIFY(Sights(styled(two.scene, two.small, clear), trees).withoutTree().empty());
+  }
+
+  /// Where Γ varies, what may be shaded somewhere hides what is behind it.
+  void whatIsShadedInPartsHides() {
+    Two two = twoSpheres();
+    point(two.scene, two.large, {0.0f, -1.0f, 0.0f});
+    const auto hiddenWith = [&](float offset) {
+      model::Style style{.gamma = Gamma::clamped(1.0f)};
+      style.gammaMap = model::GammaMap{.scalar = model::GammaScalar::occlusion,
+                                       .curve = {{0.0f, -1.0f}, {1.0f, offset}}};
+      const model::Scene scene = styled(two.scene, two.small, style);
+      const model::ResolvedStyle look = scene.resolve(two.small);
+      return std::pair(shown(scene)[0].item.hidden, SeenLook(look).surface(1.0f).cover);
+    };
+    QVERIFY(!hiddenWith(1.0f).first);
+    QCOMPARE(hiddenWith(1.0f).second, 0.0f);
+    QVERIFY(hiddenWith(4.0f).first);
+    QCOMPARE(hiddenWith(4.0f).second, 1.0f);
   }
 
   void clearThingsHideNothing_data() {
