@@ -28,12 +28,16 @@ void GammaFlagsTest::understood_data() {
   QTest::addColumn<int>("scalar");
   QTest::addColumn<QString>("target");
   QTest::addColumn<QString>("curve");  // empty: the usual one
-  QTest::newRow("occlusion") << "occlusion" << int(GammaScalar::occlusion) << "" << "";
-  QTest::newRow("case") << "Curvature" << int(GammaScalar::curvature) << "" << "";
-  QTest::newRow("none") << "none" << int(GammaScalar::none) << "" << "";
+  QTest::newRow("occlusion") << "occlusion" << int(GammaScalar::occlusion) << ""
+                             << "";
+  QTest::newRow("case") << "Curvature" << int(GammaScalar::curvature) << ""
+                        << "";
+  QTest::newRow("none") << "none" << int(GammaScalar::none) << ""
+                        << "";
   QTest::newRow("a curve") << "curvature@-2:+2,0:0" << int(GammaScalar::curvature) << ""
                            << "-2:+2,0:0";
-  QTest::newRow("a distance") << "distance:tumour" << int(GammaScalar::distance) << "tumour" << "";
+  QTest::newRow("a distance") << "distance:tumour" << int(GammaScalar::distance) << "tumour"
+                              << "";
   QTest::newRow("a name with signs")
       << "distance:Chain A: 2@x@0:3,9:0" << int(GammaScalar::distance) << "Chain A: 2@x"
       << "0:+3,9:0";
@@ -57,16 +61,26 @@ void GammaFlagsTest::understood() {
 void GammaFlagsTest::refused_data() {
   QTest::addColumn<QString>("text");
   QTest::addColumn<QString>("said");
-  QTest::newRow("nothing") << "" << "occlusion";
-  QTest::newRow("another scalar") << "mood" << "\"mood\"";
-  QTest::newRow("a distance from nothing") << "distance" << "from what";
-  QTest::newRow("a distance from no name") << "distance:_@0:1,1:2" << "from what";
-  QTest::newRow("occlusion from something") << "occlusion:liver" << "only a distance";
-  QTest::newRow("a bad point") << "occlusion@0:0,half:3" << "point 2 of the curve: \"half:3\"";
-  QTest::newRow("one point") << "occlusion@0:0" << "2 to 8";
-  QTest::newRow("no curve") << "occlusion@" << "point 1";
-  QTest::newRow("too much") << "distance:liver@0:9,40:-1" << "-5 to 5";
-  QTest::newRow("a curve of nothing") << "none@0:0,1:1" << "follows nothing";
+  QTest::newRow("nothing") << ""
+                           << "occlusion";
+  QTest::newRow("another scalar") << "mood"
+                                  << "\"mood\"";
+  QTest::newRow("a distance from nothing") << "distance"
+                                           << "from what";
+  QTest::newRow("a distance from no name") << "distance:_@0:1,1:2"
+                                           << "from what";
+  QTest::newRow("occlusion from something") << "occlusion:liver"
+                                            << "only a distance";
+  QTest::newRow("a bad point") << "occlusion@0:0,half:3"
+                               << "point 2 of the curve: \"half:3\"";
+  QTest::newRow("one point") << "occlusion@0:0"
+                             << "2 to 8";
+  QTest::newRow("no curve") << "occlusion@"
+                            << "point 1";
+  QTest::newRow("too much") << "distance:liver@0:9,40:-1"
+                            << "-5 to 5";
+  QTest::newRow("a curve of nothing") << "none@0:0,1:1"
+                                      << "follows nothing";
 }
 
 void GammaFlagsTest::refused() {
