@@ -198,9 +198,9 @@ class Drawing {
     // Structures of one mesh share what is made here, so it is made before their lines.
     std::map<PreparedSurface*, LineNeeds> needs;
     for (const Work& work : m_work) {
-      LineNeeds& own = needs[work.shown.prepared];
-      own.kinds.add(shownKinds(work.shown.style));
-      own.hatching = own.hatching || showsHatching(work.shown.style);
+      LineNeeds& all = needs[work.shown.prepared];
+      all.kinds.add(shownKinds(work.shown.style));
+      all.hatching = all.hatching || showsHatching(work.shown.style);
     }
     const std::vector<std::pair<PreparedSurface*, LineNeeds>> each(needs.begin(), needs.end());
     parallelFor(each.size(), 1, [&](std::size_t i) { each[i].first->need(each[i].second); });

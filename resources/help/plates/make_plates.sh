@@ -97,6 +97,23 @@ if [ -e "$anatomy/trachea.glb" ]; then
   done
 fi
 
+if [ -e "$anatomy/bodyparts" ]; then
+  cells=()
+  for technique in sline confis apparent_ridges ridges photic laplacian demarcating highlights; do
+    cells+=("$scratch/technique_$technique.png")
+    "$sline" render "$anatomy/bodyparts" --look plain --only "right hip bone" --view right \
+      --gamma 2.5 --technique "$technique" --size 300x300 -o "${cells[-1]}"
+  done
+  oiiotool "${cells[@]}" --mosaic 4x2 -o "$scratch/techniques.png"
+  keep "$scratch/techniques.png" techniques.png
+fi
+
+if [ -e "$anatomy/kinase.pdb" ]; then
+  "$sline" render "$anatomy/kinase.pdb" --look plain --gamma 1.5 --gamma-by occlusion \
+    --size 900x700 -o "$scratch/gamma_by_occlusion.png"
+  keep "$scratch/gamma_by_occlusion.png" gamma_by_occlusion.png
+fi
+
 opening() { # NAME INPUT: plain and as it opens, side by side
   [ -e "$anatomy/$2" ] || return 0
   "$sline" render "$anatomy/$2" --look plain --size 560x560 -o "$scratch/$1_plain.png"
