@@ -129,7 +129,7 @@ std::unordered_map<std::uint64_t, std::vector<NodeId>> childrenOf(const std::vec
 }
 
 /// Returns the style that a node needs of its own to look the same without the group above it.
-Style handedDown(Style own, const Style& group) {
+Style handedDown(const Style& own, const Style& group) {
   const std::optional<bool> hidden = group.visible == false ? group.visible : own.visible;
   Style style = group;
   patch(style, own);

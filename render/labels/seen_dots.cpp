@@ -140,7 +140,7 @@ SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int
     const SeenLayer& other = m_layers[one.layer];
     const SeenCell& cell = other.at(x, y);
     if (!passed && cell.what == SeenCell::What::surface)
-      clear *= 1.0f - left * other.look().lines();
+      clear *= 1.0f - strokesHere * left * other.look().lines();
     const float strokes =
         cell.what == SeenCell::What::surface ? strokesHere * left * other.look().strokes() : 0.0f;
     shares.others = std::max(shares.others, strokes);

@@ -99,8 +99,8 @@ void ExitCodesTest::answers_data() {
       << "render|SAMPLE|-o|DIR/a.png|--section-hatching" << 2 << "--section";
   QTest::newRow("unknown kind of lines")
       << "lines|SAMPLE/Organs/kidney.obj|--camera|DIR/front.json|--size|64x64|-o|DIR/l.json|"
-         "--kinds|ridge"
-      << 2 << "ridge";
+         "--kinds|crease"
+      << 2 << "crease";
 
   QTest::newRow("absent file") << "render|DIR/none.stl|-o|DIR/a.png" << 1 << "none.stl";
   QTest::newRow("broken file") << "render|DIR/broken.stl|-o|DIR/a.png" << 1 << "broken.stl";
