@@ -120,7 +120,8 @@ void uncrossPlaces(std::vector<LabelRequest>& requests, const std::vector<LabelS
         label.requests.push_back(&requests[t]);
       }
   for (int round = 0; round < rounds; ++round)
-    for (const auto& [id, label] : all)
+    for (const auto& [id, shown] : all) {
+      const Label& label = shown;  // lambdas take no structured bindings in clang
       choose(label.frames, pool.at(id).anchors, film, [&](std::size_t t, const glm::vec2& place) {
         const LabelItem& own = label.frames[t].item;
         const std::vector<LabelItem>& items = label.requests[t]->items;
@@ -129,6 +130,7 @@ void uncrossPlaces(std::vector<LabelRequest>& requests, const std::vector<LabelS
                  return other.id != own.id && meetsFrom(place, own, other);
                }));
       });
+    }
 }
 
 }  // namespace sline::render
