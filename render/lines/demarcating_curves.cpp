@@ -33,8 +33,10 @@ Steepest steepestAt(const model::Surface& surface, std::uint32_t v) {
 }  // namespace
 
 glm::vec2 steepestCurvature(const glm::vec4& derivative) {
-  const auto [a, b, c, d] = std::array{double(derivative.x), double(derivative.y),
-                                       double(derivative.z), double(derivative.w)};
+  const double a = derivative.x;
+  const double b = derivative.y;
+  const double c = derivative.z;
+  const double d = derivative.w;
   const auto value = [&](double angle) {
     const double x = std::cos(angle);
     const double y = std::sin(angle);

@@ -107,8 +107,10 @@ void StreamlineRoom::spread(std::span<const TracedPoint> line, const Take& take)
     reach({line[i].triangle, std::uint32_t(i)});
     reach({line[i + 1].triangle, std::uint32_t(i)});
   }
-  for (std::size_t next = 0; next < m_steps.size(); ++next) {
-    const Step step = m_steps[next];
+  // Steps are added on the way.
+  std::size_t next = 0;
+  while (next < m_steps.size()) {
+    const Step step = m_steps[next++];
     for (int side = 0; side < 3; ++side)
       if (const std::uint32_t beside = m_neighbours.across(step.triangle, side);
           beside != model::FaceNeighbours::none)
