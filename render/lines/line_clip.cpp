@@ -11,16 +11,6 @@ namespace sline::render {
 
 namespace {
 
-/// Narrows a range of a line, 0 … 1, to where a value that is linear along it is positive.
-void keepWherePositive(float atA, float atB, std::array<float, 2>& range) {
-  if (atA <= 0.0f && atB <= 0.0f)
-    range = {0.0f, 0.0f};
-  else if (atA <= 0.0f)
-    range[0] = std::max(range[0], zeroBetween(atA, atB));
-  else if (atB <= 0.0f)
-    range[1] = std::min(range[1], zeroBetween(atA, atB));
-}
-
 void appendSide(const std::array<LineEnd, 2>& ends, float side, const LineClip& clip,
                 std::uint32_t triangle, std::vector<Segment>& segments) {
   const float sign = clip.signedStrength ? side : 1.0f;
@@ -57,6 +47,15 @@ void appendSide(const std::array<LineEnd, 2>& ends, float side, const LineClip& 
 }
 
 }  // namespace
+
+void keepWherePositive(float atA, float atB, std::array<float, 2>& range) {
+  if (atA <= 0.0f && atB <= 0.0f)
+    range = {0.0f, 0.0f};
+  else if (atA <= 0.0f)
+    range[0] = std::max(range[0], zeroBetween(atA, atB));
+  else if (atB <= 0.0f)
+    range[1] = std::min(range[1], zeroBetween(atA, atB));
+}
 
 void appendClipped(const std::array<LineEnd, 2>& ends, const LineClip& clip, std::uint32_t triangle,
                    std::vector<Segment>& segments) {

@@ -26,6 +26,10 @@ struct LineClip {
   bool signedStrength = false;
 };
 
+/// Narrows a range of a line, 0 … 1, to where a value that is linear along it is positive; the
+/// range is empty where it is so nowhere.
+void keepWherePositive(float atA, float atB, std::array<float, 2>& range);
+
 /// Appends what is drawn of the line, for each side of the surface that counts. Where it is
 /// stronger it enters earlier (Segment::entryA).
 void appendClipped(const std::array<LineEnd, 2>& ends, const LineClip& clip, std::uint32_t triangle,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/lines/line_clip.h"
 #include "render/lines/stage_entry.h"
 
 namespace sline::render {
@@ -93,19 +94,11 @@ class ClusterLines {
                   std::vector<Segment>& out) const {
     const float cosine = std::cos(m_leastAngle);
     const auto excess = [&](const End& x) { return side * x.derivative - m_leastDerivative; };
-    float low = 0.0f;
-    float high = 1.0f;
-    const auto keepPositive = [&](float atA, float atB) {
-      if (atA <= 0.0f && atB <= 0.0f)
-        high = -1.0f;
-      else if (atA <= 0.0f)
-        low = std::max(low, zeroBetween(atA, atB));
-      else if (atB <= 0.0f)
-        high = std::min(high, zeroBetween(atA, atB));
-    };
-    keepPositive(side * c[0].nv, side * c[1].nv);
-    keepPositive(cosine - side * c[0].nv, cosine - side * c[1].nv);
-    keepPositive(excess(c[0]), excess(c[1]));
+    std::array<float, 2> range{0.0f, 1.0f};
+    keepWherePositive(side * c[0].nv, side * c[1].nv, range);
+    keepWherePositive(cosine - side * c[0].nv, cosine - side * c[1].nv, range);
+    keepWherePositive(excess(c[0]), excess(c[1]), range);
+    const auto [low, high] = range;
     if (!(low < high))
       return;
     // Returns exactly y at t = 1, so that a line's segments share their ends to the last bit.
