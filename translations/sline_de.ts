@@ -508,10 +508,6 @@
         <translation>die Datei hat sich geändert oder ist fort</translation>
     </message>
     <message>
-        <source>%1 of %2 left/right names contradict the frame %3 that the files give; if left and right are swapped, choose the other frame</source>
-        <translation>%1 von %2 Namen mit Seite widersprechen dem Koordinatensystem %3, das die Dateien nennen; sind links und rechts vertauscht, wähle das andere</translation>
-    </message>
-    <message>
         <source>everything together is only %1 units large</source>
         <translation>alles zusammen ist nur %1 Einheiten groß</translation>
     </message>
@@ -1210,6 +1206,22 @@
     <message>
         <source>Export it as NIfTI again, or give the file the extension of its kind</source>
         <translation>Exportiere sie noch einmal als NIfTI oder gib der Datei die Endung ihrer Art</translation>
+    </message>
+    <message>
+        <source>%1 of %2 left/right names contradict the frame %3 that the files give; %4</source>
+        <translation>%1 von %2 Namen mit Seite widersprechen dem Koordinatensystem %3, das die Dateien nennen; %4</translation>
+    </message>
+    <message>
+        <source>front and back are right: if the files are mirrored, choose %1</source>
+        <translation>vorn und hinten stimmen: sind die Dateien gespiegelt, wähle %1</translation>
+    </message>
+    <message>
+        <source>front and back are swapped too: choose %1</source>
+        <translation>auch vorn und hinten sind vertauscht: wähle %1</translation>
+    </message>
+    <message>
+        <source>if left and right are swapped, choose %1 where front and back are swapped too, else %2</source>
+        <translation>sind links und rechts vertauscht, wähle %1, wo auch vorn und hinten vertauscht sind, sonst %2</translation>
     </message>
 </context>
 <context>
@@ -5381,13 +5393,6 @@ OpenGL: %3</translation>
         <translation>%1, das ist groß für Anatomie.</translation>
     </message>
     <message numerus="yes">
-        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1). Choose the other frame.</source>
-        <translation>
-            <numerusform>Links und rechts scheinen vertauscht: die %n Struktur mit einer Seite im Namen liegt auf der anderen Seite (%1). Wähle das andere Koordinatensystem.</numerusform>
-            <numerusform>Links und rechts scheinen vertauscht: alle %n Strukturen mit einer Seite im Namen liegen auf der anderen Seite (%1). Wähle das andere Koordinatensystem.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n structures lie on the other side than their names say: %1.</source>
         <translation>
             <numerusform>%n Struktur liegt auf der anderen Seite, als ihr Name sagt: %1.</numerusform>
@@ -5428,6 +5433,29 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>LAS – left, anterior, superior (mirrors)</source>
+        <translation>LAS – links, anterior, superior (spiegelt)</translation>
+    </message>
+    <message>
+        <source>RPS – right, posterior, superior (mirrors)</source>
+        <translation>RPS – rechts, posterior, superior (spiegelt)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1).</source>
+        <translation>
+            <numerusform>Links und rechts scheinen vertauscht: %n Struktur mit einer Seite im Namen liegt auf der anderen Seite (%1).</numerusform>
+            <numerusform>Links und rechts scheinen vertauscht: alle %n Strukturen mit einer Seite im Namen liegen auf der anderen Seite (%1).</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Front and back are right: if the files are mirrored, choose %1.</source>
+        <translation>Vorn und hinten stimmen: Sind die Dateien gespiegelt, wähle %1.</translation>
+    </message>
+    <message>
+        <source>Choose %1.</source>
+        <translation>Wähle %1.</translation>
     </message>
 </context>
 <context>

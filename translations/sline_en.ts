@@ -239,13 +239,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1). Choose the other frame.</source>
-        <translation>
-            <numerusform>Left and right look swapped: the %n structure with a side in its name lies on the other side (%1). Choose the other frame.</numerusform>
-            <numerusform>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1). Choose the other frame.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n structures lie on the other side than their names say: %1.</source>
         <translation>
             <numerusform>%n structure lies on the other side than its name says: %1.</numerusform>
@@ -257,6 +250,13 @@
         <translation>
             <numerusform>%n face mended</numerusform>
             <numerusform>%n faces mended</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1).</source>
+        <translation>
+            <numerusform>Left and right look swapped: the %n structure with a side in its name lies on the other side (%1).</numerusform>
+            <numerusform>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1).</numerusform>
         </translation>
     </message>
 </context>

@@ -508,10 +508,6 @@
         <translation>filen er endret eller borte</translation>
     </message>
     <message>
-        <source>%1 of %2 left/right names contradict the frame %3 that the files give; if left and right are swapped, choose the other frame</source>
-        <translation>%1 av %2 navn med side motsier aksesystemet %3 som filene oppgir; er venstre og høyre byttet om, velg det andre</translation>
-    </message>
-    <message>
         <source>everything together is only %1 units large</source>
         <translation>alt til sammen er bare %1 enheter stort</translation>
     </message>
@@ -1210,6 +1206,22 @@
     <message>
         <source>Export it as NIfTI again, or give the file the extension of its kind</source>
         <translation>Eksporter den på nytt som NIfTI, eller gi filen endelsen til sin type</translation>
+    </message>
+    <message>
+        <source>%1 of %2 left/right names contradict the frame %3 that the files give; %4</source>
+        <translation>%1 av %2 sidenavn motsier rammen %3 som filene oppgir; %4</translation>
+    </message>
+    <message>
+        <source>front and back are right: if the files are mirrored, choose %1</source>
+        <translation>foran og bak stemmer: er filene speilvendt, velg %1</translation>
+    </message>
+    <message>
+        <source>front and back are swapped too: choose %1</source>
+        <translation>foran og bak er også byttet om: velg %1</translation>
+    </message>
+    <message>
+        <source>if left and right are swapped, choose %1 where front and back are swapped too, else %2</source>
+        <translation>er venstre og høyre byttet om, velg %1 der også foran og bak er byttet om, ellers %2</translation>
     </message>
 </context>
 <context>
@@ -5381,13 +5393,6 @@ OpenGL: %3</translation>
         <translation>%1, noe som er stort for anatomi.</translation>
     </message>
     <message numerus="yes">
-        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1). Choose the other frame.</source>
-        <translation>
-            <numerusform>Venstre og høyre ser ombyttet ut: den %n strukturen med en side i navnet ligger på den andre siden (%1). Velg det andre aksesystemet.</numerusform>
-            <numerusform>Venstre og høyre ser ombyttet ut: alle %n strukturer med en side i navnet ligger på den andre siden (%1). Velg det andre aksesystemet.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n structures lie on the other side than their names say: %1.</source>
         <translation>
             <numerusform>%n struktur ligger på den andre siden enn navnet sier: %1.</numerusform>
@@ -5428,6 +5433,29 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic</source>
         <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>LAS – left, anterior, superior (mirrors)</source>
+        <translation>LAS – venstre, anterior, superior (speiler)</translation>
+    </message>
+    <message>
+        <source>RPS – right, posterior, superior (mirrors)</source>
+        <translation>RPS – høyre, posterior, superior (speiler)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1).</source>
+        <translation>
+            <numerusform>Venstre og høyre ser ut til å være byttet om: %n struktur med en side i navnet ligger på den andre siden (%1).</numerusform>
+            <numerusform>Venstre og høyre ser ut til å være byttet om: alle %n strukturer med en side i navnet ligger på den andre siden (%1).</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Front and back are right: if the files are mirrored, choose %1.</source>
+        <translation>Foran og bak stemmer: er filene speilvendt, velg %1.</translation>
+    </message>
+    <message>
+        <source>Choose %1.</source>
+        <translation>Velg %1.</translation>
     </message>
 </context>
 <context>

@@ -508,10 +508,6 @@
         <translation>het bestand is veranderd of weg</translation>
     </message>
     <message>
-        <source>%1 of %2 left/right names contradict the frame %3 that the files give; if left and right are swapped, choose the other frame</source>
-        <translation>%1 van de %2 namen met een zijde spreken het assenstelsel %3 tegen dat de bestanden noemen; zijn links en rechts verwisseld, kies dan het andere</translation>
-    </message>
-    <message>
         <source>everything together is only %1 units large</source>
         <translation>alles samen is maar %1 eenheden groot</translation>
     </message>
@@ -1210,6 +1206,22 @@
     <message>
         <source>Export it as NIfTI again, or give the file the extension of its kind</source>
         <translation>Exporteer het opnieuw als NIfTI of geef het bestand de extensie van zijn soort</translation>
+    </message>
+    <message>
+        <source>%1 of %2 left/right names contradict the frame %3 that the files give; %4</source>
+        <translation>%1 van %2 namen met een zijde spreken het stelsel %3 tegen dat de bestanden opgeven; %4</translation>
+    </message>
+    <message>
+        <source>front and back are right: if the files are mirrored, choose %1</source>
+        <translation>voor en achter kloppen: zijn de bestanden gespiegeld, kies dan %1</translation>
+    </message>
+    <message>
+        <source>front and back are swapped too: choose %1</source>
+        <translation>ook voor en achter zijn verwisseld: kies %1</translation>
+    </message>
+    <message>
+        <source>if left and right are swapped, choose %1 where front and back are swapped too, else %2</source>
+        <translation>zijn links en rechts verwisseld, kies dan %1 waar ook voor en achter verwisseld zijn, anders %2</translation>
     </message>
 </context>
 <context>
@@ -5381,13 +5393,6 @@ OpenGL: %3</translation>
         <translation>%1, wat groot is voor anatomie.</translation>
     </message>
     <message numerus="yes">
-        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1). Choose the other frame.</source>
-        <translation>
-            <numerusform>Links en rechts lijken verwisseld: de %n structuur met een kant in de naam ligt aan de andere kant (%1). Kies het andere assenstelsel.</numerusform>
-            <numerusform>Links en rechts lijken verwisseld: alle %n structuren met een kant in de naam liggen aan de andere kant (%1). Kies het andere assenstelsel.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n structures lie on the other side than their names say: %1.</source>
         <translation>
             <numerusform>%n structuur ligt aan de andere kant dan de naam zegt: %1.</numerusform>
@@ -5428,6 +5433,29 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>LAS – left, anterior, superior (mirrors)</source>
+        <translation>LAS – links, anterior, superior (spiegelt)</translation>
+    </message>
+    <message>
+        <source>RPS – right, posterior, superior (mirrors)</source>
+        <translation>RPS – rechts, posterior, superior (spiegelt)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1).</source>
+        <translation>
+            <numerusform>Links en rechts lijken verwisseld: %n structuur met een zijde in de naam ligt aan de andere kant (%1).</numerusform>
+            <numerusform>Links en rechts lijken verwisseld: alle %n structuren met een zijde in de naam liggen aan de andere kant (%1).</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Front and back are right: if the files are mirrored, choose %1.</source>
+        <translation>Voor en achter kloppen: zijn de bestanden gespiegeld, kies dan %1.</translation>
+    </message>
+    <message>
+        <source>Choose %1.</source>
+        <translation>Kies %1.</translation>
     </message>
 </context>
 <context>

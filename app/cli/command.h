@@ -12,6 +12,7 @@
 #include "app/cli/files/names.h"
 #include "app/cli/flags/scene_input.h"
 #include "model/base/result.h"
+#include "model/import/naming/laterality.h"
 
 namespace sline::cli {
 
@@ -72,8 +73,9 @@ inline constexpr const char* thresholdHelp =
     "or from LO to HI, in Hounsfield units where the scan has them. bone, skin and vessels have "
     "values of their own";
 inline constexpr const char* frameHelp =
-    "How the files' coordinates map to the patient: LPS or RAS overrides what the files say or "
-    "their names suggest, `file` leaves coordinates as they are";
+    "How the files' coordinates map to the patient, in place of what the files say or their names "
+    "suggest: LPS, RAS, their mirror images RPS and LAS, or `file`, which leaves coordinates as "
+    "they are";
 inline constexpr const char* verboseHelp = "Lists each surface that was repaired on reading";
 inline constexpr const char* overlayHelp =
     "Several molecules: auto lays them over the first by their backbones, off leaves them";
@@ -83,6 +85,13 @@ inline constexpr const char* assemblyHelp =
 inline constexpr const char* smoothHelp =
     "auto smooths surfaces that show the steps of a label map and refines coarse ones, off leaves "
     "all as they are, a number smooths all that many times";
+
+inline void addFrame(CLI::App& command, InputFlags& input) {
+  std::string names;
+  for (const model::FrameAxes& axes : model::frames)
+    names += (names.empty() ? "" : "|") + std::string(axes.name);
+  command.add_option("--frame", input.frame, frameHelp)->type_name(names);
+}
 
 /// Declares the flag that reading a scan needs.
 inline void addThreshold(CLI::App& command, InputFlags& input) {

@@ -90,7 +90,7 @@ void declareCurvature(CLI::App& command, CurvatureFlags& flags) {
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("off");
-  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addFrame(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "One row per vertex, in the file's order where nothing had to be repaired: position (mm),\n"

@@ -307,7 +307,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("auto");
   command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
-  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addFrame(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "Lines are as wide as in a picture of the same shape: a contour is 1/360 of the page's\n"

@@ -89,7 +89,7 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");
-  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addFrame(command, flags.input);
   addThreshold(command, flags.input);
   command.add_flag("--keep-volume", flags.input.keepScans,
                    "Keeps scans with the scene, for slices: about as large as their packed files");

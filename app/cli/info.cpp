@@ -23,7 +23,7 @@ std::string frameOf(const model::Imported& imported) {
       return "mixed";
     frame = node.provenance.frame;
   }
-  return frame.empty() ? std::string(frameName(imported.report.frame)) : frame;
+  return frame.empty() ? model::frameName(imported.report.frame) : frame;
 }
 
 void printJson(const SceneSummary& summary, const std::string& frame,
@@ -60,7 +60,7 @@ void declareInfo(CLI::App& command, InfoFlags& flags) {
   command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   command.add_flag("--json", flags.json, "For programs: one JSON object on standard output");
   command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
-  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addFrame(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "Counts are of the surfaces as repaired on reading, without smoothing. Scans are listed "

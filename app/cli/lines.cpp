@@ -271,7 +271,7 @@ void declareLines(CLI::App& command, LinesFlags& flags) {
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("off");
-  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addFrame(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "Writes {\"kinds\":{\"contour\":{\"segments\":[{\"a\":[x,y,z],\"b\":[x,y,z],\"opacity\":1,\n"

@@ -39,7 +39,7 @@ inline void addMeasureOptions(CLI::App& command, MeasureFlags& flags) {
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");
-  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addFrame(command, flags.input);
 }
 
 }  // namespace sline::cli

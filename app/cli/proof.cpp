@@ -350,7 +350,7 @@ void declareProof(CLI::App& command, ProofFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("auto");
   command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
-  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addFrame(command, flags.input);
   command.footer(
       "Compares the mean colours of structures that lie side by side in the picture, in grey and\n"
       "with protanopia, deuteranopia and tritanopia (Machado, Oliveira and Fernandes 2009). What\n"

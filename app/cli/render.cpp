@@ -45,7 +45,7 @@ void declareRender(CLI::App& command, RenderFlags& flags) {
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");
-  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addFrame(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "NAME is a structure's or a group's name (`sline info` lists them); case and the difference\n"

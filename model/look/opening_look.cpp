@@ -78,13 +78,7 @@ Style everythingStyle() {
   return style;
 }
 
-}  // namespace
-
-ContextAmount plateAmount() {
-  return ContextAmount::clamped(0.7f);
-}
-
-namespace {
+constexpr float plateContext = 0.7f;  ///< how much is drawn around the subject
 
 /// Hides the second of what is there twice.
 Scene withoutTwins(const Scene& scene) {
@@ -146,7 +140,8 @@ std::optional<OpeningLook> openingLook(const Scene& scene, FormIndex& forms,
         analysed(look.scene, {.targets = look.subject.structures, .camera = camera}, forms, stop);
     if (!analysis)
       return std::nullopt;
-    look.scene = withFocusAndContext(look.scene, *analysis, plateAmount()).scene;
+    look.scene =
+        withFocusAndContext(look.scene, *analysis, ContextAmount::clamped(plateContext)).scene;
     look.analysis = std::make_shared<FocusAnalysis>(std::move(*analysis));
   }
   look.camera = camera;

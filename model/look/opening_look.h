@@ -34,9 +34,6 @@ struct OpeningWishes {
   float aspect = 16.0f / 9.0f;         ///< width / height of the picture
 };
 
-/// Returns the amount of context that a plate has.
-ContextAmount plateAmount();
-
 /// Returns the opening look, or nothing where the scene shows nothing or stop was requested. The
 /// result depends on the arguments alone. Hidden structures stay hidden, but for the pockets of
 /// ligands; locked ones stay as they are. The second of what is there twice is hidden (METHOD

@@ -43,8 +43,8 @@ struct IntensityRange {
 
 /// Says where a structure came from and what import did to it.
 struct Provenance {
-  std::string file;          ///< file name without its folder
-  std::string frame;         ///< "LPS", "RAS" or "file": how the file's coordinates were read
+  std::string file;   ///< file name without its folder
+  std::string frame;  ///< how the file's coordinates were read, a name of `frames` (laterality.h)
   std::string frameReason;   ///< what decided the frame
   int smoothingSteps = 0;    ///< 0: the mesh is the file's own
   int refinementSteps = 0;   ///< Loop subdivisions

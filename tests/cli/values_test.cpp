@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/flags/values.h"
+#include "model/import/naming/laterality.h"
 
 #include <QTest>
 
@@ -153,7 +154,7 @@ void ValuesTest::parses() {
   if (const auto colour = parseColour(input); kind == "colour" && colour.ok())
     found = QString("%1 %2 %3").arg(colour->red).arg(colour->green).arg(colour->blue);
   if (const auto frame = parseFrame(input); kind == "frame" && frame.ok())
-    found = QString::fromStdString(std::string(frameName(*frame)));
+    found = QString::fromStdString(model::frameName(*frame));
   if (const auto smoothing = parseSmoothing(input); kind == "smoothing" && smoothing.ok())
     found = QString("%1 %2").arg(int(smoothing->mode)).arg(smoothing->steps);
   const auto bound = [](const std::optional<double>& number) {

@@ -154,12 +154,11 @@ void FocusContext::takeLook(std::uint64_t question, const Look& look, const mode
   // What the user did meanwhile counts more than a choice made for the scene as it was.
   if (!look || m_session.previewing() || !(m_session.scene() == asked))
     return;
+  const model::Focus& focus = look->scene.focus();
   m_state = {.analysis = look->analysis,
-             .targets = look->subject.structures,
-             .amount = model::plateAmount(),
-             .wishes = {}};
-  if (!look->analysis)
-    m_state.targets.clear();
+             .targets = focus.targets,
+             .amount = focus.amount,
+             .wishes = focus.wishes};
   {
     const QScopedValueRollback applying(m_applying, true);
     model::Edited edited{look->scene, !(look->scene == asked)};

@@ -13,6 +13,10 @@ std::vector<ChoiceOf<model::Frame>> frameRows() {
        model::Frame::lps},
       {{QStringLiteral("ras"), ImportDraft::tr("RAS – right, anterior, superior")},
        model::Frame::ras},
+      {{QStringLiteral("las"), ImportDraft::tr("LAS – left, anterior, superior (mirrors)")},
+       model::Frame::las},
+      {{QStringLiteral("rps"), ImportDraft::tr("RPS – right, posterior, superior (mirrors)")},
+       model::Frame::rps},
       {{QStringLiteral("file"), ImportDraft::tr("As in the file, unturned")}, model::Frame::file}};
 }
 

@@ -21,13 +21,16 @@ void add(StructureFigures& to, const StructureFigures& more) {
 void compareSides(const model::ImportPlan& plan, PlanFigures& figures) {
   std::vector<model::NamedPosition> places;
   std::vector<model::NodeId> ids;
+  std::set<std::string> frames;
   for (const auto& [id, part] : plan.parts) {
     const model::Node& node = *plan.scene.find(id);
     // Coordinates that are left as in the file have no sides.
     if (node.provenance.frame == model::frameName(model::Frame::file))
       continue;
-    places.push_back({node.name, figures.nodes[id.value].box.centre().x});
+    const glm::vec3 centre = figures.nodes[id.value].box.centre();
+    places.push_back({node.name, centre.x, centre.y});
     ids.push_back(id);
+    frames.insert(node.provenance.frame);
   }
   for (const std::size_t i : model::namedForOtherSide(places)) {
     figures.otherSide.push_back(ids[i]);
@@ -35,6 +38,13 @@ void compareSides(const model::ImportPlan& plan, PlanFigures& figures) {
   }
   const model::FrameVote vote = model::voteOnFrame(places);
   figures.sidesAgree = vote.lps;
+  if (frames.size() != 1)
+    return;
+  // The places are in LPS, as the frame at hand makes them.
+  const model::FrameAxes& axes = model::axesOf(*frames.begin());
+  figures.mirrors = model::voteOnFront(places).toTheBack().value_or(false);
+  figures.sidesRight =
+      model::frameWith(!axes.left, figures.mirrors ? axes.posterior : !axes.posterior);
 }
 
 }  // namespace

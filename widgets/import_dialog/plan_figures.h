@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -25,7 +26,10 @@ struct PlanFigures {
   StructureFigures all;
   std::unordered_map<std::uint64_t, StructureFigures> nodes;  ///< by NodeId::value, groups too
   std::vector<model::NodeId> otherSide;
-  int sidesAgree = 0;      ///< names that say the side they are on
+  int sidesAgree = 0;  ///< names that say the side they are on
+  /// The frame in which sides would be right, where all structures were read in one frame.
+  std::optional<model::Frame> sidesRight;
+  bool mirrors = false;    ///< that frame is a mirror image: names of front and back agree already
   bool molecules = false;  ///< nothing but molecules: 1 mm stands for 1 Å
   int entries = 0;         ///< molecules that could be laid over each other
   std::vector<std::shared_ptr<const ScanFigures>> scans;

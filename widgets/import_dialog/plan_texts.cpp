@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "model/import/naming/laterality.h"
 #include "widgets/import_dialog/choice_rows.h"
 #include "widgets/import_dialog/import_draft.h"
 #include "widgets/text/told.h"
@@ -134,15 +135,24 @@ QString sideDoubt(const model::ImportPlan& plan, const PlanFigures& figures) {
     return {};
   const QString names = someNames(plan.scene, figures.otherSide);
   const int others = int(figures.otherSide.size());
-  return figures.sidesAgree == 0
-             ? ImportDraft::tr(
-                   "Left and right look swapped: all %n structures with a side in their names lie "
-                   "on the other side (%1). Choose the other frame.",
-                   nullptr, others)
-                   .arg(names)
-             : ImportDraft::tr("%n structures lie on the other side than their names say: %1.",
-                               nullptr, others)
-                   .arg(names);
+  if (figures.sidesAgree > 0)
+    return ImportDraft::tr("%n structures lie on the other side than their names say: %1.", nullptr,
+                           others)
+        .arg(names);
+  const QString swapped =
+      ImportDraft::tr(
+          "Left and right look swapped: all %n structures with a side in their names lie on the "
+          "other side (%1).",
+          nullptr, others)
+          .arg(names);
+  if (!figures.sidesRight)
+    return swapped;
+  const QString frame = QString::fromStdString(model::frameName(*figures.sidesRight));
+  return swapped + QLatin1Char(' ') +
+         (figures.mirrors
+              ? ImportDraft::tr("Front and back are right: if the files are mirrored, choose %1.")
+              : ImportDraft::tr("Choose %1."))
+             .arg(frame);
 }
 
 QString frameText(const model::ImportPlan& plan) {

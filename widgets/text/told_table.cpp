@@ -144,8 +144,12 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told", "%1 has no face with area; left out"),
     QT_TRANSLATE_NOOP("Told", "its file has changed or is gone"),
     QT_TRANSLATE_NOOP("Told",
-                      "%1 of %2 left/right names contradict the frame %3 that the files give; if "
-                      "left and right are swapped, choose the other frame"),
+                      "%1 of %2 left/right names contradict the frame %3 that the files give; %4"),
+    QT_TRANSLATE_NOOP("Told", "front and back are right: if the files are mirrored, choose %1"),
+    QT_TRANSLATE_NOOP("Told", "front and back are swapped too: choose %1"),
+    QT_TRANSLATE_NOOP("Told",
+                      "if left and right are swapped, choose %1 where front and back are swapped "
+                      "too, else %2"),
     QT_TRANSLATE_NOOP("Told", "everything together is only %1 units large"),
     QT_TRANSLATE_NOOP("Told", "%1; the unit was taken as the metre (times 1000)"),
     QT_TRANSLATE_NOOP("Told", "no threshold made a structure: no scan was read that has it"),

@@ -9,6 +9,7 @@
 #include "app/cli/flags/typed_options.h"
 #include "model/base/colour_text.h"
 #include "model/base/letters.h"
+#include "model/import/naming/laterality.h"
 #include "model/import/volumes/threshold_presets.h"
 #include "model/scene/light.h"
 #include "render/export/order/common_options.h"
@@ -24,8 +25,6 @@ struct Choice {
   T value;
 };
 
-constexpr std::array<Choice<model::Frame>, 3> frames{
-    {{"LPS", model::Frame::lps}, {"RAS", model::Frame::ras}, {"file", model::Frame::file}}};
 constexpr std::array<Choice<float>, 4> units{
     {{"mm", 1.0f}, {"cm", 10.0f}, {"m", 1000.0f}, {"inch", 25.4f}}};
 constexpr std::array<Choice<render::HatchingMethod>, 2> hatchingMethods{
@@ -42,16 +41,23 @@ Error unreadableValue(std::string_view what, std::string_view text, std::string_
                .remedy = "Give " + std::string(right)};
 }
 
+/// Returns the value of the row that has the name, whatever its case.
+template <class T, class Row, std::size_t N>
+Result<T> valueOf(const std::array<Row, N>& rows, T Row::*value, std::string_view what,
+                  std::string_view text) {
+  std::string names = "one of";
+  for (const Row& row : rows) {
+    if (equalsIgnoringCase(row.name, text))
+      return row.*value;
+    names += (&row == &rows.front() ? " " : ", ") + std::string(row.name);
+  }
+  return unreadableValue(what, text, names);
+}
+
 template <class T, std::size_t N>
 Result<T> parseChoice(const std::array<Choice<T>, N>& choices, std::string_view what,
                       std::string_view text) {
-  std::string names = "one of";
-  for (const Choice<T>& choice : choices) {
-    if (equalsIgnoringCase(choice.name, text))
-      return choice.value;
-    names += (&choice == &choices.front() ? " " : ", ") + std::string(choice.name);
-  }
-  return unreadableValue(what, text, names);
+  return valueOf(choices, &Choice<T>::value, what, text);
 }
 
 /// Reads the whole text as a number, in any locale.
@@ -127,7 +133,7 @@ Result<Colour> parseColour(std::string_view text) {
 }
 
 Result<model::Frame> parseFrame(std::string_view text) {
-  return parseChoice(frames, "frame", text);
+  return valueOf(model::frames, &model::FrameAxes::frame, "frame", text);
 }
 
 Result<float> parseUnit(std::string_view text) {
@@ -215,13 +221,6 @@ std::optional<NamedValue> splitNamed(std::string_view text) {
   if (cut == std::string_view::npos)
     return std::nullopt;
   return NamedValue{std::string(text.substr(0, cut)), std::string(text.substr(cut + 1))};
-}
-
-std::string_view frameName(model::Frame frame) {
-  for (const auto& choice : frames)
-    if (choice.value == frame)
-      return choice.name;
-  return {};
 }
 
 }  // namespace sline::cli

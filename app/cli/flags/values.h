@@ -35,7 +35,7 @@ Result<float> parseWithin(std::string_view what, std::string_view text,
                           const Limits<float>& limits);
 /// Reads "#rrggbb".
 Result<Colour> parseColour(std::string_view text);
-/// Reads "LPS", "RAS" or "file"; case is ignored.
+/// Reads a name of `model::frames`; case is ignored.
 Result<model::Frame> parseFrame(std::string_view text);
 /// Reads "mm", "cm", "m" or "inch" and returns its length in millimetres.
 Result<float> parseUnit(std::string_view text);
@@ -59,7 +59,5 @@ struct NamedValue {
   std::string value;
 };
 std::optional<NamedValue> splitNamed(std::string_view text);
-
-std::string_view frameName(model::Frame frame);
 
 }  // namespace sline::cli

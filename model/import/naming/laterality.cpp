@@ -22,6 +22,18 @@ struct Ballot {
   std::vector<std::size_t> places;
 };
 
+struct FrontAndBack {
+  std::vector<float> front;  ///< y of the places
+  std::vector<float> back;
+};
+
+/// Returns −1 for a word that says front, 1 for back, else 0.
+int frontOrBack(const std::string& word) {
+  if (word == "anterior" || word == "ventral")
+    return -1;
+  return word == "posterior" || word == "dorsal" ? 1 : 0;
+}
+
 /// Tells whether the name is that of a bone or canal that lies in the middle of every body: where
 /// no pair tells the midline, those do.
 bool liesInTheMiddle(const std::string& name) {
@@ -124,16 +136,64 @@ std::vector<std::size_t> namedForOtherSide(std::span<const NamedPosition> places
   return found;
 }
 
-std::string frameName(Frame frame) {
-  switch (frame) {
-    case Frame::lps:
-      return "LPS";
-    case Frame::ras:
-      return "RAS";
-    case Frame::file:
-      break;
+FrontVote voteOnFront(std::span<const NamedPosition> places) {
+  std::map<std::string, FrontAndBack> pairs;
+  float low = std::numeric_limits<float>::infinity();
+  float high = -low;
+  for (const NamedPosition& place : places) {
+    low = std::min(low, place.y);
+    high = std::max(high, place.y);
+    std::string rest;
+    int side = 0;
+    for (const std::string& word : nameWords(place.name)) {
+      const int told = frontOrBack(word);
+      side = side == 0 ? told : side;
+      rest += told != 0 ? std::string() : word + ' ';
+    }
+    if (side != 0)
+      (side > 0 ? pairs[rest].back : pairs[rest].front).push_back(place.y);
   }
-  return "file";
+  FrontVote vote;
+  for (const auto& [rest, pair] : pairs) {
+    if (pair.front.empty() || pair.back.empty())
+      continue;
+    const float backward = median(pair.back) - median(pair.front);
+    if (std::abs(backward) > 0.01f * (high - low))
+      ++(backward > 0.0f ? vote.posterior : vote.anterior);
+  }
+  return vote;
+}
+
+std::optional<bool> FrontVote::toTheBack() const {
+  if (posterior == anterior)
+    return std::nullopt;
+  return posterior > anterior;
+}
+
+const FrameAxes& axesOf(Frame frame) {
+  return frames[std::size_t(frame)];
+}
+
+const FrameAxes& axesOf(std::string_view name) {
+  const auto found = std::find_if(frames.begin(), frames.end(),
+                                  [&](const FrameAxes& axes) { return axes.name == name; });
+  return found == frames.end() ? frames.front() : *found;
+}
+
+FrameAxes axesIn(Frame frame, bool onlySideOpen) {
+  FrameAxes axes = axesOf(frame);
+  axes.posterior = axes.posterior && !onlySideOpen;
+  return axes;
+}
+
+Frame frameWith(bool left, bool posterior) {
+  if (left)
+    return posterior ? Frame::lps : Frame::las;
+  return posterior ? Frame::rps : Frame::ras;
+}
+
+std::string frameName(Frame frame) {
+  return std::string(axesOf(frame).name);
 }
 
 }  // namespace sline::model

@@ -3,10 +3,12 @@
 // and converts a file's frame to the patient frame LPS.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/import/source/raw_mesh.h"
@@ -18,6 +20,7 @@ namespace sline::model {
 struct NamedPosition {
   std::string name;
   float x = 0.0f;
+  float y = 0.0f;
 };
 
 struct FrameVote {
@@ -38,6 +41,16 @@ FrameVote voteOnFrame(std::span<const NamedPosition> places);
 /// by the same comparisons; of a pair both are returned.
 std::vector<std::size_t> namedForOtherSide(std::span<const NamedPosition> places);
 
+struct FrontVote {
+  int posterior = 0;  ///< pairs of names that speak for +y = the back
+  int anterior = 0;
+  /// Tells whether +y is the back; nothing where no pair tells or pairs disagree evenly.
+  std::optional<bool> toTheBack() const;
+};
+/// Compares the places of names that are alike but for "anterior" and "posterior" (or "ventral" and
+/// "dorsal"). Differences below 1 % of the scene's depth say nothing.
+FrontVote voteOnFront(std::span<const NamedPosition> places);
+
 /// Turns axes with y up (RawMesh::yUp) to axes with z up, a rotation: (x, −z, y). It turns the axes
 /// of glTF (+x the patient's left, +z to the front) into LPS.
 inline glm::vec3 uprightToLps(const glm::vec3& p) {
@@ -48,7 +61,31 @@ inline glm::vec3 halfTurn(const glm::vec3& p) {
   return {-p.x, -p.y, p.z};
 }
 
-/// Returns "LPS", "RAS" or "file".
+/// Describes a frame: its name and where its axes point to; z points to the head.
+struct FrameAxes {
+  Frame frame;
+  std::string_view name;
+  bool left;       ///< +x is the patient's left
+  bool posterior;  ///< +y is the patient's back
+  /// Tells whether coordinates are the mirror image of LPS.
+  constexpr bool mirrored() const { return left != posterior; }
+};
+/// Lists all frames. Coordinates left as in the file count as LPS.
+inline constexpr std::array<FrameAxes, 5> frames{{{Frame::lps, "LPS", true, true},
+                                                  {Frame::ras, "RAS", false, false},
+                                                  {Frame::las, "LAS", true, false},
+                                                  {Frame::rps, "RPS", false, true},
+                                                  {Frame::file, "file", true, true}}};
+/// Returns the axes of a frame; by name, where none has it those of LPS.
+const FrameAxes& axesOf(Frame frame);
+const FrameAxes& axesOf(std::string_view name);
+/// Returns the axes in which a file's coordinates are read. Where it leaves only the side open
+/// (RawMesh::onlySideOpen), y runs to the front whatever the frame says.
+FrameAxes axesIn(Frame frame, bool onlySideOpen);
+/// Returns the frame with these axes.
+Frame frameWith(bool left, bool posterior);
+
+/// Returns the frame's name in `frames`.
 std::string frameName(Frame frame);
 
 }  // namespace sline::model

@@ -24,7 +24,7 @@ class FrameDecision {
       : m_parts(parts), m_sources(sources), m_options(options) {}
 
   void run(ImportReport& report) {
-    const FrameVote vote = voteOf([&](const Part& part) { return isSilent(part); });
+    const FrameVote vote = voteOnFrame(placesOf([&](const Part& part) { return isSilent(part); }));
     const std::optional<Frame> voted = vote.winner();
     report.frame = voted.value_or(Frame::lps);
     report.frameReason = voted ? vote.text() : "no header and no left/right names: LPS assumed";
@@ -69,12 +69,14 @@ class FrameDecision {
   }
 
   template <class Wanted>
-  FrameVote voteOf(const Wanted& wanted) const {
+  std::vector<NamedPosition> placesOf(const Wanted& wanted) const {
     std::vector<NamedPosition> places;
     for (const Part& part : m_parts)
-      if (wanted(part))
-        places.push_back({part.name, boxOf(part.raw.positions).centre().x});
-    return voteOnFrame(places);
+      if (wanted(part)) {
+        const glm::vec3 centre = boxOf(part.raw.positions).centre();
+        places.push_back({part.name, centre.x, centre.y});
+      }
+    return places;
   }
 
   /// Warns where names contradict the header: left and right must never be swapped silently, so the
@@ -83,18 +85,32 @@ class FrameDecision {
     if (m_options.frame)
       return;
     for (const Frame frame : {Frame::lps, Frame::ras}) {
-      const FrameVote vote = voteOf([&](const Part& part) {
+      const std::vector<NamedPosition> places = placesOf([&](const Part& part) {
         return part.frame == frame && !isSilent(part) && !isChosen(part);
       });
+      const FrameVote vote = voteOnFrame(places);
       const int against = frame == Frame::lps ? vote.ras : vote.lps;
       const int agree = frame == Frame::lps ? vote.lps : vote.ras;
       if (against >= 2 && against > 3 * agree)
         report.warnings.push_back(
-            {"",
-             std::to_string(against) + " of " + std::to_string(against + agree) +
-                 " left/right names contradict the frame " + frameName(frame) +
-                 " that the files give; if left and right are swapped, choose the other frame"});
+            {"", std::to_string(against) + " of " + std::to_string(against + agree) +
+                     " left/right names contradict the frame " + frameName(frame) +
+                     " that the files give; " + advice(frame, voteOnFront(places))});
     }
+  }
+
+  /// Returns what to do where names contradict the sides of the frame.
+  static std::string advice(Frame frame, const FrontVote& front) {
+    const FrameAxes& axes = axesOf(frame);
+    const std::string turned = frameName(frameWith(!axes.left, !axes.posterior));
+    const std::string mirrored = frameName(frameWith(!axes.left, axes.posterior));
+    const std::optional<bool> back = front.toTheBack();
+    if (!back)
+      return "if left and right are swapped, choose " + turned +
+             " where front and back are swapped too, else " + mirrored;
+    return *back == axes.posterior
+               ? "front and back are right: if the files are mirrored, choose " + mirrored
+               : "front and back are swapped too: choose " + turned;
   }
 
   std::vector<Part>& m_parts;

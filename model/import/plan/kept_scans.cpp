@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <sstream>
 
+#include "model/import/naming/laterality.h"
 #include "model/import/volumes/grey_volume.h"
 
 namespace sline::model {
@@ -32,13 +33,14 @@ Reading readingOf(const ReadScan& scan, const std::vector<Part>& parts,
 /// Returns the place of the scan. The file's own coordinates are its LPS turned back to its frame;
 /// the decided frame and unit lead on from there.
 glm::dmat4 placeOf(const GreyVolume& volume, const Reading& reading) {
-  const bool spoken = volume.frame == Frame::ras;
-  const bool meant = reading.frame == Frame::ras;
-  const double turn = spoken == meant ? 1.0 : -1.0;
+  const FrameAxes& spoken = axesOf(volume.frame.value_or(Frame::lps));
+  const FrameAxes meant = axesIn(reading.frame.value_or(Frame::lps), volume.onlySideOpen);
+  const double sideways = spoken.left == meant.left ? 1.0 : -1.0;
+  const double backward = spoken.posterior == meant.posterior ? 1.0 : -1.0;
   glm::dmat4 place = volume.toLps;
   for (int column = 0; column < 4; ++column) {
-    place[column].x *= turn * reading.unit;
-    place[column].y *= turn * reading.unit;
+    place[column].x *= sideways * reading.unit;
+    place[column].y *= backward * reading.unit;
     place[column].z *= reading.unit;
   }
   return place;

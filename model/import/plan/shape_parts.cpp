@@ -64,20 +64,14 @@ std::vector<VoxelGrid> gridsOf(const std::vector<Part>& parts, const Sources& so
   return grids;
 }
 
-/// Tells whether a surface in (x, anterior, superior) is mirrored because x runs to the left.
-bool isMirrored(const RawMesh& raw, const Provenance& as) {
-  return raw.onlySideOpen && as.frame == frameName(Frame::lps);
-}
-
 /// Maps file coordinates → millimetres LPS.
 glm::vec3 placed(const glm::vec3& p, const Provenance& as, const RawMesh& raw,
                  const std::optional<glm::dmat4>& toWorld) {
   glm::vec3 q = raw.yUp ? uprightToLps(p) : p;
   q *= as.mmPerUnit;
-  if (isMirrored(raw, as))
-    q.y = -q.y;
-  if (as.frame == frameName(Frame::ras))
-    q = halfTurn(q);
+  const FrameAxes axes = axesIn(axesOf(as.frame).frame, raw.onlySideOpen);
+  q.x = axes.left ? q.x : -q.x;
+  q.y = axes.posterior ? q.y : -q.y;
   if (!toWorld)
     return q;
   const glm::dvec4 ras(-double(q.x), -double(q.y), double(q.z), 1.0);
@@ -142,7 +136,7 @@ Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as) {
     const double scale = toWorld ? glm::determinant(glm::dmat3(*toWorld)) : 1.0;
     as.displacementMm *= float(std::cbrt(std::abs(scale)));
     as.sliceMm *= float(std::cbrt(std::abs(scale)));
-    if ((scale < 0.0) != isMirrored(raw, as))
+    if ((scale < 0.0) != axesIn(axesOf(as.frame).frame, raw.onlySideOpen).mirrored())
       for (Triangle& t : raw.triangles)
         std::swap(t[1], t[2]);
   }

@@ -18,9 +18,10 @@
 
 namespace sline::model {
 
-/// Says how the x, y, z of a file map to the patient (LPS: left, posterior, superior; RAS: right,
-/// anterior, superior); `file` leaves coordinates alone.
-enum class Frame { lps, ras, file };
+/// Says where the x, y and z of a file point to in the patient (LPS: left, posterior, superior;
+/// RAS: right, anterior, superior). LAS and RPS are mirror images of these; `file` leaves
+/// coordinates alone. laterality.h describes each.
+enum class Frame { lps, ras, las, rps, file };
 
 struct GreyVolume;  // volumes/grey_volume.h
 

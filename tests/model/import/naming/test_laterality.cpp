@@ -21,6 +21,8 @@ class LateralityTest : public QObject {
   void liverOnTheRight_data();
   void liverOnTheRight();
   void fileFrameTouchesNothing();
+  void mirroredFrames();
+  void contradictionIsTold_data();
   void contradictionIsTold();
 };
 
@@ -155,18 +157,58 @@ void LateralityTest::fileFrameTouchesNothing() {
   QCOMPARE(test::named(imported->scene, "liver").provenance.frame, std::string("file"));
 }
 
+void LateralityTest::mirroredFrames() {
+  for (const Frame frame : {Frame::las, Frame::rps}) {
+    const QTemporaryDir folder;
+    ImportOptions options;
+    options.frame = frame;
+    options.smoothing.mode = Smoothing::Mode::off;
+    const QString path = folder.filePath("liver.ply");
+    test::writeMesh(path, *test::octahedron({10, 20, 30}, 5.0f), std::nullopt);
+    const auto imported =
+        importInputs(std::array{std::filesystem::path(path.toStdString())}, options);
+    QVERIFY(imported.ok());
+    const Node& liver = test::named(imported->scene, "liver");
+    const glm::vec3 there = frame == Frame::las ? glm::vec3(10, -20, 30) : glm::vec3(-10, 20, 30);
+    QVERIFY(glm::length(liver.mesh->bounds().centre() - there) < 1e-4f);
+    QCOMPARE(liver.provenance.frame, frameName(frame));
+    // The mirror image is not inside out.
+    for (const Triangle& t : liver.mesh->triangles()) {
+      const auto& p = liver.mesh->positions();
+      const glm::vec3 outward = glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+      QVERIFY(glm::dot(outward, p[t[0]] - there) > 0.0f);
+    }
+  }
+}
+
+void LateralityTest::contradictionIsTold_data() {
+  QTest::addColumn<float>("posteriorY");
+  QTest::addColumn<QString>("advice");
+  QTest::newRow("front and back are right") << 30.0f << "mirrored, choose RPS";
+  QTest::newRow("front and back are swapped") << -30.0f << "swapped too: choose RAS";
+  QTest::newRow("nothing tells front from back") << 0.0f << "choose RAS where front and back";
+}
+
 void LateralityTest::contradictionIsTold() {
+  QFETCH(float, posteriorY);
+  QFETCH(QString, advice);
   const QTemporaryDir folder;
   // The header says LPS, but left lies at −x.
-  const std::pair<const char*, float> places[] = {
-      {"left kidney", -50.f}, {"right kidney", 50.f}, {"left femur", -90.f}, {"right femur", 90.f}};
-  for (const auto& [name, x] : places)
-    test::writeMesh(folder.filePath(QString(name) + ".ply"), *test::octahedron({x, 0, 0}, 10.0f),
+  const std::pair<const char*, glm::vec3> places[] = {
+      {"left kidney", {-50, 0, 0}},
+      {"right kidney", {50, 0, 0}},
+      {"left femur", {-90, 0, 0}},
+      {"right femur", {90, 0, 0}},
+      {"anterior limb of internal capsule", {0, -posteriorY, 0}},
+      {"posterior limb of internal capsule", {0, posteriorY, 0}}};
+  for (const auto& [name, place] : places)
+    test::writeMesh(folder.filePath(QString(name) + ".ply"), *test::octahedron(place, 10.0f),
                     Frame::lps);
   const auto imported =
       importInputs(std::array{std::filesystem::path(folder.path().toStdString())}, {});
   QVERIFY(imported.ok());
   QVERIFY(test::warningsOf(*imported).contains("contradict"));
+  QVERIFY2(test::warningsOf(*imported).contains(advice), qPrintable(test::warningsOf(*imported)));
   QCOMPARE(imported->report.frame, Frame::lps);
 }
 

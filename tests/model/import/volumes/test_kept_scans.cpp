@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/import/naming/laterality.h"
 #include "model/import/plan/kept_scans.h"
 #include "model/import/plan/plan.h"
 #include "model/import/plan/reload.h"
@@ -15,6 +16,7 @@
 #include "model/scene_file/scene_json.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/model/import/volumes/scan_phantoms.h"
+#include "tests/model/import/volumes/written_brain.h"
 #include "tests/model/import/volumes/written_volumes.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/mutator.h"
@@ -28,6 +30,7 @@ class KeptScansTest : public QObject {
   Q_OBJECT
  private slots:
   void keptWithTheScene();
+  void liesWithItsStructures();
   void spoiledScenes();
   void plannedAnew();
   void reloaded();
@@ -80,6 +83,34 @@ void KeptScansTest::keptWithTheScene() {
       importInputs(std::array<std::filesystem::path, 2>{file, inputs[0]}, options);
   QVERIFY(together.ok());
   QCOMPARE(together->scene.scans().size(), std::size_t(2));
+}
+
+/// Whatever frame is chosen, also where a file leaves only the side open, a kept scan has the
+/// intensity of bone in the middle of the bone that was made of it.
+void KeptScansTest::liesWithItsStructures() {
+  QTemporaryDir folder;
+  const PairBytes pair = analyzePair(ball());
+  writeText(folder.filePath("open.hdr"), pair.header);
+  writeText(folder.filePath("open.img"), pair.image);
+  const std::filesystem::path open = folder.filePath("open.hdr").toStdString();
+  const std::filesystem::path told = written(folder, "ct.nii", niftiFile(ball(), Number::int16));
+  for (const std::filesystem::path& file : {open, told})
+    for (const FrameAxes& axes : frames) {
+      if (axes.frame == Frame::file)
+        continue;
+      ImportOptions options = with({{"bone", {}, {}}});
+      options.keepScans = true;
+      options.frame = axes.frame;
+      const auto imported = importInputs(std::array{file}, options);
+      QVERIFY(imported.ok());
+      const Scan& scan = imported->scene.scans().front();
+      const glm::dvec4 middle(named(imported->scene, "bone").mesh->bounds().centre(), 1.0f);
+      const glm::ivec3 at = glm::round(glm::dvec3(glm::inverse(scan.toLps) * middle));
+      QVERIFY(glm::all(glm::greaterThanEqual(at, glm::ivec3(0))));
+      QVERIFY(glm::all(glm::lessThan(at, scan.size)));
+      const auto voxel = std::size_t((at.z * scan.size.y + at.y) * scan.size.x + at.x);
+      QCOMPARE(scan.intensity((*scan.voxels)[voxel]), 900.0);
+    }
 }
 
 /// Each fault is reported with its place.
