@@ -48,7 +48,6 @@ void Layouter::setColumns() {
 }
 
 void Layouter::widen() {
-  const bool follows = m_request.moving || (m_before && !m_before->labels.empty());
   float widest = 0.0f;
   std::array<float, 2> widths{};
   for (std::size_t i = 0; i < m_fates.size(); ++i) {
@@ -61,8 +60,15 @@ void Layouter::widen() {
   }
   for (std::size_t side = 0; side < 2; ++side)
     if (widths[side] > m_widths[side])
-      m_widths[side] = follows ? std::max(widest, widths[side]) : widths[side];
+      m_widths[side] = follows() ? std::max(widest, widths[side]) : widths[side];
   m_edges = edgesOf(m_near, m_frame, m_widths);
+}
+
+bool Layouter::narrow() {
+  const std::array<float, 2> before = m_widths;
+  m_widths = {};
+  widen();
+  return m_widths != before;
 }
 
 Column Layouter::column(LabelPost post) const {

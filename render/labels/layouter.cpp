@@ -16,7 +16,18 @@ constexpr float stay = 0.25f;  // of the anatomy's width past its middle: sides 
 LabelLayout Layouter::layOut() {
   setColumns();
   choosePosts();
+  const std::vector<Fate> chosen = m_fates;
   widen();
+  settle();
+  if (!follows() && !m_request.still) {
+    if (narrow())
+      settle();
+    comeBack(chosen);
+  }
+  return answer();
+}
+
+void Layouter::settle() {
   // Each round sends an item to the other side or out, so that this ends.
   for (std::size_t rounds = 0; rounds <= 3 * m_fates.size(); ++rounds) {
     letWideIn();
@@ -26,7 +37,29 @@ LabelLayout Layouter::layOut() {
       break;
     giveWay(*loser);
   }
-  return answer();
+}
+
+void Layouter::comeBack(const std::vector<Fate>& chosen) {
+  for (const bool hidden : {false, true})
+    for (std::size_t i = 0; i < m_fates.size(); ++i) {
+      if (!m_fates[i].out || chosen[i].out || !isColumn(chosen[i].post) || item(i).hidden != hidden)
+        continue;
+      const std::vector<Fate> fates = m_fates;
+      const std::vector<std::optional<PlacedLabel>> placed = m_placed;
+      const std::array<float, 2> widths = m_widths;
+      m_fates[i] = chosen[i];
+      bool better = item(i).box.x <= m_widths[chosen[i].post == LabelPost::left ? 0 : 1] &&
+                    fit(chosen[i].post);
+      if (better) {
+        place();
+        better = !m_fates[i].out && !firstLoser();
+      }
+      if (better)
+        continue;
+      m_fates = fates;
+      m_placed = placed;
+      m_widths = widths;
+    }
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> Layouter::conflicts() {
@@ -106,20 +139,38 @@ void Layouter::letWideIn() {
   m_wide.erase(m_wide.begin());
 }
 
+bool Layouter::fitsAcross(std::size_t i) {
+  LabelPost& post = m_fates[i].post;
+  post = otherSide(post);
+  const bool fits = fit(post);
+  post = otherSide(post);
+  return fits;
+}
+
 void Layouter::relieve(LabelPost post) {
+  const auto distance = [&](std::size_t i) { return std::abs(placeOf(item(i)).x - m_middle); };
+  // Those that came from the other side go out first, then hidden ones, then the last.
+  const auto worth = [&](std::size_t i) {
+    return std::tuple(!m_fates[i].tried, !item(i).hidden, -float(i));
+  };
+  m_crowded = m_crowded || (!fit(post) && !fit(otherSide(post)));
   while (!fit(post)) {
-    std::optional<std::size_t> nearest;
+    std::optional<std::size_t> goes;
+    std::optional<std::size_t> least;
     for (std::size_t i = 0; i < m_fates.size(); ++i) {
-      const auto key = [&](std::size_t k) {
-        // Those that have not yet tried the other side go there; of the others the least important
-        // goes out.
-        return m_fates[k].tried ? std::tuple(1, item(k).hidden ? 0 : 1, -float(k))
-                                : std::tuple(0, 0, std::abs(placeOf(item(k)).x - m_middle));
-      };
-      if (!m_fates[i].out && m_fates[i].post == post && (!nearest || key(i) < key(*nearest)))
-        nearest = i;
+      if (m_fates[i].out || m_fates[i].post != post)
+        continue;
+      if (!m_crowded && !m_fates[i].tried && !rests(i) &&
+          (!goes || distance(i) < distance(*goes)) && fitsAcross(i))
+        goes = i;
+      if (!least || worth(i) < worth(*least))
+        least = i;
     }
-    giveWay(*nearest);
+    m_crowded = m_crowded || !goes;
+    if (goes)
+      giveWay(*goes);
+    else
+      m_fates[*least].out = true;
   }
 }
 
@@ -162,7 +213,8 @@ std::optional<std::size_t> Layouter::firstLoser() const {
 
 void Layouter::giveWay(std::size_t i) {
   Fate& fate = m_fates[i];
-  if (rests(i) || m_request.still || (isColumn(fate.post) && fate.tried)) {
+  if (rests(i) || m_request.still ||
+      (isColumn(fate.post) && (fate.tried || m_crowded || !fitsAcross(i)))) {
     fate.out = true;
   } else if (isColumn(fate.post)) {
     fate.post = otherSide(fate.post);

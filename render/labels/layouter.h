@@ -54,6 +54,10 @@ class Layouter {
   /// Makes room for the widest box in each column. While layouts follow each other, columns only
   /// grow, and at once far enough to need no further growth.
   void widen();
+  /// Takes back the room of boxes that have left a column; tells whether there was some.
+  bool narrow();
+  /// Tells whether the layout follows others, of which it keeps what it can.
+  bool follows() const { return m_request.moving || (m_before && !m_before->labels.empty()); }
   /// Returns the heights of a column that are taken by things that do not give way, or by its
   /// labels' dots.
   std::vector<Span> blockedIn(LabelPost post) const;
@@ -67,12 +71,19 @@ class Layouter {
   /// Tells whether the box is wider than half of the frame, which is each column's share. One label
   /// takes more only where no narrower one stands.
   bool tooWide(std::size_t i) const { return item(i).box.x > 0.5f * m_frame.size().x; }
+  /// Places all items, and lets those give way that are in conflict, until none is.
+  void settle();
+  /// Lets those that gave way come back on the sides that were chosen for them, where that has
+  /// become possible.
+  void comeBack(const std::vector<Fate>& chosen);
   void choosePosts();
   /// Lets a label that is too wide into a column where nothing else stands.
   void letWideIn();
   LabelPost sideOf(std::size_t i) const;
-  /// Moves the items nearest to the middle to the other side or out, until both columns' boxes fit
-  /// in.
+  /// Tells whether the item has room in the other column.
+  bool fitsAcross(std::size_t i);
+  /// Moves the items nearest to the middle to the other side, as long as that has room, then the
+  /// least important ones out, until the column's boxes fit in.
   void relieve(LabelPost post);
   std::vector<ColumnItem> inColumn(LabelPost post) const;
   float wantedHeight(std::size_t i) const;
@@ -118,6 +129,7 @@ class Layouter {
   std::array<float, 2> m_near{};  ///< the edges of columns that have room there
   std::array<float, 2> m_edges{};
   std::array<float, 2> m_widths{};
+  bool m_crowded = false;  ///< more than fit: none goes across for the sake of another
   float m_middle = 0.0f;
   float m_width = 0.0f;             ///< that of the anatomy
   std::vector<std::size_t> m_wide;  ///< those that wait for a column without narrower labels

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "render/labels/label_room.h"
 #include "render/labels/layout.h"
 #include "tests/render/labels/layout_promises.h"
 #include "tests/support/suite.h"
@@ -95,6 +96,33 @@ class LabelColumnsTest : public QObject {
       QCOMPARE(layout.labels.size(), request.items.size());
       for (const PlacedLabel& label : layout.labels)
         QCOMPARE(label.post, label.id.value == 1 ? LabelPost::left : LabelPost::right);
+    }
+  }
+
+  /// Where both columns have too many, as many as have room stand beside the anatomy on the side of
+  /// their places, and the widest, which find no room, widen no column.
+  void tooManyStandOnTheirSides() {
+    std::mt19937 random(11);
+    for (int run = 0; run < 20; ++run) {
+      LabelRequest request = roomy();
+      const LabelBox anatomy = *request.obstacles.extent;
+      request.items.clear();
+      for (std::uint64_t i = 0; i < 90; ++i) {
+        const float x = (i % 2 == 0 ? 0.02f : 0.55f) + 0.43f * float(random() % 1000) / 1000.0f;
+        const float y = float(random() % 1000) / 1000.0f;
+        request.items.push_back({.id = {i + 1},
+                                 .places = {anatomy.low + anatomy.size() * glm::vec2(x, y)},
+                                 .box = {i >= 88 ? 130.0f : 30.0f, 5.0f}});
+        request.items.back().hidden = i >= 80;
+      }
+      const LabelLayout layout = layOutLabels(request);
+      const float height = frameOf(request.space).size().y;
+      QVERIFY2(float(layout.labels.size()) >= 0.9f * 2.0f * height / (5.0f + columnGap),
+               qPrintable(QString::number(layout.labels.size())));
+      for (const PlacedLabel& label : layout.labels) {
+        QCOMPARE(label.post, label.id.value % 2 == 1 ? LabelPost::left : LabelPost::right);
+        QVERIFY(label.box.high.x <= anatomy.low.x || label.box.low.x >= anatomy.high.x);
+      }
     }
   }
 
