@@ -9,6 +9,7 @@
 #include "model/scene/gamma_map.h"
 #include "model/scene/resolved_styles.h"
 #include "model/scene/style_fields.h"
+#include "model/scene/threshold_values.h"
 
 namespace sline::model {
 

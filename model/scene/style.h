@@ -11,6 +11,7 @@
 
 #include "model/base/units.h"
 #include "model/scene/gamma_map.h"
+#include "model/scene/threshold_values.h"
 
 namespace sline::model {
 
@@ -60,6 +61,7 @@ struct Style {
   std::optional<Fill> fill;
   std::optional<bool> visible;
   std::optional<Technique> technique;
+  std::optional<ThresholdValues> lineThresholds;
   std::optional<float> penWeight;
   std::optional<float> lineVariation;
   std::optional<float> lineSmoothing;
@@ -83,6 +85,7 @@ struct ResolvedStyle {
   Fill fill = Fill::none;
   bool visible = true;  ///< also false where a group above is hidden
   Technique technique = Technique::sline;
+  ThresholdValues lineThresholds;  ///< of any technique, where they are not the usual ones
   float penWeight = 1.0f;  ///< factor on the scene's pen of 2 λ (METHOD §4)
   /// How much the pen's pressure tells form, 0 … 1 (METHOD §11.4); 0: an even pen.
   float lineVariation = 1.0f;

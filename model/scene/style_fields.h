@@ -43,6 +43,8 @@ inline constexpr StyleField<&Style::opacity, &ResolvedStyle::opacity> opacity{"o
 inline constexpr StyleField<&Style::fill, &ResolvedStyle::fill> fill{"fill"};
 inline constexpr StyleField<&Style::visible, &ResolvedStyle::visible> visible{"visible"};
 inline constexpr StyleField<&Style::technique, &ResolvedStyle::technique> technique{"technique"};
+inline constexpr StyleField<&Style::lineThresholds, &ResolvedStyle::lineThresholds> lineThresholds{
+    "line_thresholds"};
 inline constexpr StyleField<&Style::penWeight, &ResolvedStyle::penWeight> penWeight{"pen_weight",
                                                                                     {0, 10}};
 inline constexpr StyleField<&Style::lineVariation, &ResolvedStyle::lineVariation> lineVariation{
@@ -73,6 +75,7 @@ constexpr void forEachStyleField(const Visit& visit) {
   visit(style_fields::fill);
   visit(style_fields::visible);
   visit(style_fields::technique);
+  visit(style_fields::lineThresholds);
   visit(style_fields::penWeight);
   visit(style_fields::lineVariation);
   visit(style_fields::lineSmoothing);

@@ -4,6 +4,7 @@
 #include "model/base/colour_text.h"
 #include "model/scene/gamma_map.h"
 #include "model/scene/style_fields.h"
+#include "model/scene/threshold_values.h"
 
 namespace sline::model {
 
@@ -61,6 +62,22 @@ std::optional<GammaMap> gammaMapFrom(JsonObject& style, std::string_view key, bo
   return map;
 }
 
+ThresholdValues thresholdsFrom(const JsonValue& object) {
+  ThresholdValues values;
+  if (!object.json().is_object() || object.json().size() > mostThresholdValues) {
+    object.fail("an object of at most 64 numbers is expected here");
+    return values;
+  }
+  for (const auto& [name, number] : object.json().items()) {
+    const JsonValue value(number, object, name);
+    const float threshold = value.number();
+    if (const auto fault = thresholdFault(name, threshold))
+      value.fail(*fault);
+    values.set(name, threshold);
+  }
+  return values;
+}
+
 template <class Field>
 std::optional<typename Field::Value> fieldFrom(JsonObject& object, const Field& field, bool newer) {
   using Value = typename Field::Value;
@@ -77,6 +94,8 @@ std::optional<typename Field::Value> fieldFrom(JsonObject& object, const Field& 
       return value->colour();
     else if constexpr (std::same_as<Value, bool>)
       return value->flag();
+    else if constexpr (std::same_as<Value, ThresholdValues>)
+      return thresholdsFrom(*value);
     else if constexpr (std::same_as<Value, float>)
       return numberWithin(*value, field.limits());
     else
@@ -99,6 +118,12 @@ Ordered fieldJson(const GammaMap& map) {
     json["targets"].push_back(target.value);
   for (const GammaPoint& point : map.curve)
     json["curve"].push_back({jsonNumber(point.scalar), jsonNumber(point.offset)});
+  return json;
+}
+Ordered fieldJson(const ThresholdValues& values) {
+  Ordered json = Ordered::object();
+  for (const ThresholdValue& value : values.all())
+    json[value.name] = jsonNumber(value.value);
   return json;
 }
 template <class Value>

@@ -13,6 +13,7 @@
 #include "render/lines/line_technique.h"
 #include "render/lines/stage_entry.h"
 #include "render/lines/stages.h"
+#include "render/lines/technique_list.h"
 #include "render/lines/view_fields.h"
 #include "render/strokes/hidden_lines.h"
 #include "render/strokes/line_curves.h"
@@ -112,7 +113,7 @@ LineSet linesOf(PreparedSurface& prepared, const PictureView& view,
                 const model::ResolvedStyle& style) {
   const model::Surface& surface = *prepared.surface;
   LineRequest request{.kinds = {},
-                      .thresholds = {},
+                      .thresholds = lineThresholds(style.lineThresholds),
                       .twoSided = needsTwoSides(surface, view.camera()),
                       .aspect = view.size().x / view.size().y,
                       .preparations = &prepared.lines};
@@ -129,7 +130,8 @@ LineSet linesOf(PreparedSurface& prepared, const PictureView& view,
     for (const LineTechnique& technique : lineTechniques())
       for (std::size_t i = 0; i < technique.thresholds.size(); ++i)
         if (technique.thresholds[i].grows)
-          scaled.thresholds.set(technique.kind, i, shape.threshold * technique.thresholds[i].usual);
+          scaled.thresholds.set(technique.kind, i,
+                                shape.threshold * request.thresholds.of(technique.kind, i));
     LineSet found = extractLines(*shape.surface, view.camera(), scaled);
     for (const LineTechnique& technique : lineTechniques())
       for (Segment& s : found[technique.kind]) {

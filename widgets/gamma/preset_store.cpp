@@ -7,6 +7,7 @@
 
 #include "model/scene/gamma_map.h"
 #include "model/scene/style_fields.h"
+#include "model/scene/threshold_values.h"
 
 namespace sline::widgets {
 
@@ -58,6 +59,28 @@ std::optional<model::GammaMap> gammaMap(const QVariant& value) {
   return model::gammaMapFault(map) || !isOfAnyScene(map) ? std::nullopt : std::optional(map);
 }
 
+/// Returns "laplacian.slope=3 ridges.curvature=1.5".
+QString written(const model::ThresholdValues& values) {
+  QStringList texts;
+  for (const model::ThresholdValue& value : values.all())
+    texts.append(QString::fromStdString(value.name) + QLatin1Char('=') +
+                 QString::number(double(value.value)));
+  return texts.join(QLatin1Char(' '));
+}
+
+std::optional<model::ThresholdValues> thresholdValues(const QVariant& value) {
+  model::ThresholdValues values;
+  for (const QString& text : value.toString().split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+    const std::string name = text.section(QLatin1Char('='), 0, 0).toStdString();
+    const std::optional<float> read = number(text.section(QLatin1Char('='), 1));
+    if (!read || model::thresholdFault(name, *read) ||
+        values.all().size() >= model::mostThresholdValues)
+      return std::nullopt;
+    values.set(name, *read);
+  }
+  return values.empty() ? std::nullopt : std::optional(values);
+}
+
 /// Reads a setting's value; returns none where it makes no sense.
 template <class Field>
 std::optional<typename Field::Value> readField(const Field& field, const QVariant& value) {
@@ -68,6 +91,8 @@ std::optional<typename Field::Value> readField(const Field& field, const QVarian
     return std::nullopt;  // presets hold looks
   } else if constexpr (std::is_same_v<Value, model::GammaMap>) {
     return gammaMap(value);
+  } else if constexpr (std::is_same_v<Value, model::ThresholdValues>) {
+    return thresholdValues(value);
   } else if constexpr (std::is_enum_v<Value>) {
     const auto names = model::namesOf(Value());
     const auto found = std::find(names.begin(), names.end(), value.toString().toStdString());
@@ -93,6 +118,9 @@ QVariant settingOf(const Colour& colour) {
 }
 QVariant settingOf(const model::GammaMap& map) {
   return written(map);
+}
+QVariant settingOf(const model::ThresholdValues& values) {
+  return written(values);
 }
 template <class T>
 QVariant settingOf(const T& value) {

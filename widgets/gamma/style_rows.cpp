@@ -126,6 +126,9 @@ std::vector<StyleField> styleFields() {
     fields.push_back({row.id, row.text, row.field.look(0.0f)});
   for (const StyleChoice& row : styleChoices())
     fields.push_back({row.id, row.text, row.look(0)});
+  fields.push_back({QStringLiteral("lineThresholds"),
+                    tr("Thresholds of lines"),
+                    {.lineThresholds = model::ThresholdValues()}});
   // Which part of a structure is told more is said of it alone.
   fields.push_back({QStringLiteral("gammaMap"),
                     tr("Γ over the surface"),

@@ -13,8 +13,10 @@
 #include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "model/edit/visibility.h"
+#include "model/scene/resolved_styles.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/pixels/image_file.h"
+#include "render/lines/technique_list.h"
 #include "render/picture/headless/headless_picture.h"
 
 namespace sline::cli {
@@ -187,6 +189,12 @@ Status parseStyleFlags(const PictureFlags& flags, PictureSpec& spec) {
     if (Status parsed = parseAssignments(typed->second, parse, spec.styles); !parsed.ok())
       return parsed;
   }
+  for (const std::string& text : flags.lineThresholds) {
+    const Result<model::ThresholdValue> value = render::parseThresholdValue(text);
+    if (!value.ok())
+      return value.error();
+    spec.lineThresholds.set(value->name, value->value);
+  }
   return Unit{};
 }
 
@@ -296,6 +304,27 @@ model::Scene withSavedView(const model::Scene& scene, const PictureSpec& spec) {
   return std::move(shown.scene);
 }
 
+namespace {
+
+/// Returns the scene with these thresholds set of all structures, beside those that they have.
+model::Scene withThresholds(const model::Scene& scene, const model::ThresholdValues& values) {
+  if (values.empty())
+    return scene;
+  const std::vector<model::ResolvedStyle> styles = model::resolveAll(scene);
+  std::vector<model::Node> nodes = scene.nodes();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    model::ThresholdValues all = styles[i].lineThresholds;
+    for (const model::ThresholdValue& value : values.all())
+      all.set(value.name, value.value);
+    nodes[i].style.lineThresholds = all;
+  }
+  model::Scene result = scene;
+  result.setNodes(std::move(nodes));
+  return result;
+}
+
+}  // namespace
+
 Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec) {
   Patches patches;
   if (spec.fill) {
@@ -323,6 +352,7 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec) 
   model::Scene result = scene;
   for (const auto& [depth, patch] : patches)
     result = model::withLook(result, allBelow(scene, patch.node), patch.style).scene;
+  result = withThresholds(result, spec.lineThresholds);
   if (spec.blackAndWhite)
     result = model::withInkAlone(result).scene;
   return spec.only.empty() ? result : withOnly(result, spec.only);

@@ -42,6 +42,7 @@ struct PictureFlags {
   std::vector<std::string> inkColours;
   /// Holds what was typed after each of the flags of style_flags.h that were given.
   std::map<std::string, std::vector<std::string>> styles;
+  std::vector<std::string> lineThresholds;
   std::vector<std::string> only;
   SectionFlags sections;
   FocusFlags focus;
@@ -74,6 +75,7 @@ struct PictureSpec {
   std::vector<Assignment<Colour>> colours;
   std::vector<Assignment<Colour>> inkColours;
   std::vector<Assignment<model::Style>> styles;  ///< each sets one field
+  model::ThresholdValues lineThresholds;         ///< of all structures
   std::vector<std::string> only;
   SectionsSpec sections;
   FocusSpec focus;

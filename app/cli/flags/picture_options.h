@@ -10,8 +10,18 @@
 #include "app/cli/flags/picture_flags.h"
 #include "app/cli/flags/section_options.h"
 #include "app/cli/flags/style_flags.h"
+#include "render/lines/technique_list.h"
 
 namespace sline::cli {
+
+/// Declares the flag of the thresholds of techniques.
+inline void addLineThresholdOption(CLI::App& command, PictureFlags& flags) {
+  many(command.add_option("--line-threshold", flags.lineThresholds,
+                          "How strong lines must be to be drawn, of all structures: a technique's "
+                          "first threshold (laplacian=3) or one by its name; may be given again. " +
+                              render::thresholdHelp()))
+      ->type_name("TECHNIQUE[.THRESHOLD]=VALUE");
+}
 
 /// Declares those flags of `PictureFlags` that are about colours and pens; returns the one of inks.
 inline CLI::Option* addStyleOptions(CLI::App& command, PictureFlags& flags) {
@@ -31,6 +41,7 @@ inline CLI::Option* addStyleOptions(CLI::App& command, PictureFlags& flags) {
              },
              flag.help))
         ->type_name(flag.value);
+  addLineThresholdOption(command, flags);
   command
       .add_option("--fill", flags.fill,
                   "What hides behind unfilled structures: none lets it show through, paper hides "

@@ -39,6 +39,8 @@ Json styleExtras(const model::ResolvedStyle& style) {
   said.colour.reset();
   said.opacity.reset();
   said.visible.reset();
+  if (style.lineThresholds.empty())
+    said.lineThresholds.reset();
   // Comes last, as not every structure has one.
   const std::optional<Colour> ink = std::exchange(said.inkColour, std::nullopt);
   Json extras = ownStyleExtras(said);

@@ -27,6 +27,7 @@ struct Pair {
                                   .gamma = Gamma::clamped(1),
                                   .opacity = Opacity::clamped(1),
                                   .fill = Fill::paper,
+                                  .lineThresholds = ThresholdValues{{"laplacian.slope", 1.0f}},
                                   .penWeight = 1.0f},
                         .mesh = test::sphere(10, 2)});
     to = from;
@@ -65,6 +66,8 @@ void BlendTest::looksChangeEvenly() {
                     .gamma = Gamma::clamped(4),
                     .opacity = Opacity::clamped(0.5f),
                     .fill = Fill::none,
+                    .lineThresholds =
+                        ThresholdValues{{"laplacian.slope", 3.0f}, {"ridges.curvature", 4.0f}},
                     .penWeight = 3.0f,
                     .gammaMap = GammaMap{.scalar = GammaScalar::occlusion,
                                          .curve = {{0.0f, 0.0f}, {1.0f, 3.0f}}}});
@@ -73,6 +76,9 @@ void BlendTest::looksChangeEvenly() {
   QCOMPARE(middle.gamma.value(), 2.5f);
   QCOMPARE(middle.opacity.value(), 0.75f);
   QCOMPARE(middle.penWeight, 2.0f);
+  QVERIFY(middle.lineThresholds.of("laplacian.slope") == 2.0f);
+  QVERIFY(!blend.at(0.4).resolve(p.ball).lineThresholds.of("ridges.curvature"));
+  QVERIFY(blend.at(0.6).resolve(p.ball).lineThresholds.of("ridges.curvature") == 4.0f);
   QCOMPARE(middle.gammaMap.offsetAt(1.0f), 1.5f);
   QCOMPARE(middle.colour, (Colour{100, 100, 100}));
   QCOMPARE(blend.at(0.4).resolve(p.ball).fill, Fill::paper);

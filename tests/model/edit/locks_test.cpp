@@ -32,6 +32,7 @@ class LocksTest : public QObject {
                       .gamma = Gamma::clamped(5.0f),
                       .opacity = Opacity::clamped(0.3f),
                       .fill = Fill::tint,
+                      .lineThresholds = ThresholdValues{{"ridges.curvature", 3.0f}},
                       .penWeight = 3.0f,
                       .hatchDensity = HatchDensity::clamped(2.0f),
                       .hatchTone = HatchTone::clamped(2.0f),

@@ -108,6 +108,7 @@ void ViewsEditTest::looksBringBackWhatWasSeen() {
                             .opacity = Opacity::clamped(0.1f),
                             .fill = Fill::veil,
                             .visible = false,
+                            .lineThresholds = ThresholdValues{{"ridges.curvature", 3.0f}},
                             .penWeight = 3.0f,
                             .hatchDensity = HatchDensity::clamped(2),
                             .hatchTone = HatchTone::clamped(0.5f),

@@ -19,6 +19,7 @@ Style sampleStyle() {
           .fill = Fill::tint,
           .visible = false,
           .technique = Technique::confis,
+          .lineThresholds = ThresholdValues{{"confis.margin", 0.25f}, {"laplacian.slope", 0.3f}},
           .penWeight = 1.7f,
           .lineVariation = 0.25f,
           .lineSmoothing = 0.5f,

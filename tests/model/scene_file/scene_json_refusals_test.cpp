@@ -92,6 +92,20 @@ void SceneJsonRefusalsTest::refuses_data() {
   map("an offset beyond 5", "curve", Json::parse("[[0, 1], [1, 5.5]]"), "", "-5 to 5");
   map("many targets", "targets", Json(100'000, 1), ".targets", "1000 targets");
   map("a target below 1", "targets", Json::parse("[0]"), ".targets[0]", "whole number");
+  const auto threshold = [&row](const char* name, const Json& value, const char* where,
+                                const char* reason) {
+    row(
+        name, [=](Json& j) { j["nodes"][2]["style"]["line_thresholds"] = value; },
+        (std::string("nodes[2].style.line_thresholds") + where).c_str(), reason);
+  };
+  Json many = Json::object();
+  for (int i = 0; i < 1000; ++i)
+    many["t" + std::to_string(i)] = 1;
+  threshold("thresholds in a list", Json::parse("[1]"), "", "an object");
+  threshold("many thresholds", many, "", "at most 64");
+  threshold("a threshold below 0", {{"ridges.curvature", -1}}, ".ridges.curvature", "0 to 1000000");
+  threshold("a threshold that is text", {{"ridges.curvature", "1"}}, ".ridges.curvature", "number");
+  threshold("a threshold with a space", {{"a b", 1}}, ".a b", "small letters");
   row(
       "a colour by name", [](Json& j) { j["nodes"][2]["style"]["colour"] = "red"; },
       "nodes[2].style.colour", "#rrggbb");

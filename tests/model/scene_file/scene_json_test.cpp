@@ -70,10 +70,11 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
                                  "key_light"));
   QCOMPARE(keysOf(root["focus"]), QString("targets context seen_from roles hidden_too given"));
   QCOMPARE(keysOf(root["nodes"][2]), QString("id parent name mesh style locked provenance"));
-  QCOMPARE(keysOf(root["nodes"][2]["style"]),
-           QString("colour ink_colour gamma opacity fill visible technique pen_weight "
-                   "line_variation line_smoothing shortest_line line_scale hidden_lines halo grain "
-                   "hatch_density hatch_tone gamma_by"));
+  QCOMPARE(
+      keysOf(root["nodes"][2]["style"]),
+      QString("colour ink_colour gamma opacity fill visible technique line_thresholds pen_weight "
+              "line_variation line_smoothing shortest_line line_scale hidden_lines halo grain "
+              "hatch_density hatch_tone gamma_by"));
   QCOMPARE(keysOf(root["nodes"][2]["style"]["gamma_by"]), QString("scalar targets curve"));
   QCOMPARE(keysOf(root["sections"][0]),
            QString("id name normal offset_mm scope enabled faces hatched"));

@@ -24,6 +24,8 @@ void PresetStoreTest::survivesItsFile() {
                       .gamma = Gamma::clamped(2.75f),
                       .opacity = Opacity::clamped(0.35f),
                       .fill = model::Fill::veil,
+                      .lineThresholds = model::ThresholdValues{{"confis.margin", 0.25f},
+                                                               {"ridges.curvature", 1.5f}},
                       .penWeight = 1.5f,
                       .hatchDensity = HatchDensity::clamped(2.0f),
                       .hatchTone = HatchTone::clamped(0.25f),
