@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
                         [](const std::string& message) { sline::cli::warn(message); });
   sline::cli::addProof(program, exit);
   sline::cli::addJobs(program, exit);
+  sline::cli::addCompare(program, exit);
   sline::cli::addLines(program, exit);
   sline::cli::addCurvature(program, exit);
   sline::cli::addInfo(program, exit);

@@ -12,6 +12,7 @@
 #include "render/export/encoding/xml_text.h"
 #include "render/export/svg/svg_lettering.h"
 #include "render/export/svg/svg_path.h"
+#include "render/export/svg/svg_shapes.h"
 #include "render/export/svg/svg_values.h"
 
 namespace sline::render {
@@ -44,12 +45,7 @@ class Document {
   std::string make() {
     const std::string width = number(double(m_drawing.sizeMm.x), 4);
     const std::string height = number(double(m_drawing.sizeMm.y), 4);
-    m_text =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-        "xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
-        "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"" +
-        width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+    m_text = svgStart(width, height);
     addCredit();
     if (m_drawing.background)
       m_text += "<rect id=\"background\" width=\"" + width + "\" height=\"" + height +
@@ -77,18 +73,7 @@ class Document {
 
   void addPath(const VectorShape& shape, bool regions) {
     // For the edge of a fill one digit less is enough.
-    const std::string d = svgPath(shape.path, regions ? m_decimals - 1 : m_decimals);
-    if (d.empty())
-      return;
-    m_text += "<path";
-    if (shape.penWidth > 0.0f)
-      m_text += " fill=\"none\" stroke=\"" + colourText(shape.colour) + "\" stroke-width=\"" +
-                number(double(shape.penWidth), m_decimals + 1) + "\"";
-    else
-      m_text += " fill=\"" + colourText(shape.colour) + "\"";
-    if (regions)
-      m_text += " fill-rule=\"evenodd\"";
-    m_text += opacityAttribute(shape.opacity) + " d=\"" + d + "\"/>\n";
+    appendShape(m_text, shape, {regions ? m_decimals - 1 : m_decimals, regions});
   }
 
   std::string_view nameOf(model::NodeId id) const {

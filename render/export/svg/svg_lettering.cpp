@@ -49,17 +49,21 @@ class Layer {
     m_text += "<g id=\"" + writing.id + "\" inkscape:label=\"" + xmlText(writing.name) +
               "\" inkscape:groupmode=\"layer\" stroke-linejoin=\"round\" font-family=\"" +
               std::string(families) + "\">\n";
-    m_text += "<g inkscape:label=\"Halos\" fill=\"none\" stroke-linecap=\"round\" stroke=\"" +
-              colourText(writing.lettering.ground) + "\">\n";
-    for (const LetteringItem& item : writing.lettering.items)
-      addHalo(item, writing.lettering.ground);
-    m_text += "</g>\n";
+    if (writing.halos)
+      addHalos(writing.lettering);
     for (const LetteringItem& item : writing.lettering.items)
       addItem(item);
     m_text += "</g>\n";
   }
 
  private:
+  void addHalos(const Lettering& lettering) {
+    m_text += "<g inkscape:label=\"Halos\" fill=\"none\" stroke-linecap=\"round\" stroke=\"" +
+              colourText(lettering.ground) + "\">\n";
+    for (const LetteringItem& item : lettering.items)
+      addHalo(item, lettering.ground);
+    m_text += "</g>\n";
+  }
   void addHalo(const LetteringItem& item, const Colour& ground) {
     for (const LetteringShape& shape : item.shapes)
       if (shape.halo > 0.0f)

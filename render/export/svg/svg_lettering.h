@@ -13,6 +13,7 @@ struct SvgWriting {
   std::string id;    ///< "labels"
   std::string name;  ///< "Labels"
   Lettering lettering;
+  bool halos = true;  ///< what is written stands on a drawing
 };
 
 /// Appends the layer: a group of halos, which are paths, so that no reader paints them over
