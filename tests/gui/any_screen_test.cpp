@@ -93,8 +93,8 @@ class AnyScreenTest : public QObject {
       dock->show();
     QCoreApplication::processEvents();
     measure(f.window);
-    for (const char* action :
-         {"preferences", "controls", "about", "export", "help", "properties", "printProof"}) {
+    for (const char* action : {"preferences", "controls", "about", "export", "help", "properties",
+                               "printProof", "compareTechniques"}) {
       QWidget* dialog = opened(f, action);
       QVERIFY2(dialog, action);
       QVERIFY(QTest::qWaitForWindowExposed(dialog));

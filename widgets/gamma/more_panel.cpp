@@ -7,6 +7,7 @@
 
 #include "widgets/gamma/gamma_map_editor.h"
 #include "widgets/gamma/style_editors.h"
+#include "widgets/gamma/threshold_editor.h"
 
 namespace sline::widgets {
 
@@ -31,6 +32,7 @@ MorePanel::MorePanel(Session& session, QSettings& settings, QWidget* parent)
     m_editors.push_back(new StyleNumberEditor(session, row));
   for (const StyleChoice& row : styleChoices())
     m_editors.push_back(new StyleChoiceEditor(session, row));
+  m_editors.push_back(new ThresholdEditor(session));
   m_editors.push_back(new GammaMapEditor(session));
   for (const StyleColour& row : styleColours())
     m_editors.push_back(new StyleColourEditor(session, row));

@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <utility>
 
+#include "widgets/comparison/comparison_actions.h"
 #include "widgets/export/export_actions.h"
 #include "widgets/focus/focus_context.h"
 #include "widgets/focus/subject_popup.h"

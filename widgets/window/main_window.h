@@ -20,6 +20,7 @@ class QToolButton;
 
 namespace sline::widgets {
 
+class ComparisonActions;
 class ExportActions;
 class FileActions;
 class FocusContext;
@@ -103,6 +104,7 @@ class MainWindow : public QMainWindow {
   Viewport* m_viewport = nullptr;
   FileActions* m_files = nullptr;
   ExportActions* m_exports = nullptr;
+  ComparisonActions* m_comparisons = nullptr;
   StartPage* m_start = nullptr;
   StructureTree* m_tree = nullptr;
   FocusContext* m_focus = nullptr;

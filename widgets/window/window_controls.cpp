@@ -18,6 +18,7 @@
 #include "model/disk/cache_folder.h"
 #include "model/look/opening_look.h"
 #include "widgets/annotations/in_picture/label_actions.h"
+#include "widgets/comparison/comparison_actions.h"
 #include "widgets/export/export_actions.h"
 #include "widgets/focus/focus_context.h"
 #include "widgets/import_dialog/import_actions.h"
@@ -196,14 +197,18 @@ void MainWindow::makeFiles() {
 
 void MainWindow::makeExports() {
   // It holds what is being written, too.
-  if (m_exports)
-    return m_exports->controlsRemade();
+  if (m_exports) {
+    m_exports->controlsRemade();
+    return m_comparisons->controlsRemade();
+  }
   m_exports = new ExportActions({.session = m_session,
                                  .settings = m_settings,
                                  .actions = m_actions,
                                  .message = *m_message,
                                  .viewport = *m_viewport},
                                 *this);
+  m_comparisons = new ComparisonActions(
+      {.session = m_session, .actions = m_actions, .viewport = *m_viewport}, *this);
 }
 
 void MainWindow::makeStart() {

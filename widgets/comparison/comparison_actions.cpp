@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/comparison/comparison_actions.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "model/scene/resolved_styles.h"
+#include "model/scene/visible_structures.h"
+#include "widgets/comparison/comparison_dialog.h"
+#include "widgets/shell/window_actions.h"
+#include "widgets/text/path_text.h"
+#include "widgets/viewport/viewport.h"
+
+namespace sline::widgets {
+
+namespace {
+
+/// Returns the visible structures at or below the ids, or all of them where none of those is.
+model::Scene comparedPart(const model::Scene& scene, const NodeIds& ids) {
+  model::Scene part;
+  model::Scene all;
+  for (const model::VisibleStructure& structure : model::visibleStructures(scene)) {
+    const model::Node node{.name = structure.node->name,
+                           .mesh = structure.node->mesh,
+                           .provenance = structure.node->provenance};
+    all.append(node);
+    if (std::any_of(ids.begin(), ids.end(),
+                    [&](model::NodeId id) { return scene.isBelow(structure.node->id, id); }))
+      part.append(node);
+  }
+  return part.nodes().empty() ? all : part;
+}
+
+}  // namespace
+
+ComparisonActions::ComparisonActions(const Context& context, QWidget& window)
+    : QObject(&window),
+      m_session(context.session),
+      m_actions(context.actions),
+      m_viewport(context.viewport),
+      m_window(window) {
+  connect(&m_session, &Session::documentChanged, this, &ComparisonActions::showState);
+  controlsRemade();
+}
+
+void ComparisonActions::controlsRemade() {
+  connect(&m_actions[QStringLiteral("compareTechniques")], &QAction::triggered, this,
+          &ComparisonActions::showDialog);
+  showState();
+}
+
+void ComparisonActions::showState() {
+  const auto& nodes = m_session.scene().nodes();
+  m_actions[QStringLiteral("compareTechniques")].setEnabled(std::any_of(
+      nodes.begin(), nodes.end(), [](const model::Node& node) { return !node.isGroup(); }));
+}
+
+void ComparisonActions::showDialog() {
+  if (m_dialog) {
+    m_dialog->raise();
+    return m_dialog->activateWindow();
+  }
+  model::Scene part = comparedPart(m_session.sceneBeforePreview(), m_session.selection());
+  if (part.nodes().empty())
+    return;
+  const std::string& only = part.nodes().front().name;
+  const std::filesystem::path& file = m_session.file().path;
+  m_dialog = new ComparisonDialog(
+      {.name = part.nodes().size() == 1 ? m_session.names().shown(only)
+                                        : QFileInfo(m_session.title()).completeBaseName(),
+       .scene = std::move(part),
+       .camera = m_viewport.camera(),
+       .folder = file.empty() ? QDir::homePath() : textOf(file.parent_path())},
+      m_viewport, &m_window);
+  m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+  m_dialog->open();
+}
+
+}  // namespace sline::widgets
+
+#include "moc_comparison_actions.cpp"

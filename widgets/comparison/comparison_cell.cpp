@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/comparison/comparison_cell.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "render/lines/technique_list.h"
+#include "widgets/gamma/technique_texts.h"
+
+namespace sline::widgets {
+
+namespace {
+
+constexpr float turnByKey = 10.0f;  // degrees
+constexpr float zoomByKey = 1.2f;
+constexpr float zoomByNotch = 1.15f;
+constexpr double unitsOfNotch = 120.0;
+constexpr int leastSide = 110;
+
+std::optional<CameraDrag::Kind> dragOf(const QMouseEvent& event) {
+  if (event.button() == Qt::MiddleButton ||
+      (event.button() == Qt::LeftButton && event.modifiers().testFlag(Qt::ShiftModifier)))
+    return CameraDrag::Kind::pan;
+  if (event.button() == Qt::LeftButton)
+    return CameraDrag::Kind::orbit;
+  return std::nullopt;
+}
+
+}  // namespace
+
+ComparisonPicture::ComparisonPicture(QWidget* parent) : QWidget(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(leastSide, leastSide);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  setCursor(Qt::OpenHandCursor);
+}
+
+void ComparisonPicture::setCamera(const model::Camera& camera, const glm::vec3& pivot) {
+  m_camera = camera;
+  m_pivot = pivot;
+}
+
+void ComparisonPicture::setImage(const QImage& image) {
+  m_image = image;
+  update();
+}
+
+int ComparisonPicture::side() const {
+  return std::max(16, std::min(width(), height()));
+}
+
+QRect ComparisonPicture::square() const {
+  return {(width() - side()) / 2, (height() - side()) / 2, side(), side()};
+}
+
+glm::vec2 ComparisonPicture::within(const QPointF& at) const {
+  const QPointF place = at - QPointF(square().topLeft());
+  return {float(place.x()), float(place.y())};
+}
+
+void ComparisonPicture::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), Qt::white);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  if (!m_image.isNull())
+    painter.drawImage(square(), m_image);
+  painter.setPen(QPen(palette().color(hasFocus() ? QPalette::Highlight : QPalette::Mid),
+                      hasFocus() ? 2.0 : 1.0));
+  painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+}
+
+void ComparisonPicture::mousePressEvent(QMouseEvent* event) {
+  if (const auto kind = dragOf(*event))
+    m_drag.emplace(CameraDrag::Start{
+        .kind = *kind, .pixel = within(event->position()), .camera = m_camera, .pivot = m_pivot});
+}
+
+void ComparisonPicture::mouseMoveEvent(QMouseEvent* event) {
+  if (m_drag)
+    emit turned(m_drag->at(within(event->position()), glm::vec2(float(side()))));
+}
+
+void ComparisonPicture::mouseReleaseEvent(QMouseEvent*) {
+  m_drag.reset();
+}
+
+void ComparisonPicture::wheelEvent(QWheelEvent* event) {
+  const double notches = double(event->angleDelta().y()) / unitsOfNotch;
+  if (notches != 0.0)
+    emit turned(zoomed(m_camera, m_pivot, std::pow(zoomByNotch, float(notches))));
+}
+
+void ComparisonPicture::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return emit turned(orbited(m_camera, m_pivot, -turnByKey, 0.0f));
+    case Qt::Key_Right:
+      return emit turned(orbited(m_camera, m_pivot, turnByKey, 0.0f));
+    case Qt::Key_Up:
+      return emit turned(orbited(m_camera, m_pivot, 0.0f, -turnByKey));
+    case Qt::Key_Down:
+      return emit turned(orbited(m_camera, m_pivot, 0.0f, turnByKey));
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      return emit turned(zoomed(m_camera, m_pivot, zoomByKey));
+    case Qt::Key_Minus:
+      return emit turned(zoomed(m_camera, m_pivot, 1.0f / zoomByKey));
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+ComparisonCell::ComparisonCell(model::Technique technique, QWidget* parent)
+    : QWidget(parent), m_technique(technique), m_picture(new ComparisonPicture) {
+  const render::TechniqueFacts& facts = render::factsOf(technique);
+  const QString id = QString::fromUtf8(facts.id.data(), qsizetype(facts.id.size()));
+  m_picture->setObjectName(QStringLiteral("compared_") + id);
+  m_picture->setAccessibleName(linesName(technique));
+  auto* head = new QLabel(linesName(technique));
+  QFont bold = head->font();
+  bold.setBold(true);
+  head->setFont(bold);
+  auto* source = new QLabel(QString::fromStdString(facts.citation()));
+  source->setForegroundRole(QPalette::PlaceholderText);
+  for (QLabel* label : {head, source}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setMinimumWidth(1);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addWidget(head);
+  layout->addWidget(source);
+  layout->addWidget(m_picture, 1);
+  for (const render::TechniqueThreshold& threshold : facts.thresholds) {
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(QString::fromStdString(threshold.name));
+    box->setAccessibleName(linesName(technique) + QStringLiteral(": ") +
+                           QString::fromUtf8(threshold.id));
+    box->setAccessibleDescription(thresholdMeaning(threshold.meaning));
+    box->setToolTip(thresholdMeaning(threshold.meaning));
+    box->setDecimals(3);
+    box->setRange(double(threshold.limits.low), double(threshold.limits.high));
+    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    auto* label = new QLabel(QString::fromUtf8(threshold.id));
+    label->setBuddy(box);
+    label->setToolTip(box->toolTip());
+    auto* row = new QHBoxLayout;
+    row->addWidget(label);
+    row->addWidget(box, 1);
+    layout->addLayout(row);
+    connect(box, &QDoubleSpinBox::valueChanged, this,
+            [this, name = box->objectName()](double value) { emit thresholdChanged(name, value); });
+    m_boxes.push_back(box);
+  }
+}
+
+void ComparisonCell::showThresholds(const model::ThresholdValues& values) {
+  const auto& thresholds = render::factsOf(m_technique).thresholds;
+  for (std::size_t i = 0; i < m_boxes.size(); ++i) {
+    const QSignalBlocker quiet(m_boxes[i]);
+    m_boxes[i]->setValue(double(render::valueOf(thresholds[i], values)));
+  }
+}
+
+}  // namespace sline::widgets
+
+#include "moc_comparison_cell.cpp"
