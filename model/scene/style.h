@@ -86,7 +86,7 @@ struct ResolvedStyle {
   bool visible = true;  ///< also false where a group above is hidden
   Technique technique = Technique::sline;
   ThresholdValues lineThresholds;  ///< of any technique, where they are not the usual ones
-  float penWeight = 1.0f;  ///< factor on the scene's pen of 2 λ (METHOD §4)
+  float penWeight = 1.0f;          ///< factor on the scene's pen of 2 λ (METHOD §4)
   /// How much the pen's pressure tells form, 0 … 1 (METHOD §11.4); 0: an even pen.
   float lineVariation = 1.0f;
   float lineSmoothing =
