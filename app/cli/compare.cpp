@@ -10,6 +10,7 @@
 #include "app/cli/files/targets.h"
 #include "app/cli/flags/option_kinds.h"
 #include "app/cli/flags/picture_options.h"
+#include "model/scene/visible_structures.h"
 #include "render/export/comparison/comparison_file.h"
 #include "render/export/comparison/noisy_mesh.h"
 #include "render/lettering/typesetting.h"
@@ -88,11 +89,12 @@ Result<CompareSpec> parseCompareFlags(const CompareFlags& flags) {
   return spec;
 }
 
-/// Returns the model's name in the sheet: that of its only structure, else of its file.
+/// Returns the model's name in the sheet: that of its only structure that is shown, else of its
+/// file.
 std::string rowName(const model::Scene& scene, const std::string& input) {
-  const std::vector<model::NodeId> structures = scene.structuresBelow(model::rootId);
+  const std::vector<model::VisibleStructure> structures = model::visibleStructures(scene);
   if (structures.size() == 1)
-    return scene.find(structures.front())->name;
+    return structures.front().node->name;
   std::filesystem::path path(input);
   if (path.filename().empty())
     path = path.parent_path();

@@ -317,6 +317,12 @@ Status runTechnique(const Options& options, const glm::ivec2& size) {
   for (int i = 0; i < stage->frames; ++i)
     run.cameras.push_back(turned(stage->camera, float(i) / float(stage->frames)));
   std::cout << bench::measureTechnique(run);
+  if (options.turning > 0)
+    std::cout << bench::measureTurning({.scene = bench::drawnBy(stage->scene, run.technique),
+                                        .camera = stage->camera,
+                                        .width = size.x,
+                                        .height = size.y,
+                                        .steps = options.turning});
   return Unit{};
 }
 
@@ -384,14 +390,14 @@ std::optional<Status> runInstead(const Options& options, const glm::ivec2& size)
     return runDrags(options, size);
   if (!options.leaders.foci.empty())
     return runLeaders(options);
+  if (!options.technique.empty())
+    return runTechnique(options, size);
   if (options.turning > 0 || options.curves || !options.scales.empty())
     return runLines(options, size);
   if (options.meshingMm > 0.0f)
     return runMeshing(options);
   if (options.opening)
     return runOpening(options);
-  if (!options.technique.empty())
-    return runTechnique(options, size);
   if (options.occlusion)
     return runOcclusion(options);
   return std::nullopt;
@@ -440,8 +446,10 @@ void addOptions(CLI::App& app, Options& options) {
                  "Instead: the suggestive strokes of these structures without and with the "
                  "picture's scale");
   const auto names = model::namesOf(model::Technique());
-  app.add_option("--technique", options.technique,
-                 "Instead: what the lines of this technique cost, per surface and in each view")
+  app.add_option(
+         "--technique", options.technique,
+         "Instead: what the lines of this technique cost, per surface and in each view; with "
+         "--steady-lines also how steady they are")
       ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
   addLeaderOptions(app, options.leaders);
   app.add_flag("--json", options.json, "Print JSON");

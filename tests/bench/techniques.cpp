@@ -5,8 +5,10 @@
 #include <iomanip>
 #include <sstream>
 
+#include "model/edit/look.h"
 #include "model/scene/visible_structures.h"
 #include "render/lines/line_technique.h"
+#include "render/lines/technique_list.h"
 #include "render/strokes/prepared_surface.h"
 #include "tests/bench/measure.h"
 
@@ -91,6 +93,13 @@ std::string measureTechnique(const TechniqueRun& run) {
     all.add(cost);
   }
   return text + asText("all", all);
+}
+
+model::Scene drawnBy(const model::Scene& scene, model::Technique technique) {
+  const model::Style look{.gamma = render::factsOf(technique).whole,
+                          .fill = model::Fill::paper,
+                          .technique = technique};
+  return model::withLook(scene, scene.structuresBelow(model::rootId), look).scene;
 }
 
 }  // namespace sline::bench

@@ -22,4 +22,7 @@ struct TechniqueRun {
 /// much it keeps, and the time that finding the lines takes from the cameras.
 std::string measureTechnique(const TechniqueRun& run);
 
+/// Returns the scene as the technique draws it, at the Γ at which all of its lines have entered.
+model::Scene drawnBy(const model::Scene& scene, model::Technique technique);
+
 }  // namespace sline::bench

@@ -89,7 +89,9 @@ model::MeshPtr withNoise(const model::Mesh& mesh, const Noise& noise) {
   }
   Result<model::Mesh> rough =
       model::Mesh::create(std::move(positions), {mesh.triangles().begin(), mesh.triangles().end()});
-  return std::make_shared<const model::Mesh>(rough.ok() ? std::move(*rough) : mesh);
+  if (!rough.ok())
+    return std::make_shared<const model::Mesh>(mesh);
+  return std::make_shared<const model::Mesh>(std::move(*rough));
 }
 
 }  // namespace sline::render

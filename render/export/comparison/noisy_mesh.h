@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "model/base/result.h"
+#include "model/base/units.h"
 #include "model/geometry/mesh.h"
 
 namespace sline::render {
