@@ -13,7 +13,7 @@ std::string shortNumber(float value) {
 }
 
 std::string threeDigits(double value) {
-  const int decimals = value < 1.0 ? 3 : value < 10.0 ? 2 : value < 100.0 ? 1 : 0;
+  const int decimals = value < 0.9995 ? 3 : value < 9.995 ? 2 : value < 99.95 ? 1 : 0;
   std::array<char, 64> text{};
   const auto [end, failure] = std::to_chars(text.data(), text.data() + text.size(), value,
                                             std::chars_format::fixed, decimals);

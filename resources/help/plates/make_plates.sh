@@ -108,6 +108,17 @@ if [ -e "$anatomy/bodyparts" ]; then
   keep "$scratch/techniques.png" techniques.png
 fi
 
+liver=$(find -L "$anatomy" -path '*abdomen*' -name '*_liver.vtk' 2>/dev/null | head -n 1 || true)
+hip=$(find -L "$anatomy" -path '*bodyparts*' -name '*right_hip_bone.obj' 2>/dev/null | head -n 1 || true)
+if [ -n "$liver" ] && [ -n "$hip" ] && [ -e "$anatomy/kinase.pdb" ]; then
+  "$sline" compare "$liver" "$hip" "$anatomy/kinase.pdb" --view anterior --dpi 110 \
+    -o "$scratch/comparison.png"
+  keep "$scratch/comparison.png" comparison.png
+  "$sline" compare "$liver" --noise staircase --noise jitter --smooth off --view anterior --dpi 110 \
+    -o "$scratch/comparison_rough.png"
+  keep "$scratch/comparison_rough.png" comparison_rough.png
+fi
+
 if [ -e "$anatomy/kinase.pdb" ]; then
   "$sline" render "$anatomy/kinase.pdb" --look plain --gamma 1.5 --gamma-by occlusion \
     --size 900x700 -o "$scratch/gamma_by_occlusion.png"
