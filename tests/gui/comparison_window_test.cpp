@@ -84,7 +84,7 @@ class ComparisonWindowTest : public QObject {
     std::vector<QImage> before = pictures(dialog);
     QCOMPARE(before.size(), std::size_t(8));
     for (const QImage& image : before)
-      QVERIFY(!image.isNull());
+      QVERIFY(!image.isNull() && image.size() == before.front().size());
     const auto allTurned = [&] {
       if (!desk.drawn(dialog))
         return false;

@@ -53,12 +53,17 @@ void ComparisonPicture::setImage(const QImage& image) {
   update();
 }
 
-int ComparisonPicture::side() const {
+int ComparisonPicture::room() const {
   return std::max(16, std::min(width(), height()));
 }
 
+void ComparisonPicture::setSide(int side) {
+  m_side = side;
+  update();
+}
+
 QRect ComparisonPicture::square() const {
-  return {(width() - side()) / 2, (height() - side()) / 2, side(), side()};
+  return {(width() - m_side) / 2, (height() - m_side) / 2, m_side, m_side};
 }
 
 glm::vec2 ComparisonPicture::within(const QPointF& at) const {
@@ -85,7 +90,7 @@ void ComparisonPicture::mousePressEvent(QMouseEvent* event) {
 
 void ComparisonPicture::mouseMoveEvent(QMouseEvent* event) {
   if (m_drag)
-    emit turned(m_drag->at(within(event->position()), glm::vec2(float(side()))));
+    emit turned(m_drag->at(within(event->position()), glm::vec2(float(m_side))));
 }
 
 void ComparisonPicture::mouseReleaseEvent(QMouseEvent*) {

@@ -22,8 +22,10 @@ class ComparisonPicture : public QWidget {
   void setCamera(const model::Camera& camera, const glm::vec3& pivot);
   void setImage(const QImage& image);
   const QImage& image() const { return m_image; }
-  /// Returns the side of the square that the picture fills, in pixels of the window.
-  int side() const;
+  /// Returns the side of the largest square that has room here, in pixels of the window.
+  int room() const;
+  /// Sets the side of the square that the picture fills, so that it is as large as others.
+  void setSide(int side);
   QSize sizeHint() const override { return {220, 200}; }
 
  signals:
@@ -43,6 +45,7 @@ class ComparisonPicture : public QWidget {
   glm::vec2 within(const QPointF& at) const;
 
   QImage m_image;
+  int m_side = 16;
   model::Camera m_camera;
   glm::vec3 m_pivot{0.0f};
   std::optional<CameraDrag> m_drag;

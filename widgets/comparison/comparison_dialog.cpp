@@ -178,11 +178,17 @@ void ComparisonDialog::ask() {
     return;
   PreviewRequest request{.previews = {}, .asker = PreviewsOf::compared};
   const double ratio = devicePixelRatioF();
+  // Only pictures of one size can be compared.
+  int room = m_cells.front()->picture().room();
+  for (ComparisonCell* cell : m_cells)
+    room = std::min(room, cell->picture().room());
+  for (ComparisonCell* cell : m_cells)
+    cell->picture().setSide(room);
+  const int side = int(room * ratio) * comparedSamples;
   for (std::size_t i = 0; i < m_cells.size(); ++i) {
     const std::size_t place = (m_next + i) % m_cells.size();
     if (m_took[place] == m_round)
       continue;
-    const int side = int(m_cells[place]->picture().side() * ratio) * comparedSamples;
     // A picture that high in millimetres has the pen of a sheet where the window has its own.
     const float mm = sheetPen * float(side) / float(comparedPen * ratio * comparedSamples);
     request.previews.push_back(
