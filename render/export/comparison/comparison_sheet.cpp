@@ -40,18 +40,32 @@ TextLine plain(const QString& text, bool bold = false) {
   return line;
 }
 
-/// Breaks the text between words so that no line is wider, unless a word is.
+/// Splits off what of a word fits in the width: at least a letter.
+QString firstPart(const QString& word, float points, float widthMm, bool bold) {
+  qsizetype count = 1;
+  while (count < word.size() && textWidthMm(plain(word.left(count + 1), bold), points) <= widthMm)
+    ++count;
+  return word.left(count);
+}
+
+/// Breaks the text so that no line is wider: between words, and within those that are wider.
 std::vector<TextLine> broken(const QString& text, float points, float widthMm, bool bold) {
   std::vector<TextLine> lines;
   QString line;
-  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+  for (QString word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
     const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
-    if (!line.isEmpty() && textWidthMm(plain(longer, bold), points) > widthMm) {
-      lines.push_back(plain(line, bold));
-      line = word;
-    } else {
+    if (textWidthMm(plain(longer, bold), points) <= widthMm) {
       line = longer;
+      continue;
     }
+    if (!line.isEmpty())
+      lines.push_back(plain(line, bold));
+    for (QString part = firstPart(word, points, widthMm, bold); part != word;
+         part = firstPart(word, points, widthMm, bold)) {
+      lines.push_back(plain(part, bold));
+      word.remove(0, part.size());
+    }
+    line = word;
   }
   lines.push_back(plain(line, bold));
   return lines;
@@ -147,9 +161,8 @@ class Layout {
     const ComparedModel& model = m_comparison.order.models[row];
     constexpr float width = headWidth - gap;
     const QString name = QString::fromStdString(model.name);
-    const std::vector<TextLine> lines = broken(name, namePoints, width, true);
-    float next = addText(name, lines, {margin, y + 0.5f * m_cell},
-                         fittedPoints(lines, namePoints, width), black);
+    float next = addText(name, broken(name, namePoints, width, true), {margin, y + 0.5f * m_cell},
+                         namePoints, black);
     std::size_t triangles = 0;
     for (const model::VisibleStructure& structure : model::visibleStructures(model.scene))
       triangles += structure.node->mesh->triangleCount();
