@@ -38,9 +38,10 @@ bool isFolderName(const std::string& output) {
 
 /// Tells whether the flags say how to draw. Meshes have no style, so that this would be lost.
 bool saysHowToDraw(const PictureFlags& flags) {
-  return !flags.gammas.empty() || !flags.styles.empty() || !flags.colours.empty() ||
-         !flags.inkColours.empty() || !flags.only.empty() || !flags.fill.empty() ||
-         !flags.cameraFile.empty() || !flags.drawing.empty() || flags.view != firstView;
+  return !flags.gammas.empty() || !flags.styles.empty() || !flags.lineThresholds.empty() ||
+         !flags.colours.empty() || !flags.inkColours.empty() || !flags.only.empty() ||
+         !flags.fill.empty() || !flags.cameraFile.empty() || !flags.drawing.empty() ||
+         flags.view != firstView;
 }
 
 Exit list(const DemoFlags& flags) {
