@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
@@ -108,6 +109,10 @@ class ComparisonWindowTest : public QObject {
     const model::Camera second = dialog.camera();
     QTest::keyClick(&part<widgets::ComparisonPicture>(dialog, "compared_ridges"), Qt::Key_Left);
     QVERIFY(dialog.camera().eye != second.eye);
+    const auto distanceOf = [](const model::Camera& camera) {
+      return glm::distance(camera.eye, camera.target);
+    };
+    QVERIFY(std::abs(distanceOf(dialog.camera()) / distanceOf(second) - 1.0f) < 1e-3f);
     QVERIFY(allTurned());
   }
 
@@ -193,9 +198,16 @@ class ComparisonWindowTest : public QObject {
     QVERIFY(text.contains("cell-1-8") && text.contains("Lawonn et al. 2013"));
     dialog.save(desk.folder.filePath(QStringLiteral("sheet.gif")));
     QVERIFY(part<QLabel>(dialog, "comparisonTold").text().contains(QStringLiteral("svg")));
+    // Who closes the window at once gets the sheet all the same, and waits for nothing.
+    const QString later = desk.folder.filePath(QStringLiteral("later.pdf"));
+    dialog.save(later);
+    QElapsedTimer closing;
+    closing.start();
     QTest::keyClick(&dialog, Qt::Key_Escape);
     QTRY_VERIFY(!desk.window.findChild<ComparisonDialog*>());
+    QVERIFY2(closing.elapsed() < 2000, qPrintable(QString::number(closing.elapsed())));
     QVERIFY(desk.settled());
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(later), 120'000);
   }
 };
 

@@ -45,6 +45,10 @@ ComparisonActions::ComparisonActions(const Context& context, QWidget& window)
   controlsRemade();
 }
 
+ComparisonActions::~ComparisonActions() {
+  m_queue.drop();
+}
+
 void ComparisonActions::controlsRemade() {
   connect(&m_actions[QStringLiteral("compareTechniques")], &QAction::triggered, this,
           &ComparisonActions::showDialog);
@@ -73,7 +77,7 @@ void ComparisonActions::showDialog() {
        .scene = std::move(part),
        .camera = m_viewport.camera(),
        .folder = file.empty() ? QDir::homePath() : textOf(file.parent_path())},
-      m_viewport, &m_window);
+      m_viewport, m_queue, &m_window);
   m_dialog->setAttribute(Qt::WA_DeleteOnClose);
   m_dialog->open();
 }

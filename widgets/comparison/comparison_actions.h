@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QPointer>
 
+#include "widgets/session/background_queue.h"
 #include "widgets/session/session.h"
 
 class QWidget;
@@ -26,6 +27,7 @@ class ComparisonActions : public QObject {
   };
   /// Connects the parts, all of which must outlive it.
   ComparisonActions(const Context& context, QWidget& window);
+  ~ComparisonActions() override;
 
   /// Connects to the window's new actions after they have been replaced.
   void controlsRemade();
@@ -38,6 +40,7 @@ class ComparisonActions : public QObject {
   const WindowActions& m_actions;
   Viewport& m_viewport;
   QWidget& m_window;
+  BackgroundQueue m_queue;  ///< draws sheets
   QPointer<ComparisonDialog> m_dialog;
 };
 

@@ -36,10 +36,12 @@ constexpr int soon = 15;  ///< milliseconds
 
 }  // namespace
 
-ComparisonDialog::ComparisonDialog(Subject subject, Viewport& viewport, QWidget* parent)
+ComparisonDialog::ComparisonDialog(Subject subject, Viewport& viewport, BackgroundQueue& queue,
+                                   QWidget* parent)
     : QDialog(parent),
       m_subject(std::move(subject)),
       m_viewport(&viewport),
+      m_queue(queue),
       m_surface(new QComboBox),
       m_told(new QLabel),
       m_save(new QPushButton(tr("&Save Sheet…"))) {
@@ -64,7 +66,6 @@ ComparisonDialog::ComparisonDialog(Subject subject, Viewport& viewport, QWidget*
 }
 
 ComparisonDialog::~ComparisonDialog() {
-  m_queue.drop();
   if (m_viewport)
     m_viewport->askPreviews({.previews = {}, .asker = PreviewsOf::compared});
 }
@@ -272,7 +273,8 @@ void ComparisonDialog::save(const QString& path) {
   m_subject.folder = QFileInfo(path).absolutePath();
   m_save->setEnabled(false);
   m_told->setText(tr("Drawing the sheet…"));
-  m_queue.add([this, path, target, order = order(), words = words()](const std::stop_token& stop) {
+  m_queue.add([dialog = QPointer(this), path, target, order = order(),
+               words = words()](const std::stop_token& stop) {
     const Result<render::Comparison> comparison =
         render::compareTechniques(order, render::ExportProgress([&stop](double, std::string_view) {
                                     return !stop.stop_requested();
@@ -281,7 +283,10 @@ void ComparisonDialog::save(const QString& path) {
         comparison.ok()
             ? render::writeSheet(render::comparisonSheet(*comparison, words), target, sheetDpi)
             : Status(comparison.error());
-    return BackgroundQueue::Sequel([this, path, status] { savedAs(path, status); });
+    return BackgroundQueue::Sequel([dialog, path, status] {
+      if (dialog)
+        dialog->savedAs(path, status);
+    });
   });
 }
 

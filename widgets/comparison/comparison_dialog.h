@@ -28,8 +28,10 @@ class ComparisonDialog : public QDialog {
     model::Camera camera;  ///< whose direction is looked from
     QString folder;        ///< where sheets are saved at first
   };
-  /// The viewport's renderer draws the pictures; it must outlive the dialog or end before it.
-  ComparisonDialog(Subject subject, Viewport& viewport, QWidget* parent = nullptr);
+  /// The viewport's renderer draws the pictures. The queue draws sheets, also after the dialog has
+  /// closed; it must outlive the dialog.
+  ComparisonDialog(Subject subject, Viewport& viewport, BackgroundQueue& queue,
+                   QWidget* parent = nullptr);
   ~ComparisonDialog() override;
 
   const model::Camera& camera() const { return m_camera; }
@@ -60,6 +62,7 @@ class ComparisonDialog : public QDialog {
 
   Subject m_subject;
   QPointer<Viewport> m_viewport;
+  BackgroundQueue& m_queue;
   render::ComparedModel m_model;  ///< as it is
   render::ComparedModel m_shown;  ///< the same or roughened
   model::Camera m_camera;
@@ -73,7 +76,6 @@ class ComparisonDialog : public QDialog {
   QTimer m_soon;           ///< gathers changes that come at once
   int m_round = 0;         ///< counts what was asked for
   std::size_t m_next = 0;  ///< the cell that is drawn first, so that each gets its turn
-  BackgroundQueue m_queue;
 };
 
 }  // namespace sline::widgets
