@@ -1223,6 +1223,22 @@
         <source>if left and right are swapped, choose %1 where front and back are swapped too, else %2</source>
         <translation>sind links und rechts vertauscht, wähle %1, wo auch vorn und hinten vertauscht sind, sonst %2</translation>
     </message>
+    <message>
+        <source>a comparison sheet is a png, pdf or svg file</source>
+        <translation>ein Vergleichsblatt ist eine png-, pdf- oder svg-Datei</translation>
+    </message>
+    <message>
+        <source>Give the file one of these endings</source>
+        <translation>Gib der Datei eine dieser Endungen</translation>
+    </message>
+    <message>
+        <source>the sheet would have more than 20000 pixels on a side</source>
+        <translation>das Blatt hätte mehr als 20000 Pixel auf einer Seite</translation>
+    </message>
+    <message>
+        <source>Take fewer pixels to the inch, smaller cells or fewer models</source>
+        <translation>Nimm weniger Pixel je Zoll, kleinere Felder oder weniger Modelle</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -4342,6 +4358,70 @@
         <source>Γ over the surface</source>
         <translation>Γ über die Fläche</translation>
     </message>
+    <message>
+        <source>Thresholds of lines</source>
+        <translation>Schwellen der Linien</translation>
+    </message>
+    <message>
+        <source>Highlight lines</source>
+        <translation>Glanzlinien</translation>
+    </message>
+    <message>
+        <source>Dκr·F² must be above</source>
+        <translation>Dκr·F² muss darüber liegen</translation>
+    </message>
+    <message>
+        <source>acos(nv) must be above, radians</source>
+        <translation>acos(nv) muss darüber liegen, Bogenmaß</translation>
+    </message>
+    <message>
+        <source>T/F_c, the thickness of the contour&apos;s margin</source>
+        <translation>T/F_c, die Dicke des Saums an der Kontur</translation>
+    </message>
+    <message>
+        <source>|H|·F_c must be above where H has an extremum</source>
+        <translation>|H|·F_c muss darüber liegen, wo H ein Extremum hat</translation>
+    </message>
+    <message>
+        <source>the least distance between lines, 1/720 of the picture&apos;s height</source>
+        <translation>der kleinste Abstand zwischen Linien, 1/720 der Bildhöhe</translation>
+    </message>
+    <message>
+        <source>q1·F must be above</source>
+        <translation>q1·F muss darüber liegen</translation>
+    </message>
+    <message>
+        <source>|κ1|·F must be above</source>
+        <translation>|κ1|·F muss darüber liegen</translation>
+    </message>
+    <message>
+        <source>|κ1&apos;&apos;|/|κ1|³ across the line must be above</source>
+        <translation>|κ1&apos;&apos;|/|κ1|³ quer zur Linie muss darüber liegen</translation>
+    </message>
+    <message>
+        <source>|∇f|·F must be above</source>
+        <translation>|∇f|·F muss darüber liegen</translation>
+    </message>
+    <message>
+        <source>C(g,g,g)·F² must be above</source>
+        <translation>C(g,g,g)·F² muss darüber liegen</translation>
+    </message>
+    <message>
+        <source>−Dκr·F² must be above</source>
+        <translation>−Dκr·F² muss darüber liegen</translation>
+    </message>
+    <message>
+        <source>κ1²·F² must be above</source>
+        <translation>κ1²·F² muss darüber liegen</translation>
+    </message>
+    <message>
+        <source>Compare Tec&amp;hniques…</source>
+        <translation>Techniken &amp;vergleichen …</translation>
+    </message>
+    <message>
+        <source>See what is selected, or all, drawn by several line techniques side by side, and save that as a sheet</source>
+        <translation>Das Gewählte oder alles in mehreren Linientechniken nebeneinander sehen und als Blatt sichern</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -4511,6 +4591,89 @@ OpenGL: %3</translation>
     <message>
         <source>Delete Labels</source>
         <translation>Beschriftungen löschen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ComparisonDialog</name>
+    <message>
+        <source>&amp;Save Sheet…</source>
+        <translation>&amp;Blatt sichern …</translation>
+    </message>
+    <message>
+        <source>Compare Techniques</source>
+        <translation>Techniken vergleichen</translation>
+    </message>
+    <message>
+        <source>Su&amp;rface:</source>
+        <translation>&amp;Fläche:</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>Wie sie ist</translation>
+    </message>
+    <message>
+        <source>With staircase</source>
+        <translation>Mit Treppenstufen</translation>
+    </message>
+    <message>
+        <source>With jitter</source>
+        <translation>Mit Zittern</translation>
+    </message>
+    <message>
+        <source>Roughens the surface, to see which techniques bear what segmentation leaves on it</source>
+        <translation>Raut die Fläche auf, um zu sehen, welche Techniken vertragen, was eine Segmentierung auf ihr zurücklässt</translation>
+    </message>
+    <message>
+        <source>Reset &amp;Thresholds</source>
+        <translation>&amp;Schwellen zurücksetzen</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG or PNG, with what the pictures take and draw</source>
+        <translation>Als PDF, SVG oder PNG, mit dem, was die Bilder brauchen und zeichnen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>ms: median time to find and join the lines of a view, contours among them, once the surface is prepared.</source>
+        <translation>ms: mittlere Zeit (Median), die Linien einer Ansicht zu finden und zu verbinden, Konturen eingeschlossen, wenn die Fläche vorbereitet ist.</translation>
+    </message>
+    <message>
+        <source>mm⁻¹: length of the technique&apos;s visible lines, without contours, per area that the model covers, as drawn here.</source>
+        <translation>mm⁻¹: Länge der sichtbaren Linien der Technik, ohne Konturen, je Fläche, die das Modell bedeckt, wie hier gezeichnet.</translation>
+    </message>
+    <message>
+        <source>F: radius of the model&apos;s bounding sphere; F_c: its median radius of curvature, at most F; H, κ1: mean curvature, the stronger principal curvature; f: light from the eye.</source>
+        <translation>F: Radius der Hüllkugel des Modells; F_c: sein mittlerer Krümmungsradius (Median), höchstens F; H, κ1: mittlere Krümmung, die stärkere Hauptkrümmung; f: Licht vom Auge.</translation>
+    </message>
+    <message>
+        <source>Save Sheet</source>
+        <translation>Blatt sichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing the sheet…</source>
+        <translation>Das Blatt wird gezeichnet …</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -6800,6 +6963,17 @@ OpenGL: %3</translation>
     <message>
         <source>Other subjects</source>
         <translation>Andere Themen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ThresholdEditor</name>
+    <message>
+        <source>Thresholds of lines</source>
+        <translation>Schwellen der Linien</translation>
+    </message>
+    <message>
+        <source>How strong lines must be for their technique to draw them</source>
+        <translation>Wie stark Linien sein müssen, damit ihre Technik sie zeichnet</translation>
     </message>
 </context>
 <context>

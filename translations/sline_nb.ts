@@ -1223,6 +1223,22 @@
         <source>if left and right are swapped, choose %1 where front and back are swapped too, else %2</source>
         <translation>er venstre og høyre byttet om, velg %1 der også foran og bak er byttet om, ellers %2</translation>
     </message>
+    <message>
+        <source>a comparison sheet is a png, pdf or svg file</source>
+        <translation>et sammenligningsark er en png-, pdf- eller svg-fil</translation>
+    </message>
+    <message>
+        <source>Give the file one of these endings</source>
+        <translation>Gi filen en av disse endelsene</translation>
+    </message>
+    <message>
+        <source>the sheet would have more than 20000 pixels on a side</source>
+        <translation>arket ville ha mer enn 20000 piksler på en side</translation>
+    </message>
+    <message>
+        <source>Take fewer pixels to the inch, smaller cells or fewer models</source>
+        <translation>Ta færre piksler per tomme, mindre felter eller færre modeller</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -4342,6 +4358,70 @@
         <source>Γ over the surface</source>
         <translation>Γ over flaten</translation>
     </message>
+    <message>
+        <source>Thresholds of lines</source>
+        <translation>Terskler for linjer</translation>
+    </message>
+    <message>
+        <source>Highlight lines</source>
+        <translation>Glanslinjer</translation>
+    </message>
+    <message>
+        <source>Dκr·F² must be above</source>
+        <translation>Dκr·F² må være over</translation>
+    </message>
+    <message>
+        <source>acos(nv) must be above, radians</source>
+        <translation>acos(nv) må være over, radianer</translation>
+    </message>
+    <message>
+        <source>T/F_c, the thickness of the contour&apos;s margin</source>
+        <translation>T/F_c, tykkelsen av randen langs konturen</translation>
+    </message>
+    <message>
+        <source>|H|·F_c must be above where H has an extremum</source>
+        <translation>|H|·F_c må være over der H har et ekstremum</translation>
+    </message>
+    <message>
+        <source>the least distance between lines, 1/720 of the picture&apos;s height</source>
+        <translation>den minste avstanden mellom linjer, 1/720 av bildehøyden</translation>
+    </message>
+    <message>
+        <source>q1·F must be above</source>
+        <translation>q1·F må være over</translation>
+    </message>
+    <message>
+        <source>|κ1|·F must be above</source>
+        <translation>|κ1|·F må være over</translation>
+    </message>
+    <message>
+        <source>|κ1&apos;&apos;|/|κ1|³ across the line must be above</source>
+        <translation>|κ1&apos;&apos;|/|κ1|³ på tvers av linjen må være over</translation>
+    </message>
+    <message>
+        <source>|∇f|·F must be above</source>
+        <translation>|∇f|·F må være over</translation>
+    </message>
+    <message>
+        <source>C(g,g,g)·F² must be above</source>
+        <translation>C(g,g,g)·F² må være over</translation>
+    </message>
+    <message>
+        <source>−Dκr·F² must be above</source>
+        <translation>−Dκr·F² må være over</translation>
+    </message>
+    <message>
+        <source>κ1²·F² must be above</source>
+        <translation>κ1²·F² må være over</translation>
+    </message>
+    <message>
+        <source>Compare Tec&amp;hniques…</source>
+        <translation>Teknikker ved siden av &amp;hverandre …</translation>
+    </message>
+    <message>
+        <source>See what is selected, or all, drawn by several line techniques side by side, and save that as a sheet</source>
+        <translation>Se det som er valgt, eller alt, tegnet med flere linjeteknikker side om side, og lagre det som et ark</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -4511,6 +4591,89 @@ OpenGL: %3</translation>
     <message>
         <source>Delete Labels</source>
         <translation>Slett etikettene</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ComparisonDialog</name>
+    <message>
+        <source>&amp;Save Sheet…</source>
+        <translation>&amp;Lagre ark …</translation>
+    </message>
+    <message>
+        <source>Compare Techniques</source>
+        <translation>Sammenlign teknikker</translation>
+    </message>
+    <message>
+        <source>Su&amp;rface:</source>
+        <translation>&amp;Overflate:</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>Som den er</translation>
+    </message>
+    <message>
+        <source>With staircase</source>
+        <translation>Med trappetrinn</translation>
+    </message>
+    <message>
+        <source>With jitter</source>
+        <translation>Med skjelving</translation>
+    </message>
+    <message>
+        <source>Roughens the surface, to see which techniques bear what segmentation leaves on it</source>
+        <translation>Gjør overflaten ru, for å se hvilke teknikker som tåler det segmentering etterlater på den</translation>
+    </message>
+    <message>
+        <source>Reset &amp;Thresholds</source>
+        <translation>Tilbakestill &amp;terskler</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG or PNG, with what the pictures take and draw</source>
+        <translation>Som PDF, SVG eller PNG, med det bildene krever og tegner</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Lukk</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 trekanter</translation>
+    </message>
+    <message>
+        <source>ms: median time to find and join the lines of a view, contours among them, once the surface is prepared.</source>
+        <translation>ms: median av tiden det tar å finne og forbinde linjene i en visning, konturer medregnet, når overflaten er forberedt.</translation>
+    </message>
+    <message>
+        <source>mm⁻¹: length of the technique&apos;s visible lines, without contours, per area that the model covers, as drawn here.</source>
+        <translation>mm⁻¹: lengden av teknikkens synlige linjer, uten konturer, per areal som modellen dekker, slik det er tegnet her.</translation>
+    </message>
+    <message>
+        <source>F: radius of the model&apos;s bounding sphere; F_c: its median radius of curvature, at most F; H, κ1: mean curvature, the stronger principal curvature; f: light from the eye.</source>
+        <translation>F: radien til modellens omsluttende kule; F_c: dens mediane krumningsradius, høyst F; H, κ1: middelkrumning, den sterkeste hovedkrumningen; f: lys fra øyet.</translation>
+    </message>
+    <message>
+        <source>Save Sheet</source>
+        <translation>Lagre ark</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-tegning (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-bilde (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing the sheet…</source>
+        <translation>Arket tegnes …</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 er lagret</translation>
     </message>
 </context>
 <context>
@@ -6800,6 +6963,17 @@ OpenGL: %3</translation>
     <message>
         <source>Other subjects</source>
         <translation>Andre motiver</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ThresholdEditor</name>
+    <message>
+        <source>Thresholds of lines</source>
+        <translation>Terskler for linjer</translation>
+    </message>
+    <message>
+        <source>How strong lines must be for their technique to draw them</source>
+        <translation>Hvor sterke linjer må være for at teknikken skal tegne dem</translation>
     </message>
 </context>
 <context>

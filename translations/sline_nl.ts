@@ -1223,6 +1223,22 @@
         <source>if left and right are swapped, choose %1 where front and back are swapped too, else %2</source>
         <translation>zijn links en rechts verwisseld, kies dan %1 waar ook voor en achter verwisseld zijn, anders %2</translation>
     </message>
+    <message>
+        <source>a comparison sheet is a png, pdf or svg file</source>
+        <translation>een vergelijkingsblad is een png-, pdf- of svg-bestand</translation>
+    </message>
+    <message>
+        <source>Give the file one of these endings</source>
+        <translation>Geef het bestand een van deze extensies</translation>
+    </message>
+    <message>
+        <source>the sheet would have more than 20000 pixels on a side</source>
+        <translation>het blad zou meer dan 20000 pixels aan een kant hebben</translation>
+    </message>
+    <message>
+        <source>Take fewer pixels to the inch, smaller cells or fewer models</source>
+        <translation>Neem minder pixels per inch, kleinere vakken of minder modellen</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -4342,6 +4358,70 @@
         <source>Γ over the surface</source>
         <translation>Γ over het oppervlak</translation>
     </message>
+    <message>
+        <source>Thresholds of lines</source>
+        <translation>Drempels van lijnen</translation>
+    </message>
+    <message>
+        <source>Highlight lines</source>
+        <translation>Glanslijnen</translation>
+    </message>
+    <message>
+        <source>Dκr·F² must be above</source>
+        <translation>Dκr·F² moet erboven liggen</translation>
+    </message>
+    <message>
+        <source>acos(nv) must be above, radians</source>
+        <translation>acos(nv) moet erboven liggen, radialen</translation>
+    </message>
+    <message>
+        <source>T/F_c, the thickness of the contour&apos;s margin</source>
+        <translation>T/F_c, de dikte van de rand langs de contour</translation>
+    </message>
+    <message>
+        <source>|H|·F_c must be above where H has an extremum</source>
+        <translation>|H|·F_c moet erboven liggen waar H een extremum heeft</translation>
+    </message>
+    <message>
+        <source>the least distance between lines, 1/720 of the picture&apos;s height</source>
+        <translation>de kleinste afstand tussen lijnen, 1/720 van de beeldhoogte</translation>
+    </message>
+    <message>
+        <source>q1·F must be above</source>
+        <translation>q1·F moet erboven liggen</translation>
+    </message>
+    <message>
+        <source>|κ1|·F must be above</source>
+        <translation>|κ1|·F moet erboven liggen</translation>
+    </message>
+    <message>
+        <source>|κ1&apos;&apos;|/|κ1|³ across the line must be above</source>
+        <translation>|κ1&apos;&apos;|/|κ1|³ dwars op de lijn moet erboven liggen</translation>
+    </message>
+    <message>
+        <source>|∇f|·F must be above</source>
+        <translation>|∇f|·F moet erboven liggen</translation>
+    </message>
+    <message>
+        <source>C(g,g,g)·F² must be above</source>
+        <translation>C(g,g,g)·F² moet erboven liggen</translation>
+    </message>
+    <message>
+        <source>−Dκr·F² must be above</source>
+        <translation>−Dκr·F² moet erboven liggen</translation>
+    </message>
+    <message>
+        <source>κ1²·F² must be above</source>
+        <translation>κ1²·F² moet erboven liggen</translation>
+    </message>
+    <message>
+        <source>Compare Tec&amp;hniques…</source>
+        <translation>Technieken ver&amp;gelijken…</translation>
+    </message>
+    <message>
+        <source>See what is selected, or all, drawn by several line techniques side by side, and save that as a sheet</source>
+        <translation>Wat is gekozen, of alles, in verschillende lijntechnieken naast elkaar zien en als blad bewaren</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -4511,6 +4591,89 @@ OpenGL: %3</translation>
     <message>
         <source>Delete Labels</source>
         <translation>Labels verwijderen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ComparisonDialog</name>
+    <message>
+        <source>&amp;Save Sheet…</source>
+        <translation>Blad &amp;bewaren…</translation>
+    </message>
+    <message>
+        <source>Compare Techniques</source>
+        <translation>Technieken vergelijken</translation>
+    </message>
+    <message>
+        <source>Su&amp;rface:</source>
+        <translation>&amp;Oppervlak:</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>Zoals het is</translation>
+    </message>
+    <message>
+        <source>With staircase</source>
+        <translation>Met traptreden</translation>
+    </message>
+    <message>
+        <source>With jitter</source>
+        <translation>Met ruis</translation>
+    </message>
+    <message>
+        <source>Roughens the surface, to see which techniques bear what segmentation leaves on it</source>
+        <translation>Maakt het oppervlak ruw, om te zien welke technieken verdragen wat segmentatie erop achterlaat</translation>
+    </message>
+    <message>
+        <source>Reset &amp;Thresholds</source>
+        <translation>&amp;Drempels herstellen</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG or PNG, with what the pictures take and draw</source>
+        <translation>Als PDF, SVG of PNG, met wat de beelden kosten en tekenen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 driehoeken</translation>
+    </message>
+    <message>
+        <source>ms: median time to find and join the lines of a view, contours among them, once the surface is prepared.</source>
+        <translation>ms: mediaan van de tijd om de lijnen van een aanzicht te vinden en te verbinden, contouren inbegrepen, als het oppervlak is voorbereid.</translation>
+    </message>
+    <message>
+        <source>mm⁻¹: length of the technique&apos;s visible lines, without contours, per area that the model covers, as drawn here.</source>
+        <translation>mm⁻¹: lengte van de zichtbare lijnen van de techniek, zonder contouren, per oppervlakte die het model bedekt, zoals hier getekend.</translation>
+    </message>
+    <message>
+        <source>F: radius of the model&apos;s bounding sphere; F_c: its median radius of curvature, at most F; H, κ1: mean curvature, the stronger principal curvature; f: light from the eye.</source>
+        <translation>F: straal van de omhullende bol van het model; F_c: zijn mediane kromtestraal, hooguit F; H, κ1: gemiddelde kromming, de sterkste hoofdkromming; f: licht vanuit het oog.</translation>
+    </message>
+    <message>
+        <source>Save Sheet</source>
+        <translation>Blad bewaren</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-tekening (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-beeld (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing the sheet…</source>
+        <translation>Het blad wordt getekend…</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 opgeslagen</translation>
     </message>
 </context>
 <context>
@@ -6800,6 +6963,17 @@ OpenGL: %3</translation>
     <message>
         <source>Other subjects</source>
         <translation>Andere onderwerpen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ThresholdEditor</name>
+    <message>
+        <source>Thresholds of lines</source>
+        <translation>Drempels van lijnen</translation>
+    </message>
+    <message>
+        <source>How strong lines must be for their technique to draw them</source>
+        <translation>Hoe sterk lijnen moeten zijn om door hun techniek te worden getekend</translation>
     </message>
 </context>
 <context>

@@ -259,7 +259,7 @@ class WindowTest : public QObject {
       const widgets::ThemeFollower dressed(*qApp, first.preferences());
       QVERIFY(show(first));
       QVERIFY(first.findChild<QWidget*>(QStringLiteral("startPage"))->isVisible());
-      QVERIFY2(std::abs(widthOf(first, "structuresPanel") - 420) <= 4,
+      QVERIFY2(std::abs(widthOf(first, "structuresPanel") - 400) <= 4,
                qPrintable(QString::number(widthOf(first, "structuresPanel"))));
       QVERIFY(std::abs(widthOf(first, "gammaPanel") - 304) <= 4);
       const auto nameWidth = [&first] {

@@ -88,7 +88,7 @@ void MainWindow::sizePanels() {
   };
   // On a small screen the picture keeps two fifths of the window.
   resizeDocks({panel("structuresPanel"), panel("gammaPanel")},
-              {std::min(420, 32 * width() / 100), std::min(304, 28 * width() / 100)},
+              {std::min(400, 32 * width() / 100), std::min(304, 28 * width() / 100)},
               Qt::Horizontal);
   // The Γ slider must be visible as a whole on small screens, too.
   resizeDocks({panel("gammaPanel"), panel("focusPanel")}, {3, 2}, Qt::Vertical);
