@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/geometry/atom_set.h"
 #include "model/geometry/mesh.h"
 #include "model/scene/annotation.h"
 #include "model/scene/camera.h"
@@ -74,6 +75,7 @@ struct Node {
   bool locked = false;  ///< true: this and everything below it cannot be picked or changed by hand
   MeshPtr mesh;         ///< null for a group
   Provenance provenance;
+  KeptAtoms atoms;     ///< of a molecule's chain
   std::string unread;  ///< further keys of its scene file, as a JSON object; kept for saving
 
   bool isGroup() const { return !mesh; }

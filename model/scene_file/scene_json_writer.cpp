@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/colour_text.h"
+#include "model/scene_file/atoms_json.h"
 #include "model/scene_file/camera_json.h"
 #include "model/scene_file/provenance_json.h"
 #include "model/scene_file/scene_json.h"
@@ -70,6 +71,8 @@ Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
     json["locked"] = true;
   if (node.provenance != Provenance())
     json["provenance"] = provenanceJson(node.provenance);
+  if (node.atoms.set)
+    json["atoms"] = atomsJson(*node.atoms.set);
   addUnread(json, node.unread);
   return json;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "model/scene_file/atoms_json.h"
 #include "model/scene_file/provenance_json.h"
 #include "model/scene_file/style_json.h"
 
@@ -94,6 +95,8 @@ Node SceneJsonReader::node(const JsonValue& value) const {
     node.provenance = provenanceFrom(inner);
     object.giveBack("provenance", inner.rest());
   }
+  if (const auto kept = object.take("atoms"))
+    node.atoms = atomsFrom(*kept);
   node.unread = object.unread();
   return node;
 }

@@ -82,6 +82,28 @@ std::string shortened(const std::string& title) {
   return title.substr(0, space == std::string::npos ? longestTitle : space) + " …";
 }
 
+/// Returns the chain's atoms as they are kept with its surface.
+KeptAtoms keptAtoms(const Chain& chain) {
+  auto set = std::make_shared<AtomSet>();
+  for (const Residue& residue : chain.residues) {
+    std::string name = residue.name + " " + chain.id + " " + residue.label;
+    std::replace(name.begin(), name.end(), '|', '?');
+    for (const Atom& atom : residue.atoms)
+      set->atoms.push_back(
+          {glm::vec3(atom.place), atom.element->vanDerWaals, std::uint32_t(set->residues.size())});
+    set->residues.push_back(std::move(name));
+  }
+  return {std::move(set)};
+}
+
+std::size_t chainAtoms(const Molecule& molecule) {
+  std::size_t count = 0;
+  for (const Chain& chain : molecule.chains)
+    for (const Residue& residue : chain.residues)
+      count += residue.atoms.size();
+  return count;
+}
+
 class Surfacer {
  public:
   Surfacer(const Molecule& molecule, const std::string& file, const ReadOptions& options)
@@ -163,6 +185,7 @@ class Surfacer {
         warn(chainName(chain) + " was left out: " + tooClose);
     }
     const double spacing = std::max(finest, std::sqrt(trianglesPerSquare * area / chainTriangles));
+    const bool keeps = chainAtoms(m_molecule) <= mostKeptAtoms;
     for (std::size_t i = 0; i < accessible.size(); ++i) {
       if (!accessible[i])
         continue;
@@ -176,6 +199,8 @@ class Surfacer {
       }
       raw->molecule->number = i;
       raw->colour = chainColour(i);
+      if (keeps)
+        raw->molecule->atoms = keptAtoms(m_molecule.chains[i]);
       accessible[i].reset();
     }
   }

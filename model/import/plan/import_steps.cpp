@@ -101,6 +101,8 @@ Scene withSurfaces(const ImportPlan& plan, std::vector<Part> parts) {
     if (part != byNumber.end()) {
       node.mesh = std::move(part->second->mesh);
       node.provenance = std::move(part->second->provenance);
+      if (part->second->raw.molecule)
+        node.atoms = part->second->raw.molecule->atoms;
     }
     node.name = choice.name.value_or(node.name);
     if (choice.colour)

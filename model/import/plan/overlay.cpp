@@ -34,6 +34,18 @@ std::string fitText(const Superposition& fit, const Backbone& fixed) {
   return text + numbers;
 }
 
+void move(RawMesh& raw, const RigidMotion& motion) {
+  for (glm::vec3& p : raw.positions)
+    p = glm::vec3(motion(glm::dvec3(p)));
+  KeptAtoms& atoms = raw.molecule->atoms;
+  if (!atoms.set)
+    return;
+  auto moved = std::make_shared<AtomSet>(*atoms.set);
+  for (AtomBall& atom : moved->atoms)
+    atom.place = glm::vec3(motion(glm::dvec3(atom.place)));
+  atoms.set = std::move(moved);
+}
+
 void recolour(RawMesh& raw, std::size_t entry, std::size_t chainsBefore) {
   if (raw.molecule->role == MoleculeOrigin::Role::chain)
     raw.colour = chainColour(chainsBefore + raw.molecule->number);
@@ -69,8 +81,7 @@ std::vector<std::string> overlayMolecules(std::vector<Part>& parts, Overlay over
       recolour(part.raw, entry, chains);
       if (!fit)
         continue;
-      for (glm::vec3& p : part.raw.positions)
-        p = glm::vec3(fit->motion(glm::dvec3(p)));
+      move(part.raw, fit->motion);
       part.raw.frameReason = fitText(*fit, *entries.front());
     }
     chains += entries[entry]->chains.size();

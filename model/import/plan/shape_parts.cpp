@@ -128,6 +128,19 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
   });
 }
 
+KeptAtoms placedAtoms(const RawMesh& raw, const Provenance& as) {
+  KeptAtoms atoms = raw.molecule ? raw.molecule->atoms : KeptAtoms{};
+  if (!atoms.set || as.frame == frameName(Frame::file))
+    return atoms;
+  const std::optional<glm::dmat4> toWorld = matrixOf(as);
+  auto set = std::make_shared<AtomSet>(*atoms.set);
+  for (AtomBall& atom : set->atoms) {
+    atom.place = placed(atom.place, as, raw, toWorld);
+    atom.radius *= as.mmPerUnit;
+  }
+  return {std::move(set)};
+}
+
 Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as) {
   if (as.frame != frameName(Frame::file)) {
     const std::optional<glm::dmat4> toWorld = matrixOf(as);
@@ -155,6 +168,8 @@ void placeParts(std::vector<Part>& parts, const Sources& sources,
     if (source.model)
       if (const auto& toWorld = sources.sources[source.source].scene->models[*source.model].toWorld)
         part.provenance.transform = rowsOf(*toWorld);
+    if (part.raw.molecule)
+      part.raw.molecule->atoms = placedAtoms(part.raw, part.provenance);
     // Names, groups and colours are asked for later.
     RawMesh surface{.positions = std::move(part.raw.positions),
                     .triangles = std::move(part.raw.triangles),

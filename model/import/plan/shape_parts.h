@@ -20,6 +20,8 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
 /// Returns the surface in millimetres LPS, by the frame, unit and transform in `as`. Its
 /// displacement is scaled with it.
 Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as);
+/// Returns the atoms that it keeps in the same frame.
+KeptAtoms placedAtoms(const RawMesh& raw, const Provenance& as);
 
 /// Brings each part to millimetres LPS by its frame, unit and transform, and makes its mesh.
 void placeParts(std::vector<Part>& parts, const Sources& sources,

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "model/geometry/atom_set.h"
+
 namespace sline::model {
 
 struct BackboneChain {
@@ -29,6 +31,7 @@ struct MoleculeOrigin {
   enum class Role { chain, bonds, other } role = Role::other;
   std::size_t number = 0;                    ///< number of the chain in its entry
   std::shared_ptr<const Backbone> backbone;  ///< shared by all surfaces of an entry; never null
+  KeptAtoms atoms = {};  ///< those of a chain, in the coordinates of its surface
 };
 
 }  // namespace sline::model

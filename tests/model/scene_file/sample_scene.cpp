@@ -54,6 +54,14 @@ Provenance sampleProvenance() {
   return p;
 }
 
+KeptAtoms sampleAtoms() {
+  AtomSet set{{"LYS A 295", "none", "?? B -3A"}, {}};
+  set.atoms.push_back({{1.5f, 0.1f, -3e-7f}, 1.7f, 0});
+  set.atoms.push_back({{-2.25f, 0.0f, 9.0f}, 1.55f, 0});
+  set.atoms.push_back({{4, 5, 6}, 1.2f, 2});
+  return {std::make_shared<const AtomSet>(std::move(set))};
+}
+
 }  // namespace
 
 Scene sampleScene() {
@@ -64,6 +72,7 @@ Scene sampleScene() {
   artery.style = sampleStyle();
   artery.locked = true;
   artery.provenance = sampleProvenance();
+  artery.atoms = sampleAtoms();
   const NodeId one = scene.append(artery);
   scene.append({.name = "its twin", .style = {.visible = true}, .mesh = artery.mesh});
   scene.append({.name = "loose", .style = {.fill = Fill::veil}, .mesh = torus(9, 2, 12, 8)});

@@ -57,6 +57,27 @@ void SceneJsonRefusalsTest::refuses_data() {
   row(
       "an id of 1.5", [](Json& j) { j["nodes"][0]["id"] = 1.5; }, "nodes[0].id", "whole number");
   row(
+      "atoms without a residue", [](Json& j) { j["nodes"][2]["atoms"][1] = "1 2 3 1.7"; },
+      "nodes[2].atoms[1]", "a bar");
+  row(
+      "an atom cut short", [](Json& j) { j["nodes"][2]["atoms"][0] = "LYS A 1 | 1 2 3"; },
+      "nodes[2].atoms[0]", "x, y, z");
+  row(
+      "an atom nowhere", [](Json& j) { j["nodes"][2]["atoms"][0] = "LYS A 1 | nan 2 3 1.7"; },
+      "nodes[2].atoms[0]", "x, y, z");
+  row(
+      "an atom without a size", [](Json& j) { j["nodes"][2]["atoms"][0] = "LYS A 1 | 1 2 3 0"; },
+      "nodes[2].atoms[0]", "radius");
+  row(
+      "too many atoms",
+      [](Json& j) {
+        std::string text = "LYS A 1 |";
+        for (std::size_t i = 0; i <= mostKeptAtoms; ++i)
+          text += " 0 0 0 1";
+        j["nodes"][2]["atoms"][0] = text;
+      },
+      "nodes[2].atoms[0]", "more than 60000 atoms");
+  row(
       "an id twice", [](Json& j) { j["nodes"][2]["id"] = 1; }, "nodes[2]", "same id");
   row(
       "a strange parent", [](Json& j) { j["nodes"][2]["parent"] = 77; }, "nodes[2]", "parent");

@@ -69,7 +69,7 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
   QCOMPARE(keysOf(root), QString("format schema frame unit nodes sections annotations views focus "
                                  "key_light"));
   QCOMPARE(keysOf(root["focus"]), QString("targets context seen_from roles hidden_too given"));
-  QCOMPARE(keysOf(root["nodes"][2]), QString("id parent name mesh style locked provenance"));
+  QCOMPARE(keysOf(root["nodes"][2]), QString("id parent name mesh style locked provenance atoms"));
   QCOMPARE(
       keysOf(root["nodes"][2]["style"]),
       QString("colour ink_colour gamma opacity fill visible technique line_thresholds pen_weight "
