@@ -29,6 +29,7 @@ void addLines(CLI::App& program, Exit& exit);
 void addCurvature(CLI::App& program, Exit& exit);
 void addInfo(CLI::App& program, Exit& exit);
 void addImport(CLI::App& program, Exit& exit);
+void addPockets(CLI::App& program, Exit& exit);
 void addReload(CLI::App& program, Exit& exit);
 void addView(CLI::App& program, Exit& exit);
 /// Receives each warning as one line.

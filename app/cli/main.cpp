@@ -74,6 +74,7 @@ int run(int argc, char** argv) {
   sline::cli::addCurvature(program, exit);
   sline::cli::addInfo(program, exit);
   sline::cli::addImport(program, exit);
+  sline::cli::addPockets(program, exit);
   sline::cli::addReload(program, exit);
   sline::cli::addView(program, exit);
   sline::cli::addAnnotate(program, exit);
