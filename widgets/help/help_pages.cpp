@@ -21,15 +21,13 @@ struct WidgetPage {
   const char* page;
 };
 constexpr WidgetPage places[] = {
-    {"structuresPanel", "tree"},      {"propertiesDialog", "tree"},
-    {"gammaPanel", "gamma"},          {"savePresetDialog", "gamma"},
-    {"managePresetsDialog", "gamma"}, {"focusPanel", "focus"},
-    {"sectionsPanel", "sections"},    {"viewport", "picture"},
-    {"startPage", "start"},           {"historyPanel", "start"},
-    {"recoveryDialog", "files"},      {"saveDialog", "files"},
-    {"importDialog", "import"},       {"controlsDialog", "keys"},
-    {"viewsPanel", "views"},          {"annotationsPanel", "labels"},
-    {"labelText", "labels"},          {"exportDialog", "export_dialog"},
+    {"structuresPanel", "tree"},       {"propertiesDialog", "tree"},     {"gammaPanel", "gamma"},
+    {"savePresetDialog", "gamma"},     {"managePresetsDialog", "gamma"}, {"focusPanel", "focus"},
+    {"sectionsPanel", "sections"},     {"viewport", "picture"},          {"startPage", "start"},
+    {"historyPanel", "start"},         {"recoveryDialog", "files"},      {"saveDialog", "files"},
+    {"importDialog", "import"},        {"controlsDialog", "keys"},       {"viewsPanel", "views"},
+    {"annotationsPanel", "labels"},    {"pocketsPanel", "molecules"},    {"labelText", "labels"},
+    {"exportDialog", "export_dialog"},
 };
 
 QString read(const QString& path) {

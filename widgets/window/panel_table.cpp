@@ -17,6 +17,7 @@
 #include "widgets/gamma/drawing_panel.h"
 #include "widgets/gamma/gamma_panel.h"
 #include "widgets/gamma/stage_previews.h"
+#include "widgets/pockets/pockets_panel.h"
 #include "widgets/preferences/preferences.h"
 #include "widgets/sections/sections_panel.h"
 #include "widgets/shell/window_actions.h"
@@ -46,6 +47,17 @@ QWidget* makeFocus(const PanelContext& context) {
   auto* panel = new FocusPanel(context.session, context.focus);
   QObject::connect(panel, &FocusPanel::focusWanted, &context.actions[QStringLiteral("focus")],
                    &QAction::trigger);
+  return panel;
+}
+
+QWidget* makePockets(const PanelContext& context) {
+  auto* panel = new PocketsPanel(context.session, context.viewport);
+  // Who opens a protein finds the panel among the tabs.
+  QObject::connect(&context.session, &Session::opened, panel, [panel] {
+    for (QWidget* above = panel; panel->hasMolecules() && above; above = above->parentWidget())
+      if (auto* dock = qobject_cast<QDockWidget*>(above))
+        dock->show();
+  });
   return panel;
 }
 
@@ -130,7 +142,8 @@ std::vector<PanelRow> panelRows() {
        [](const PanelContext& context) { return new SectionsPanel(context.session); }},
       {"historyPanel", MainWindow::tr("History"), right, "focusPanel", false, makeHistory},
       {"viewsPanel", TourActions::tr("Views"), Qt::BottomDockWidgetArea, "", true, makeViews},
-      {"annotationsPanel", LabelActions::tr("Labels"), left, "structuresPanel", true, makeLabels}};
+      {"annotationsPanel", LabelActions::tr("Labels"), left, "structuresPanel", true, makeLabels},
+      {"pocketsPanel", PocketsPanel::tr("Pockets"), left, "structuresPanel", false, makePockets}};
 }
 
 void addPanels(QMainWindow& window, const PanelContext& context) {
