@@ -35,7 +35,8 @@ inline std::span<const std::string_view> namesOf(HiddenLines /*any*/) {
 
 /// Says which technique draws the lines within a structure's contours: the one that Γ leads from
 /// suggestive contours to hatching (S), or one of those that it is compared with. ConFIS (C) draws
-/// short streamlines along contours and where the curvature has an extremum.
+/// short streamlines along contours and where the curvature has an extremum; streamline hatching
+/// and noise LIC follow the same directions and tell light and shade.
 enum class Technique {
   sline,
   confis,
@@ -44,11 +45,13 @@ enum class Technique {
   photic,
   laplacian,
   demarcating,
-  highlights
+  highlights,
+  streamlineHatching,
+  noiseLic
 };
-inline constexpr std::array<std::string_view, 8> techniqueNames{
-    "sline",  "confis",    "apparent_ridges", "ridges",
-    "photic", "laplacian", "demarcating",     "highlights"};
+inline constexpr std::array<std::string_view, 10> techniqueNames{
+    "sline",       "confis",     "apparent_ridges",     "ridges",   "photic", "laplacian",
+    "demarcating", "highlights", "streamline_hatching", "noise_lic"};
 inline std::span<const std::string_view> namesOf(Technique /*any*/) {
   return techniqueNames;
 }

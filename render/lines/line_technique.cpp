@@ -13,6 +13,7 @@
 #include "render/lines/photic_extrema.h"
 #include "render/lines/ridges.h"
 #include "render/lines/stages.h"
+#include "render/lines/streamline_hatching.h"
 #include "render/lines/suggestive_contours.h"
 
 namespace sline::render {
@@ -54,6 +55,18 @@ constexpr std::array techniques{
                   .entered = confisEntered,
                   .prepare = prepareConfis,
                   .find = findConfisLines,
+                  .rank = rankConfisLines},
+    LineTechnique{.kind = LineKind::hatchingStreamline,
+                  .id = "streamline_hatching",
+                  .layer = "Streamline hatching",
+                  .drawnBy = model::Technique::streamlineHatching,
+                  .pen = LinePen::centred,
+                  .specks = {.shortest = 0.5f, .whole = 1.0f},
+                  .joined = false,
+                  .thresholds = streamlineHatchingThresholds,
+                  .entered = confisEntered,
+                  .prepare = prepareStreamlineHatching,
+                  .find = findStreamlineHatching,
                   .rank = rankConfisLines},
     LineTechnique{.kind = LineKind::apparentRidge,
                   .id = "apparent_ridge",

@@ -11,6 +11,7 @@
 
 #include "model/geometry/surface.h"
 #include "model/scene/camera.h"
+#include "model/scene/light.h"
 
 namespace sline::render {
 
@@ -42,6 +43,7 @@ struct Segment {
 enum class LineKind : std::uint8_t {
   suggestive,
   confis,
+  hatchingStreamline,
   apparentRidge,
   ridge,
   valley,
@@ -53,7 +55,7 @@ enum class LineKind : std::uint8_t {
   contour,
   section
 };
-inline constexpr std::size_t lineKindCount = 12;
+inline constexpr std::size_t lineKindCount = 13;
 
 class LineKinds {
  public:
@@ -99,6 +101,8 @@ struct LineRequest {
   float aspect = 0.0f;
   /// Keeps what techniques compute once for the surface. Null: it is computed for this request.
   LinePreparations* preparations = nullptr;
+  /// Towards the light of kinds that tell tone, in the camera's frame.
+  glm::vec3 light = model::upperLeftLight;
 };
 
 /// Holds the segments of each kind.

@@ -23,10 +23,8 @@ constexpr float widest = 0.25f;
 constexpr float closest = 1.0f / 120.0f;
 constexpr float closestOfEdge = 0.5f;
 constexpr float closer = 0.8408964f;  // four steps halve it
-// A line ends where it comes nearer than this share of the distance to another, and is not worth
-// drawing if less than this share of its length is left.
+// A line ends where it comes nearer than this share of the distance to another.
 constexpr float nearestPass = 0.45f;
-constexpr double leastShare = 0.2;
 // Where no line is worth drawing, none is that starts this share of the distance beside it.
 constexpr float alikeWithin = 0.2f;
 // The most bytes for each triangle of the surface.
@@ -79,9 +77,10 @@ std::vector<std::size_t> enoughOf(const Line& line, float tolerance, double fart
 
 class StreamlineLayout::Builder {
  public:
-  Builder(StreamlineLayout& layout, const model::Surface& surface)
+  Builder(StreamlineLayout& layout, const model::Surface& surface, const StreamlineLengths& lengths)
       : m_layout(layout),
         m_surface(surface),
+        m_lengths(lengths),
         m_neighbours(*surface.mesh),
         m_field(surface),
         m_tracer(m_field, m_neighbours),
@@ -140,7 +139,7 @@ class StreamlineLayout::Builder {
   /// Returns the way from the start as far as no other line is near.
   Line traced(std::uint32_t start, float distance) const {
     const StreamlineStart from = m_room.start(start);
-    const double reach = m_tracer.length(from.triangle);
+    const double reach = m_lengths.reach * m_tracer.length(from.triangle);
     const auto isNear = [&](std::uint32_t triangle, const glm::dvec3& place) {
       return m_room.near(triangle, glm::vec3(place)) < nearestPass * distance;
     };
@@ -162,8 +161,8 @@ class StreamlineLayout::Builder {
   bool take(std::uint32_t start, const Line& line, float distance) {
     if (m_room.at(start) < distance)
       return false;
-    const double reach = m_tracer.length(m_room.triangle(start));
-    const bool worthIt = line.size() >= 2 && line.back().way >= leastShare * 2.0 * reach;
+    const double reach = m_lengths.reach * m_tracer.length(m_room.triangle(start));
+    const bool worthIt = line.size() >= 2 && line.back().way >= m_lengths.least * 2.0 * reach;
     if (worthIt)
       m_room.add(line, distance);
     else
@@ -249,6 +248,7 @@ class StreamlineLayout::Builder {
 
   StreamlineLayout& m_layout;
   const model::Surface& m_surface;
+  StreamlineLengths m_lengths;
   model::FaceNeighbours m_neighbours;
   PrincipalField m_field;
   StreamlineTracer m_tracer;
@@ -257,8 +257,9 @@ class StreamlineLayout::Builder {
   std::vector<std::uint32_t> m_order;
 };
 
-StreamlineLayout::StreamlineLayout(const model::Surface& surface) {
-  Builder(*this, surface).build();
+StreamlineLayout::StreamlineLayout(const model::Surface& surface,
+                                   const StreamlineLengths& lengths) {
+  Builder(*this, surface, lengths).build();
 }
 
 std::size_t StreamlineLayout::bytes() const {

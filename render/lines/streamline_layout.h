@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps the streamlines of a surface that ConFIS draws, for all views.
+// Keeps the streamlines of a surface that ConFIS and streamline hatching draw, for all views.
 //
 // ▲ The paper starts a line in every triangle, and where triangles are smaller than strokes are
 // wide, that is fur. Lines that start on one streamline lie on top of each other; so lines are laid
@@ -54,9 +54,15 @@ struct Streamline {
 /// |H|·F_c from which on extrema are laid out first.
 inline constexpr float usualFeature = 0.6f;
 
+/// Says how long lines are.
+struct StreamlineLengths {
+  double reach = 1.0;  ///< times π/(3·max(|κ1|, |κ2|)) that a line goes at most either way
+  double least = 0.2;  ///< share of all it may go that is worth drawing
+};
+
 class StreamlineLayout {
  public:
-  explicit StreamlineLayout(const model::Surface& surface);
+  explicit StreamlineLayout(const model::Surface& surface, const StreamlineLengths& lengths = {});
 
   /// Returns the lines; their distances never grow.
   std::span<const Streamline> lines() const { return m_lines; }

@@ -26,7 +26,9 @@ constexpr std::array<Publication, model::techniqueNames.size()> publications{
      {"Photic extremum lines", "Xie et al.", 2007},
      {"Laplacian lines", "Zhang et al.", 2011},
      {"Demarcating curves", "Kolomenkin et al.", 2008},
-     {"Highlight lines", "DeCarlo, Rusinkiewicz", 2007}}};
+     {"Highlight lines", "DeCarlo, Rusinkiewicz", 2007},
+     {"Streamline hatching", "Zander et al.", 2004},
+     {"Noise LIC", "Lawonn et al.", 2014}}};
 
 std::string shortNumber(float value) {
   std::array<char, 32> text{};

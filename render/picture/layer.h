@@ -20,7 +20,7 @@ namespace sline::render {
 /// A structure to draw, with what the GPU holds of it.
 struct PreparedStructure : DrawnStructure {
   CachedSurface* cached = nullptr;        ///< the same as `prepared`, with the GPU's part
-  bool printedHatching = false;           ///< hatched as S prints it
+  bool printedHatching = false;           ///< hatched pixel by pixel
   std::shared_ptr<CappedSurface> capped;  ///< the same as `cut`, with the GPU's part
 
   bool operator==(const PreparedStructure& other) const {

@@ -63,8 +63,8 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
           absent.push_back({&shown, &it->second});
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const PreparedStructure& shown = *absent[i].shown;
-    absent[i].lines->lines =
-        styledLines(*shown.prepared, input.view, shown.style, shown.gammaOffsets.get());
+    absent[i].lines->lines = styledLines(*shown.prepared, input.view, shown.style,
+                                         shown.gammaOffsets.get(), input.light);
   });
   stopwatch.lines();
   parallelFor(absent.size(), 1, [&](std::size_t i) {

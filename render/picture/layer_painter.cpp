@@ -224,7 +224,9 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   if (input.isUnwanted())
     return Outcome::givenUp;
   // Hatching comes before lines, which lie on it.
-  if (Status s = m_printedHatching.draw(device, input.view, m_atlas, layers, changed); !s)
+  if (Status s =
+          m_printedHatching.draw(device, {input.view, m_atlas, input.light}, layers, changed);
+      !s)
     return s.error();
   drawInk(device, input, layers, changed);
   stopwatch.pass(device, "ink");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/lines/line_technique.h"
 #include "render/lines/stages.h"
 #include "render/picture/atlas.h"
 
@@ -38,24 +39,76 @@ passes::HatchingDraw hatchingDraw(const PreparedStructure& shown, const PictureV
           .projection = view.depthTerms()};
 }
 
+// Noise is inked in shade of more than this, lit from the eye by that share of the light.
+constexpr float leastNoiseShade = 0.12f;
+constexpr float lightFromEye = 0.35f;
+constexpr float noiseCell = 1.6f;  // λ
+
+bool isNoise(const model::ResolvedStyle& style) {
+  return style.technique == model::Technique::noiseLic;
+}
+
+/// Noise enters as the streamlines of other techniques along the same directions do.
+float noiseEntered(Gamma gamma) {
+  return techniqueOf(LineKind::hatchingStreamline).entered(gamma);
+}
+
+/// Returns a cell of noise in mm; the size in the picture is held within a root of two, so that
+/// noise does not swim while the camera moves.
+float cellOfNoise(float millimetresPerUnit) {
+  return std::exp2(std::round(std::log2(std::max(noiseCell * millimetresPerUnit, 1e-20f))));
+}
+
+passes::NoiseLicDraw noiseDraw(const PreparedStructure& shown, const PrintedHatching::Sight& sight,
+                               const passes::SurfaceDraw& surface) {
+  const model::Surface& s = shown.surface();
+  const float stride = sight.view.outputUnit();
+  const float step = stride * sight.view.millimetresPerPixel(s.boundingSphere.centre);
+  const float lines = transitions(shown.style.gamma).lines;
+  return {
+      .surface = surface,
+      .middle = s.boundingSphere.centre,
+      .cell = cellOfNoise(std::max(step, sight.view.millimetresPerPixel(s.boundingSphere.centre))),
+      .light = sight.view.toPatient(sight.light),
+      .leastShade = leastNoiseShade,
+      .fromEye = lightFromEye,
+      .entered =
+          lines * noiseEntered(shown.style.gamma) * std::min(shown.style.hatchTone.value(), 1.0f),
+      .stride = stride,
+      .contourJump = 0.5f * cellSize * s.featureSize + steepest * step,
+      .projection = sight.view.depthTerms()};
+}
+
 }  // namespace
 
 bool showsPrintedHatching(const model::ResolvedStyle& style, const PictureSettings& settings) {
-  return settings.hatching == HatchingMethod::asPrinted && settings.parts.hatching &&
-         entered(style.gamma) > 0.0f && transitions(style.gamma).lines > 0.0f;
+  if (!settings.parts.hatching || !(transitions(style.gamma).lines > 0.0f))
+    return false;
+  if (isNoise(style))
+    return noiseEntered(style.gamma) > 0.0f;
+  return settings.hatching == HatchingMethod::asPrinted && entered(style.gamma) > 0.0f;
 }
 
 int printedHatchingReach(const PictureView& view) {
   return int(std::ceil(float(passes::HatchingPass::longestSearch) * view.outputUnit())) + 1;
 }
 
-Status PrintedHatching::prepare(const gpu::Device& device, gpu::TextureSize size) {
-  if (!m_pass) {
+Status PrintedHatching::preparePass(const gpu::Device& device, const PreparedStructure& shown) {
+  if (isNoise(shown.style) && !m_noise) {
+    auto pass = passes::NoiseLicPass::create(device.dialect());
+    if (!pass)
+      return pass.error();
+    m_noise = std::move(*pass);
+  } else if (!isNoise(shown.style) && !m_pass) {
     auto pass = passes::HatchingPass::create(device.dialect());
     if (!pass)
       return pass.error();
     m_pass = std::move(*pass);
   }
+  return Unit{};
+}
+
+Status PrintedHatching::prepare(gpu::TextureSize size) {
   if (m_target && m_target->size().width >= size.width && m_target->size().height >= size.height)
     return Unit{};
   m_target.reset();
@@ -73,37 +126,48 @@ Status PrintedHatching::prepare(const gpu::Device& device, gpu::TextureSize size
   return Unit{};
 }
 
-Status PrintedHatching::draw(gpu::Device& device, const PictureView& view, const Atlas& atlas,
-                             std::span<const Layer> layers, std::span<const std::size_t> changed) {
-  gpu::TextureSize largest;
-  for (const std::size_t i : changed)
-    if (layers[i].members.front().printedHatching)
-      largest = {std::max(largest.width, layers[i].slot.width),
-                 std::max(largest.height, layers[i].slot.height)};
-  if (largest.width == 0)
-    return Unit{};
-  if (Status s = prepare(device, largest); !s)
-    return s;
+void PrintedHatching::draw(gpu::Device& device, const Sight& sight, const Layer& layer) const {
+  const PreparedStructure& shown = layer.members.front();
+  const PictureView& view = sight.view;
   const passes::HatchingFields fields{*m_fields, *m_depths, *m_target};
   const passes::SurfaceView surfaceView{
       .viewProjection = view.viewProjection(), .eye = view.eyeVector(), .pictureSize = view.size()};
-  for (const std::size_t i : changed) {
-    const Layer& layer = layers[i];
-    const PreparedStructure& shown = layer.members.front();
-    if (!shown.printedHatching)
-      continue;
-    const passes::SurfaceDraw surface{
-        .surface = *shown.cached->geometry,
-        .ranges = layer.coverage.front().ranges,
-        .visible = layer.coverage.front().visible,
-        .layer = layer.area,
-        .slot = layer.slot,
-        .fill = {.filigree = shown.surface().filigreeSize,
-                 .twoSided = needsTwoSides(shown.surface(), view.camera())}};
-    const passes::HatchingDraw draw = hatchingDraw(shown, view, surface);
-    m_pass->drawFields(device, fields, atlas.surfaceDepths(), surfaceView, draw);
-    m_pass->search(device, atlas.inkTarget(), fields, draw);
+  const passes::SurfaceDraw surface{
+      .surface = *shown.cached->geometry,
+      .ranges = layer.coverage.front().ranges,
+      .visible = layer.coverage.front().visible,
+      .layer = layer.area,
+      .slot = layer.slot,
+      .fill = {.filigree = shown.surface().filigreeSize,
+               .twoSided = needsTwoSides(shown.surface(), view.camera())}};
+  if (isNoise(shown.style)) {
+    const passes::NoiseLicDraw draw = noiseDraw(shown, sight, surface);
+    m_noise->drawFields(device, fields, sight.atlas.surfaceDepths(), surfaceView, draw);
+    m_noise->convolve(device, sight.atlas.inkTarget(), fields, draw);
+    return;
   }
+  const passes::HatchingDraw draw = hatchingDraw(shown, view, surface);
+  m_pass->drawFields(device, fields, sight.atlas.surfaceDepths(), surfaceView, draw);
+  m_pass->search(device, sight.atlas.inkTarget(), fields, draw);
+}
+
+Status PrintedHatching::draw(gpu::Device& device, const Sight& sight, std::span<const Layer> layers,
+                             std::span<const std::size_t> changed) {
+  gpu::TextureSize largest;
+  for (const std::size_t i : changed)
+    if (layers[i].members.front().printedHatching) {
+      if (Status s = preparePass(device, layers[i].members.front()); !s)
+        return s;
+      largest = {std::max(largest.width, layers[i].slot.width),
+                 std::max(largest.height, layers[i].slot.height)};
+    }
+  if (largest.width == 0)
+    return Unit{};
+  if (Status s = prepare(largest); !s)
+    return s;
+  for (const std::size_t i : changed)
+    if (layers[i].members.front().printedHatching)
+      draw(device, sight, layers[i]);
   return Unit{};
 }
 

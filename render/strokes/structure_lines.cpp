@@ -110,13 +110,14 @@ void setGammas(std::vector<Segment>& segments, const model::Mesh& mesh, Gamma ow
 
 /// Returns the segments without their Γ.
 LineSet linesOf(PreparedSurface& prepared, const PictureView& view,
-                const model::ResolvedStyle& style) {
+                const model::ResolvedStyle& style, const glm::vec3& light) {
   const model::Surface& surface = *prepared.surface;
   LineRequest request{.kinds = {},
                       .thresholds = lineThresholds(style.lineThresholds),
                       .twoSided = needsTwoSides(surface, view.camera()),
                       .aspect = view.size().x / view.size().y,
-                      .preparations = &prepared.lines};
+                      .preparations = &prepared.lines,
+                      .light = light};
   LineRequest scaled = request;
   const LineKinds shown = shownKinds(style);
   for (const LineTechnique& technique : lineTechniques())
@@ -146,8 +147,9 @@ LineSet linesOf(PreparedSurface& prepared, const PictureView& view,
 }  // namespace
 
 LineSet styledLines(PreparedSurface& prepared, const PictureView& view,
-                    const model::ResolvedStyle& style, const GammaOffsets* offsets) {
-  LineSet lines = linesOf(prepared, view, style);
+                    const model::ResolvedStyle& style, const GammaOffsets* offsets,
+                    const glm::vec3& light) {
+  LineSet lines = linesOf(prepared, view, style, light);
   if (gammaVaries(style))
     for (const LineTechnique& technique : lineTechniques())
       setGammas(lines[technique.kind], *prepared.surface->mesh, style.gamma, offsets);

@@ -40,11 +40,12 @@ float evenInk(const model::ResolvedStyle& style);
 float penWidth(const model::Surface& surface, const PictureView& view, float penWeight);
 
 /// Returns the segments that the style's lines and edges ask for, in the patient's frame. Where Γ
-/// varies, each knows its own; without offsets it is the structure's.
+/// varies, each knows its own; without offsets it is the structure's. `light` is the direction
+/// towards the light in the camera's frame, for lines that tell tone.
 LineSet styledLines(PreparedSurface& prepared, const PictureView& view,
-                    const model::ResolvedStyle& style, const GammaOffsets* offsets = nullptr);
-/// Returns the hatching that the style asks for; `light` is the direction towards the light in the
-/// camera's frame.
+                    const model::ResolvedStyle& style, const GammaOffsets* offsets = nullptr,
+                    const glm::vec3& light = model::upperLeftLight);
+/// Returns the hatching that the style asks for, lit as above.
 Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
                         const model::ResolvedStyle& style, const glm::vec3& light,
                         const GammaOffsets* offsets = nullptr);

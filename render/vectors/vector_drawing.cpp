@@ -225,7 +225,8 @@ class Drawing {
     if (!hasLines(work.shown))
       return;
     const DrawnStructure& shown = work.shown;
-    work.lines.lines = styledLines(*shown.prepared, *m_view, shown.style, shown.gammaOffsets.get());
+    work.lines.lines =
+        styledLines(*shown.prepared, *m_view, shown.style, shown.gammaOffsets.get(), m_light);
     if (showsHatching(shown.style))
       work.lines.hatching = styledHatching(*shown.prepared->strokes, *m_view, shown.style, m_light,
                                            shown.gammaOffsets.get());

@@ -158,20 +158,15 @@ void LinesCommandTest::kindsAreChosen_data() {
   QTest::newRow("two") << "silhouette,contour" << QStringList{"contour", "silhouette"};
   QTest::newRow("all") << "contour,suggestive,confis,ridge,valley,apparent_ridge,photic,"
                           "laplacian,demarcating,suggestive_highlight,principal_highlight,"
+                          "streamline_hatching,"
                           "silhouette,section,hatching"
-                       << QStringList{"apparent_ridge",
-                                      "confis",
-                                      "contour",
-                                      "demarcating",
-                                      "hatching",
-                                      "laplacian",
-                                      "photic",
-                                      "principal_highlight",
-                                      "ridge",
-                                      "section",
-                                      "silhouette",
-                                      "suggestive",
-                                      "suggestive_highlight",
+                       << QStringList{"apparent_ridge", "confis",
+                                      "contour",        "demarcating",
+                                      "hatching",       "laplacian",
+                                      "photic",         "principal_highlight",
+                                      "ridge",          "section",
+                                      "silhouette",     "streamline_hatching",
+                                      "suggestive",     "suggestive_highlight",
                                       "valley"};
 }
 

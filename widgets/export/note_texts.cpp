@@ -69,6 +69,9 @@ QString fact(const render::ExportNote& note) {
     case Kind::sectionsUncut:
       return tr("%n sections cut nothing in the file, which holds whole surfaces: %1.", nullptr,
                 count);
+    case Kind::noiseNotDrawn:
+      return tr("%n structures are drawn without noise, which is made of pixels: %1.", nullptr,
+                count);
     case Kind::standsOnWhite:
       return tr("What is transparent stands on white.");
     case Kind::depthNotKept:
@@ -107,6 +110,8 @@ QString remedy(render::ExportNote::Kind kind) {
       return tr("Write less, or take larger paper.");
     case Kind::sectionsUncut:
       return tr("Export a picture or a drawing to show the cut.");
+    case Kind::noiseNotDrawn:
+      return tr("Export a picture, or take streamline hatching.");
     case Kind::standsOnWhite:
       return tr("Take PNG, TIFF, SVG or WebP to keep it transparent.");
     case Kind::depthNotKept:

@@ -98,18 +98,19 @@ std::vector<StyleNumber> styleNumbers() {
 
 std::vector<StyleChoice> styleChoices() {
   namespace fields = model::style_fields;
-  return {with<fields::technique>(StyleChoice{
-              .text = tr("Technique"),
-              .tip = tr("What draws the form within contours: suggestive contours and hatching, or "
-                        "short streamlines along contours and where the curvature has an extremum, "
-                        "or lines that these are compared with"),
-              .names = {tr("Sline"), tr("ConFIS"), tr("Apparent ridges"), tr("Ridges and valleys"),
-                        tr("Photic extremum lines"), tr("Laplacian lines"),
-                        tr("Demarcating curves"), tr("Highlights")}}),
-          with<fields::hiddenLines>(
-              StyleChoice{.text = tr("Hidden outlines"),
-                          .tip = tr("How outlines are drawn where other structures hide them"),
-                          .names = {tr("Not drawn"), tr("Thin"), tr("Dashed")}})};
+  return {
+      with<fields::technique>(StyleChoice{
+          .text = tr("Technique"),
+          .tip = tr("What draws the form within contours: suggestive contours and hatching, or "
+                    "short streamlines along contours and where the curvature has an extremum, "
+                    "or lines, streamlines and noise that these are compared with"),
+          .names = {tr("Sline"), tr("ConFIS"), tr("Apparent ridges"), tr("Ridges and valleys"),
+                    tr("Photic extremum lines"), tr("Laplacian lines"), tr("Demarcating curves"),
+                    tr("Highlights"), tr("Streamline hatching"), tr("Noise LIC")}}),
+      with<fields::hiddenLines>(
+          StyleChoice{.text = tr("Hidden outlines"),
+                      .tip = tr("How outlines are drawn where other structures hide them"),
+                      .names = {tr("Not drawn"), tr("Thin"), tr("Dashed")}})};
 }
 
 std::vector<StyleColour> styleColours() {

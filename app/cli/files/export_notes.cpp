@@ -36,6 +36,15 @@ std::string counted(std::size_t count, const std::string& one, const std::string
   return count == 1 ? "1 " + one : std::to_string(count) + " " + several;
 }
 
+/// Returns the text of a note on a film's size or length.
+std::string filmText(const render::ExportNote& note) {
+  if (note.kind == render::ExportNote::Kind::filmRounded)
+    return "the film is " + plain(note.detail) +
+           " pixels large, as sides of films are even numbers. Give an even --film-height";
+  return "the film takes " + plain(note.detail) +
+         " seconds, as it has whole frames alone. Give --seconds that --fps divides evenly";
+}
+
 }  // namespace
 
 std::string textOf(const render::ExportNote& note) {
@@ -83,6 +92,9 @@ std::string textOf(const render::ExportNote& note) {
       return counted(count, "section cuts", "sections cut") +
              " nothing in the file, which holds whole surfaces" + names +
              "Write a picture or a drawing to show the cut";
+    case Kind::noiseNotDrawn:
+      return counted(count, "structure is", "structures are") + " drawn without noise" + names +
+             "It is made of pixels: write a picture, or take --technique streamline_hatching";
     case Kind::standsOnWhite:
       return "what is transparent stands on white, as files of this kind have no transparency. "
              "Take --png, --tiff, --svg or --webp for that";
@@ -90,11 +102,8 @@ std::string textOf(const render::ExportNote& note) {
       return "a channel has fewer than " + plain(note.detail) +
              " bits, as in all files of this kind. Take --png or --tiff for more";
     case Kind::filmRounded:
-      return "the film is " + plain(note.detail) +
-             " pixels large, as sides of films are even numbers. Give an even --film-height";
     case Kind::filmStretched:
-      return "the film takes " + plain(note.detail) +
-             " seconds, as it has whole frames alone. Give --seconds that --fps divides evenly";
+      return filmText(note);
   }
   return {};
 }

@@ -72,10 +72,12 @@ constexpr std::array fieldFlags{
               .parse = parseStyleChoice<model::style_fields::hiddenLines>},
     StyleFlag{.flag = "--technique",
               .value = "[NAME=]sline|confis|apparent_ridges|ridges|photic|laplacian|demarcating|"
-                       "highlights",
+                       "highlights|streamline_hatching|noise_lic",
               .help = "What draws the form within contours: suggestive contours and hatching "
                       "(sline, the usual), short streamlines along contours and where the "
-                      "curvature has an extremum (confis), from Γ = 1 to 3, or lines that these "
+                      "curvature has an extremum (confis), long ones that tell light and shade "
+                      "(streamline_hatching) or noise drawn out along them, in pixels alone "
+                      "(noise_lic), from Γ = 1 to 3, or lines that these "
                       "are compared with, from Γ = 1 to 2: apparent ridges, ridges and valleys, "
                       "photic extremum lines, Laplacian lines, demarcating curves, suggestive and "
                       "principal highlights",

@@ -11,6 +11,7 @@
 #include "render/export/motion/film_file.h"
 #include "render/export/motion/film_options.h"
 #include "render/export/order/common_options.h"
+#include "render/export/order/drawing_notes.h"
 #include "render/export/pdf/pdf_file.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pixels/pixel_files.h"
@@ -148,7 +149,7 @@ constexpr std::array formats{
         .names = true,
         .options = drawingOptions,
         .write = writeSvg,
-        .foreseen = noNotes,
+        .foreseen = drawingNotes,
         .weigh = [](const ExportOrder& order, const Image&,
                     const ExportProgress& progress) { return svgWeight(order, progress); }},
     ExportFormat{
@@ -163,7 +164,7 @@ constexpr std::array formats{
         .names = true,
         .options = sheetOptions,
         .write = writePdf,
-        .foreseen = noNotes,
+        .foreseen = drawingNotes,
         .weigh = [](const ExportOrder& order, const Image&,
                     const ExportProgress& progress) { return pdfWeight(order, progress); }},
     ExportFormat{.id = "glb",

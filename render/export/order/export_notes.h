@@ -23,6 +23,7 @@ struct ExportNote {
     sidesUnknown,        ///< no R and L, as the directions of what is visible are unknown
     textShortened,       ///< `names`: the full texts
     sectionsUncut,       ///< the kind of file holds whole surfaces; `names`: the sections'
+    noiseNotDrawn,       ///< the kind of file holds no pixels; `names`: the structures'
     standsOnWhite,       ///< the kind of file has no transparency
     depthNotKept,        ///< `detail`: bits per channel that were asked for
     filmRounded,         ///< `detail`: "1282 × 722", pixels

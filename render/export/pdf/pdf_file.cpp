@@ -2,6 +2,7 @@
 #include "render/export/pdf/pdf_file.h"
 
 #include "model/disk/whole_file.h"
+#include "render/export/order/drawing_notes.h"
 #include "render/export/pdf/sheet.h"
 #include "render/export/pdf/sheet_options.h"
 
@@ -27,6 +28,7 @@ Status writePdf(const ExportOrder& order, const std::filesystem::path& target,
   const Result<QByteArray> document = documentOf(order, target, progress);
   if (!document.ok())
     return document.error();
+  progress.note(drawingNotes(order));
   if (progress && !progress(0.95, "writing the file"))
     return givenUp(target);
   return model::writeText(target,

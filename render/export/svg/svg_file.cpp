@@ -2,6 +2,7 @@
 #include "render/export/svg/svg_file.h"
 
 #include "model/disk/whole_file.h"
+#include "render/export/order/drawing_notes.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/svg/svg_document.h"
 #include "render/vectors/vector_drawing.h"
@@ -26,6 +27,7 @@ Result<std::string> svgText(const ExportOrder& order, const std::filesystem::pat
     return givenUp(target);
   std::vector<SvgWriting> writings;
   const FigurePlate plate = figurePlate(order);
+  progress.note(drawingNotes(order));
   progress.note(plate.notes);
   if (plate.labels)
     writings.push_back({"labels", "Labels", letteringOf(*plate.labels)});

@@ -26,6 +26,9 @@ class TechniqueTest : public QObject {
     QTest::newRow("confis 1") << int(Technique::confis) << 1.0f << false << false << false;
     QTest::newRow("confis 1.5") << int(Technique::confis) << 1.5f << false << true << false;
     QTest::newRow("confis 3") << int(Technique::confis) << 3.0f << false << true << false;
+    QTest::newRow("streamline hatching 2")
+        << int(Technique::streamlineHatching) << 2.0f << false << false << false;
+    QTest::newRow("noise 2") << int(Technique::noiseLic) << 2.0f << false << false << false;
     QTest::newRow("confis 5") << int(Technique::confis) << 5.0f << false << false << false;
   }
   void stylesShowTheirTechnique() {
@@ -40,6 +43,8 @@ class TechniqueTest : public QObject {
     QVERIFY(kinds.has(LineKind::contour));
     QCOMPARE(kinds.has(LineKind::suggestive), suggestive);
     QCOMPARE(kinds.has(LineKind::confis), confis);
+    QCOMPARE(kinds.has(LineKind::hatchingStreamline),
+             Technique(technique) == Technique::streamlineHatching);
     QCOMPARE(render::showsHatching(style), hatching);
   }
 
