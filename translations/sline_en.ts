@@ -122,6 +122,13 @@
             <numerusform>%n structures found no room in the legend: %1.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n structures are drawn without noise, which is made of pixels: %1.</source>
+        <translation>
+            <numerusform>%n structure is drawn without noise, which is made of pixels: %1.</numerusform>
+            <numerusform>%n structures are drawn without noise, which is made of pixels: %1.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ExportActions</name>
@@ -304,6 +311,23 @@
         <translation>
             <numerusform>%1 and %n more</numerusform>
             <numerusform>%1 and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PocketsPanel</name>
+    <message numerus="yes">
+        <source>%n residues at its wall: %1</source>
+        <translation>
+            <numerusform>%n residue at its wall: %1</numerusform>
+            <numerusform>%n residues at its wall: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pockets</source>
+        <translation>
+            <numerusform>%n pocket</numerusform>
+            <numerusform>%n pockets</numerusform>
         </translation>
     </message>
 </context>
