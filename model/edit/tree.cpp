@@ -42,7 +42,8 @@ void forget(Style& style, const NodeSet& gone) {
   if (!style.gammaMap)
     return;
   const auto isGone = [&gone](NodeId id) { return gone.contains(id.value); };
-  if (std::erase_if(style.gammaMap->targets, isGone) > 0 && style.gammaMap->targets.empty())
+  if (std::erase_if(style.gammaMap->targets, isGone) > 0 && style.gammaMap->targets.empty() &&
+      !style.gammaMap->place)
     style.gammaMap.reset();
 }
 

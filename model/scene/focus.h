@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <glm/vec3.hpp>
 #include <map>
 #include <optional>
 #include <span>
@@ -38,11 +39,21 @@ struct ContextWishes {
   bool operator==(const ContextWishes&) const = default;
 };
 
+/// Says that Γ of everything falls off with the distance from the targets or from a place.
+struct FocusNearness {
+  std::optional<glm::vec3> place;  ///< LPS, millimetres; absent: from the targets
+  float falloffMm = 60.0f;         ///< from where on only silhouettes are drawn
+  bool operator==(const FocusNearness&) const = default;
+};
+inline constexpr Limits<float> nearnessFalloffs{1.0f, 2000.0f};
+
 struct Focus {
   std::vector<NodeId> targets;  ///< structures and groups as they were chosen; none: no focus
   ContextAmount amount = ContextAmount::clamped(0.5f);
   std::optional<Camera> seenFrom;  ///< from where nothing may hide it; absent: from all round
   ContextWishes wishes;
+  /// Present: Γ follows the distance, and neither amount nor wishes count.
+  std::optional<FocusNearness> nearness;
   /// What each structure was given when the focus was last applied, at most one for each. A
   /// structure that looks otherwise has been changed by hand since.
   std::vector<Look> given;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <glm/common.hpp>
 
 namespace sline::model {
 
@@ -24,6 +25,10 @@ std::string written(float number) {
   std::array<char, 32> text{};
   const auto [end, failure] = std::to_chars(text.data(), text.data() + text.size(), number);
   return {text.data(), end};
+}
+
+bool isFinite(const glm::vec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 /// Returns the map with its offsets times that.
@@ -70,8 +75,10 @@ std::optional<std::string_view> gammaMapFault(const GammaMap& map) {
                              : std::optional<std::string_view>(
                                    "no scalar has neither curve nor "
                                    "targets");
-  if (map.scalar != GammaScalar::distance && !map.targets.empty())
+  if (map.scalar != GammaScalar::distance && (!map.targets.empty() || map.place))
     return "only distances have targets";
+  if (map.place && !isFinite(*map.place))
+    return "its place is nowhere";
   if (map.targets.size() > mostGammaTargets)
     return "there are more than 1000 targets";
   return curveFault(map.curve);
@@ -85,6 +92,8 @@ std::vector<GammaPoint> usualCurve(GammaScalar scalar) {
       return {{-2.0f, 3.0f}, {0.0f, 0.0f}};
     case GammaScalar::distance:
       return {{10.0f, 3.0f}, {40.0f, -1.0f}};
+    case GammaScalar::painted:
+      return {{0.0f, 0.0f}, {1.0f, 3.0f}};
     case GammaScalar::none:
       break;
   }
@@ -135,8 +144,10 @@ GammaMap between(const GammaMap& from, const GammaMap& to, float part) {
   if (part >= 1.0f)
     return to;
   if (from.scalar == to.scalar && from.targets == to.targets &&
-      from.curve.size() == to.curve.size()) {
+      from.place.has_value() == to.place.has_value() && from.curve.size() == to.curve.size()) {
     GammaMap map = from;
+    if (map.place)
+      map.place = glm::mix(*from.place, *to.place, part);
     for (std::size_t i = 0; i < map.curve.size(); ++i) {
       map.curve[i].scalar = std::lerp(from.curve[i].scalar, to.curve[i].scalar, part);
       map.curve[i].offset = std::lerp(from.curve[i].offset, to.curve[i].offset, part);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,11 +19,11 @@
 namespace sline::model {
 
 /// Says what Γ follows: nothing, how much of its own sky the surface hides (0 … 1), its mean
-/// curvature times F (1 on a sphere, negative in hollows), or the distance to other structures
-/// (mm).
-enum class GammaScalar { none, occlusion, curvature, distance };
-inline constexpr std::array<std::string_view, 4> gammaScalarNames{"none", "occlusion", "curvature",
-                                                                  "distance"};
+/// curvature times F (1 on a sphere, negative in hollows), the distance to other structures (mm),
+/// or what a person has painted there (Node::paint, 0 … 1).
+enum class GammaScalar { none, occlusion, curvature, distance, painted };
+inline constexpr std::array<std::string_view, 5> gammaScalarNames{"none", "occlusion", "curvature",
+                                                                  "distance", "painted"};
 
 /// Says by how much Γ differs from the structure's where the scalar has that value.
 struct GammaPoint {
@@ -43,6 +44,8 @@ struct GammaMap {
   /// The structures and groups to which distances are measured, the nearest counts; of other
   /// scalars none. A map to nothing that is in the scene leaves Γ as it is.
   std::vector<NodeId> targets;
+  /// A place to which distances are measured, too (LPS, millimetres).
+  std::optional<glm::vec3> place;
   /// Points by ascending scalars, straight lines between them, level beyond the ends.
   std::vector<GammaPoint> curve;
 
@@ -58,7 +61,7 @@ std::optional<std::string_view> gammaMapFault(const GammaMap& map);
 
 /// Returns the curve that a map by this scalar has until someone draws another: occlusion and
 /// hollows raise Γ by 3, as does what lies within 10 mm of the targets, and from 40 mm on Γ is 1
-/// less.
+/// less; what is painted raises Γ by 3.
 std::vector<GammaPoint> usualCurve(GammaScalar scalar);
 
 /// Reads "0:+3,40:-1", pairs of a scalar and an offset.

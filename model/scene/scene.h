@@ -15,6 +15,7 @@
 
 #include "model/geometry/atom_set.h"
 #include "model/geometry/mesh.h"
+#include "model/geometry/paint.h"
 #include "model/scene/annotation.h"
 #include "model/scene/camera.h"
 #include "model/scene/focus.h"
@@ -74,6 +75,7 @@ struct Node {
   Style style;
   bool locked = false;  ///< true: this and everything below it cannot be picked or changed by hand
   MeshPtr mesh;         ///< null for a group
+  PaintPtr paint;       ///< one value for each vertex of the mesh; null: nothing was painted
   Provenance provenance;
   KeptAtoms atoms;     ///< of a molecule's chain
   std::string unread;  ///< further keys of its scene file, as a JSON object; kept for saving

@@ -6,6 +6,7 @@
 #include "model/scene_file/fingerprint.h"
 #include "model/scene_file/journal_records.h"
 #include "model/scene_file/mesh_codec.h"
+#include "model/scene_file/paint_codec.h"
 #include "model/scene_file/scan_codec.h"
 
 namespace sline::model {
@@ -13,6 +14,7 @@ namespace sline::model {
 namespace {
 constexpr char meshKind = 'M';
 constexpr char voxelKind = 'V';
+constexpr char paintKind = 'P';
 
 template <class Items>
 std::string sumOf(const Items& items) {
@@ -25,16 +27,25 @@ std::string sumOf(const Items& items) {
 std::string keyOf(const BulkItem& item) {
   if (const auto* mesh = std::get_if<MeshPtr>(&item))
     return "m" + sumOf((*mesh)->positions()) + "-" + sumOf((*mesh)->triangles());
+  if (const auto* paint = std::get_if<PaintPtr>(&item))
+    return "p" + sumOf(**paint);
   return "v" + sumOf(*std::get<VoxelsPtr>(item));
 }
 
+/// Returns the letter of the item's kind and its bytes.
+std::pair<char, std::string> encoded(const BulkItem& item) {
+  if (const auto* mesh = std::get_if<MeshPtr>(&item))
+    return {meshKind, encodedMesh(**mesh)};
+  if (const auto* paint = std::get_if<PaintPtr>(&item))
+    return {paintKind, encodedPaint(**paint)};
+  return {voxelKind, encodedVoxels(*std::get<VoxelsPtr>(item))};
+}
+
 std::string payloadOf(const std::string& key, const BulkItem& item) {
-  std::string payload(1, std::holds_alternative<MeshPtr>(item) ? meshKind : voxelKind);
+  const auto [kind, bytes] = encoded(item);
+  std::string payload(1, kind);
   appendNumber(payload, std::uint32_t(key.size()));
-  payload += key;
-  payload += std::holds_alternative<MeshPtr>(item) ? encodedMesh(*std::get<MeshPtr>(item))
-                                                   : encodedVoxels(*std::get<VoxelsPtr>(item));
-  return payload;
+  return payload + key + bytes;
 }
 
 /// Returns null where the bytes are no such item.
@@ -45,6 +56,9 @@ BulkItem itemFrom(char kind, std::string_view bytes) {
   if (kind == voxelKind)
     if (Result<std::vector<std::int16_t>> voxels = decodedVoxels(bytes); voxels.ok())
       return std::make_shared<const std::vector<std::int16_t>>(std::move(*voxels));
+  if (kind == paintKind)
+    if (Result<Paint> paint = decodedPaint(bytes); paint.ok())
+      return std::make_shared<const Paint>(std::move(*paint));
   return MeshPtr();
 }
 }  // namespace
@@ -64,6 +78,10 @@ const std::string& BulkKeys::of(const MeshPtr& mesh) {
 
 const std::string& BulkKeys::of(const VoxelsPtr& voxels) {
   return remembered(voxels);
+}
+
+const std::string& BulkKeys::of(const PaintPtr& paint) {
+  return remembered(paint);
 }
 
 Result<BulkStore> BulkStore::create(const std::filesystem::path& file) {
@@ -112,6 +130,9 @@ Bulk bulkOf(const Scene& scene) {
   Bulk bulk;
   for (const MeshPtr& mesh : meshesOf(scene))
     bulk[keyOf(mesh)] = mesh;
+  for (const Node& node : scene.nodes())
+    if (node.paint)
+      bulk[keyOf(node.paint)] = node.paint;
   for (const Scan& scan : scene.scans())
     bulk[keyOf(scan.voxels)] = scan.voxels;
   return bulk;

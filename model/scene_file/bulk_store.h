@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps meshes and voxels beside a journal, each once, however many states of the scene have it.
+// Keeps meshes, what is painted on them and voxels beside a journal, each once, however many states
+// of the scene have it.
 #pragma once
 
 #include <chrono>
@@ -17,7 +18,7 @@
 namespace sline::model {
 
 /// What scenes share by pointers, because it is large.
-using BulkItem = std::variant<MeshPtr, VoxelsPtr>;
+using BulkItem = std::variant<MeshPtr, VoxelsPtr, PaintPtr>;
 /// Maps keys to items. A key is made of the item's size and checksums, so that the same item has
 /// the same key in any journal and scene file.
 using Bulk = std::map<std::string, BulkItem, std::less<>>;
@@ -27,6 +28,7 @@ class BulkKeys {
  public:
   const std::string& of(const MeshPtr& mesh);
   const std::string& of(const VoxelsPtr& voxels);
+  const std::string& of(const PaintPtr& paint);
   /// Returns the items whose keys were asked for since the last call and never before.
   std::vector<std::pair<std::string, BulkItem>> takeFresh() { return std::exchange(m_fresh, {}); }
 
@@ -56,7 +58,7 @@ class BulkStore {
 
 /// Returns the items of a file, as many as are whole; nothing in it is trusted.
 Bulk bulkFrom(std::string_view bytes);
-/// Returns the meshes and voxels of a scene.
+/// Returns the meshes, paints and voxels of a scene.
 Bulk bulkOf(const Scene& scene);
 
 }  // namespace sline::model

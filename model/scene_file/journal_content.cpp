@@ -232,6 +232,9 @@ std::string stateText(const Scene& scene, BulkKeys& keys) {
     if (const auto name = names.find(node.mesh); name != names.end())
       if (named.insert(name->second).second)
         text += keys.of(node.mesh) + " " + name->second + "\n";
+  for (const Node& node : scene.nodes())
+    if (node.paint)
+      text += keys.of(node.paint) + " " + paintName(node.id) + "\n";
   for (std::size_t n = 0; n < scene.scans().size(); ++n)
     text += keys.of(scene.scans()[n].voxels) + " " + voxelsName(n) + "\n";
   return text + sceneJson(scene);
@@ -242,18 +245,19 @@ Result<Scene> sceneOfState(std::string_view text, const Bulk& bulk) {
   Result<Json> root = parseJson(json);
   if (!root.ok())
     return root.error();
-  MeshesByName meshes;
-  VoxelsByName voxels;
+  SceneParts parts;
   forEachKey(lines, [&](std::string_view name, std::string_view key) {
     const auto item = bulk.find(key);
     if (item == bulk.end())
       return;
     if (const auto* mesh = std::get_if<MeshPtr>(&item->second))
-      meshes[std::string(name)] = *mesh;
+      parts.meshes[std::string(name)] = *mesh;
+    else if (const auto* paint = std::get_if<PaintPtr>(&item->second))
+      parts.paints[std::string(name)] = *paint;
     else
-      voxels[std::string(name)] = std::get<VoxelsPtr>(item->second);
+      parts.voxels[std::string(name)] = std::get<VoxelsPtr>(item->second);
   });
-  return sceneFromJson(*root, meshes, voxels);
+  return sceneFromJson(*root, parts);
 }
 
 std::vector<std::string> keysCalledFor(std::string_view text) {

@@ -7,6 +7,7 @@
 #include "model/base/letters.h"
 #include "model/disk/whole_file.h"
 #include "model/scene_file/mesh_codec.h"
+#include "model/scene_file/paint_codec.h"
 #include "model/scene_file/scan_codec.h"
 #include "model/scene_file/scene_json.h"
 #include "model/scene_file/scene_migration.h"
@@ -56,6 +57,23 @@ Result<MeshesByName> meshesOf(const ZipReader& zip, const Json& root) {
   return meshes;
 }
 
+Result<PaintsByName> paintsOf(const ZipReader& zip, const Json& root) {
+  PaintsByName paints;
+  for (const std::string& name : paintsCalledFor(root)) {
+    const ZipReader::Entry* entry = zip.find(name);
+    if (!entry)
+      continue;
+    const Result<std::string> bytes = zip.read(*entry);
+    if (!bytes.ok())
+      return bytes.error();
+    Result<Paint> paint = decodedPaint(*bytes);
+    if (!paint.ok())
+      return placed(paint.error(), name);
+    paints[name] = std::make_shared<const Paint>(std::move(*paint));
+  }
+  return paints;
+}
+
 Result<VoxelsByName> voxelsOf(const ZipReader& zip, const Json& root) {
   VoxelsByName voxels;
   for (const std::string& name : voxelsCalledFor(root)) {
@@ -71,6 +89,19 @@ Result<VoxelsByName> voxelsOf(const ZipReader& zip, const Json& root) {
     voxels[name] = std::make_shared<const std::vector<std::int16_t>>(std::move(*decoded));
   }
   return voxels;
+}
+
+Result<SceneParts> partsOf(const ZipReader& zip, const Json& root) {
+  Result<MeshesByName> meshes = meshesOf(zip, root);
+  if (!meshes.ok())
+    return meshes.error();
+  Result<PaintsByName> paints = paintsOf(zip, root);
+  if (!paints.ok())
+    return paints.error();
+  Result<VoxelsByName> voxels = voxelsOf(zip, root);
+  if (!voxels.ok())
+    return voxels.error();
+  return SceneParts{std::move(*meshes), std::move(*paints), std::move(*voxels)};
 }
 
 /// Takes the thumbnail and all members to which the scene does not refer.
@@ -99,21 +130,21 @@ Result<SceneDocument> documentFrom(const ZipReader& zip) {
     return placed(schema.error(), sceneMember);
   if (const Status migrated = migrate(*root); !migrated.ok())
     return placed(migrated.error(), sceneMember);
-  const Result<MeshesByName> meshes = meshesOf(zip, *root);
-  if (!meshes.ok())
-    return meshes.error();
-  const Result<VoxelsByName> voxels = voxelsOf(zip, *root);
-  if (!voxels.ok())
-    return voxels.error();
-  Result<Scene> scene = sceneFromJson(*root, *meshes, *voxels);
+  const Result<SceneParts> parts = partsOf(zip, *root);
+  if (!parts.ok())
+    return parts.error();
+  Result<Scene> scene = sceneFromJson(*root, *parts);
   if (!scene.ok())
     return placed(scene.error(), sceneMember);
   SceneDocument document{.scene = std::move(*scene), .schema = *schema};
   std::set<std::string, std::less<>> known;
-  for (const auto& [name, mesh] : *meshes)
-    known.insert(name);
-  for (const auto& [name, numbers] : *voxels)
-    known.insert(name);
+  const auto know = [&known](const auto& named) {
+    for (const auto& each : named)
+      known.insert(each.first);
+  };
+  know(parts->meshes);
+  know(parts->paints);
+  know(parts->voxels);
   if (const Status taken = takeRest(zip, known, document); !taken.ok())
     return taken.error();
   return document;
@@ -190,6 +221,9 @@ Result<std::string> sceneFileBytes(const SceneDocument& document) {
     members.push_back({name->second, encodedMesh(*node.mesh)});
     names.erase(name);  // written once, however many structures share it
   }
+  for (const Node& node : document.scene.nodes())
+    if (node.paint)
+      members.push_back({paintName(node.id), encodedPaint(*node.paint)});
   for (std::size_t n = 0; n < document.scene.scans().size(); ++n)
     members.push_back({voxelsName(n), encodedVoxels(*document.scene.scans()[n].voxels)});
   std::vector<const ZipMember*> all;

@@ -27,13 +27,15 @@ Result<int> schemaOf(const Json& root) {
   return schema;
 }
 
-std::vector<std::string> meshesCalledFor(const Json& root) {
+namespace {
+/// Returns the files that nodes name for that part of them.
+std::vector<std::string> filesCalledFor(const Json& root, const char* part) {
   std::set<std::string> names;
   const auto nodes = root.is_object() ? root.find("nodes") : root.end();
   if (nodes == root.end() || !nodes->is_array())
     return {};
   for (const Json& node : *nodes) {
-    const auto mesh = node.is_object() ? node.find("mesh") : node.end();
+    const auto mesh = node.is_object() ? node.find(part) : node.end();
     if (mesh == node.end() || !mesh->is_object())
       continue;
     const auto file = mesh->find("file");
@@ -42,15 +44,22 @@ std::vector<std::string> meshesCalledFor(const Json& root) {
   }
   return {names.begin(), names.end()};
 }
+}  // namespace
 
-Result<Scene> sceneFromJson(const Json& root, const MeshesByName& meshes,
-                            const VoxelsByName& voxels) {
+std::vector<std::string> meshesCalledFor(const Json& root) {
+  return filesCalledFor(root, "mesh");
+}
+
+std::vector<std::string> paintsCalledFor(const Json& root) {
+  return filesCalledFor(root, "paint");
+}
+
+Result<Scene> sceneFromJson(const Json& root, const SceneParts& parts) {
   const Result<int> schema = schemaOf(root);
   if (!schema.ok())
     return schema.error();
   JsonFault fault;
-  Scene scene =
-      SceneJsonReader(meshes, voxels, *schema > sceneSchema).scene(JsonValue(root, fault));
+  Scene scene = SceneJsonReader(parts, *schema > sceneSchema).scene(JsonValue(root, fault));
   if (fault.any())
     return errorOf(fault);
   return scene;

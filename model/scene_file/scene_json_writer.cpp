@@ -65,6 +65,8 @@ Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
     json["mesh"] = {{"file", names.at(node.mesh)},
                     {"vertices", node.mesh->vertexCount()},
                     {"triangles", node.mesh->triangleCount()}};
+  if (node.paint)
+    json["paint"] = {{"file", paintName(node.id)}};
   if (node.style != Style())
     json["style"] = styleJson(node.style);
   if (node.locked)
@@ -150,6 +152,11 @@ Ordered focusOf(const Focus& focus) {
     json["roles"][std::string(contextRoleNames[std::size_t(role)])].push_back(id.value);
   if (focus.wishes.hiddenToo)
     json["hidden_too"] = true;
+  if (focus.nearness) {
+    json["nearness"] = {{"falloff_mm", jsonNumber(focus.nearness->falloffMm)}};
+    if (focus.nearness->place)
+      json["nearness"]["place_mm"] = jsonPoint(*focus.nearness->place);
+  }
   if (!focus.given.empty())
     json["given"] = looksOf(focus.given);
   addUnread(json, focus.unread);
@@ -180,6 +187,10 @@ std::map<MeshPtr, std::string> meshNames(const Scene& scene) {
     if (!node.isGroup())
       names.try_emplace(node.mesh, "meshes/" + std::to_string(node.id.value) + ".mesh");
   return names;
+}
+
+std::string paintName(NodeId structure) {
+  return "paint/" + std::to_string(structure.value) + ".paint";
 }
 
 std::string sceneJson(const Scene& scene) {

@@ -151,6 +151,19 @@ std::vector<Look> SceneJsonReader::looks(const JsonValue& list) const {
   return all;
 }
 
+namespace {
+FocusNearness nearnessFrom(JsonObject& object) {
+  FocusNearness nearness;
+  const JsonValue falloff = object.need("falloff_mm");
+  nearness.falloffMm = falloff.number();
+  if (!nearnessFalloffs.contain(nearness.falloffMm))
+    falloff.fail("a number from 1 to 2000 is expected here");
+  if (const auto place = object.take("place_mm"))
+    nearness.place = place->point();
+  return nearness;
+}
+}  // namespace
+
 Focus SceneJsonReader::focus(const JsonValue& value) const {
   JsonObject object(value);
   Focus focus;
@@ -179,6 +192,11 @@ Focus SceneJsonReader::focus(const JsonValue& value) const {
   }
   if (const auto too = object.take("hidden_too"))
     focus.wishes.hiddenToo = too->flag();
+  if (const auto near = object.take("nearness")) {
+    JsonObject inner(*near);
+    focus.nearness = nearnessFrom(inner);
+    object.giveBack("nearness", inner.rest());
+  }
   if (const auto list = object.take("given"))
     focus.given = looks(*list);
   focus.unread = object.unread();

@@ -55,8 +55,8 @@ class TreeOrderCheck {
 
 MeshPtr SceneJsonReader::mesh(JsonObject& object) const {
   const JsonValue file = object.need("file");
-  const auto found = m_meshes.find(file.text());
-  if (found == m_meshes.end()) {
+  const auto found = m_parts.meshes.find(file.text());
+  if (found == m_parts.meshes.end()) {
     file.fail("the file holds no such mesh");
     return nullptr;
   }
@@ -71,6 +71,21 @@ MeshPtr SceneJsonReader::mesh(JsonObject& object) const {
   return mesh;
 }
 
+PaintPtr SceneJsonReader::paint(JsonObject& object, const Mesh& mesh) const {
+  const JsonValue file = object.need("file");
+  const auto found = m_parts.paints.find(file.text());
+  if (found == m_parts.paints.end()) {
+    file.fail("the file holds no such paint");
+    return nullptr;
+  }
+  if (found->second->size() != mesh.vertexCount()) {
+    file.fail("it has " + std::to_string(found->second->size()) + " values, and the mesh " +
+              std::to_string(mesh.vertexCount()) + " vertices");
+    return nullptr;
+  }
+  return found->second;
+}
+
 Node SceneJsonReader::node(const JsonValue& value) const {
   JsonObject object(value);
   Node node;
@@ -82,6 +97,14 @@ Node SceneJsonReader::node(const JsonValue& value) const {
     JsonObject inner(*reference);
     node.mesh = mesh(inner);
     object.giveBack("mesh", inner.rest());
+  }
+  if (const auto painted = object.take("paint")) {
+    JsonObject inner(*painted);
+    if (node.mesh)
+      node.paint = paint(inner, *node.mesh);
+    else
+      painted->fail("a node without a mesh has nothing to paint on");
+    object.giveBack("paint", inner.rest());
   }
   if (const auto own = object.take("style")) {
     JsonObject inner(*own);
@@ -137,7 +160,7 @@ Scene SceneJsonReader::scene(const JsonValue& root) {
   }
   std::vector<Scan> scans;
   if (const auto list = object.take("scans"))
-    scans = scansFrom(*list, m_voxels);
+    scans = scansFrom(*list, m_parts.voxels);
   Scene scene;
   if (root.fault().any())
     return scene;

@@ -22,8 +22,7 @@ inline std::uint64_t idOf(const JsonValue& value) {
 
 class SceneJsonReader {
  public:
-  SceneJsonReader(const MeshesByName& meshes, const VoxelsByName& voxels, bool newer)
-      : m_meshes(meshes), m_voxels(voxels), m_newer(newer) {}
+  SceneJsonReader(const SceneParts& parts, bool newer) : m_parts(parts), m_newer(newer) {}
 
   Scene scene(const JsonValue& root);
 
@@ -35,6 +34,8 @@ class SceneJsonReader {
     return index ? std::optional(Enum(*index)) : std::nullopt;
   }
   MeshPtr mesh(JsonObject& object) const;
+  /// Returns what is painted on the mesh.
+  PaintPtr paint(JsonObject& object, const Mesh& mesh) const;
   Node node(const JsonValue& value) const;
   Section section(const JsonValue& value) const;
   std::vector<Section> sections(const JsonValue& list) const;
@@ -44,8 +45,7 @@ class SceneJsonReader {
   Focus focus(const JsonValue& value) const;
   View view(const JsonValue& value) const;
 
-  const MeshesByName& m_meshes;
-  const VoxelsByName& m_voxels;
+  const SceneParts& m_parts;
   bool m_newer;
 };
 

@@ -54,6 +54,8 @@ std::optional<GammaMap> gammaMapFrom(JsonObject& style, std::string_view key, bo
         return list->fail("there are more than 1000 targets");
       map.targets.push_back({std::uint64_t(id.whole(1, std::int64_t(1) << 53))});
     });
+  if (const auto place = object.take("place_mm"))
+    map.place = place->point();
   if (const auto list = object.take("curve"))
     map.curve = curveFrom(*list);
   if (const auto fault = gammaMapFault(map))
@@ -116,6 +118,8 @@ Ordered fieldJson(const GammaMap& map) {
   Ordered json = {{"scalar", gammaScalarNames[std::size_t(map.scalar)]}};
   for (const NodeId target : map.targets)
     json["targets"].push_back(target.value);
+  if (map.place)
+    json["place_mm"] = jsonPoint(*map.place);
   for (const GammaPoint& point : map.curve)
     json["curve"].push_back({jsonNumber(point.scalar), jsonNumber(point.offset)});
   return json;

@@ -30,6 +30,7 @@ std::vector<float> scalarsOf(const model::Surface& surface, model::GammaScalar s
       return model::meanCurvature(surface);
     case model::GammaScalar::distance:
       return model::distancesTo(targets, surface.mesh->positions());
+    case model::GammaScalar::painted:
     case model::GammaScalar::none:
       break;
   }
@@ -96,10 +97,28 @@ std::shared_ptr<const std::vector<float>> GammaFields::field(
   return m_fields.back().values;
 }
 
+std::shared_ptr<const std::vector<float>> GammaFields::fromPlace(
+    const model::Surface& surface, const model::GammaMap& map,
+    const std::vector<model::MeshPtr>& targets) {
+  const auto others = targets.empty() ? nullptr : field(surface, map.scalar, targets);
+  FromPlace& known = m_fromPlace;
+  if (known.values && known.place == *map.place && known.targets == others)
+    return known.values;
+  const auto positions = surface.mesh->positions();
+  std::vector<float> values(positions.size());
+  parallelFor(values.size(), 16384, [&](std::size_t v) {
+    const float distance = glm::distance(positions[v], *map.place);
+    values[v] = others ? std::min(distance, (*others)[v]) : distance;
+  });
+  known = {*map.place, others, std::make_shared<const std::vector<float>>(std::move(values))};
+  return known.values;
+}
+
 GammaOffsetsPtr GammaFields::at(const model::Surface& surface, const model::GammaMap& map,
                                 const std::vector<model::MeshPtr>& targets) {
   const std::lock_guard lock(m_mutex);
-  const auto values = field(surface, map.scalar, targets);
+  const auto values =
+      map.place ? fromPlace(surface, map, targets) : field(surface, map.scalar, targets);
   for (const Curve& known : m_curves)
     if (known.values == values && known.points == map.curve)
       return known.offsets;
@@ -112,17 +131,60 @@ GammaOffsetsPtr GammaFields::at(const model::Surface& surface, const model::Gamm
   return m_curves.back().offsets;
 }
 
+GammaOffsetsPtr GammaFields::at(const model::PaintPtr& paint, const model::GammaMap& map) {
+  const std::lock_guard lock(m_mutex);
+  for (const Painted& known : m_painted)
+    if (known.paint == paint && known.points == map.curve)
+      return known.offsets;
+  std::array<float, 256> offsetOf{};
+  for (std::size_t value = 0; value < offsetOf.size(); ++value)
+    offsetOf[value] = map.offsetAt(float(value) / 255.0f);
+  GammaOffsets offsets(paint->size());
+  std::transform(paint->begin(), paint->end(), offsets.begin(),
+                 [&](std::uint8_t value) { return offsetOf[value]; });
+  if (m_painted.size() >= mostCurves)
+    m_painted.erase(m_painted.begin());
+  m_painted.push_back({paint, map.curve, std::make_shared<const GammaOffsets>(std::move(offsets))});
+  return m_painted.back().offsets;
+}
+
+namespace {
+
+/// Makes Γ the same everywhere, as where the scalar has that value.
+void level(model::ResolvedStyle& style, float scalar) {
+  style.gamma = Gamma::clamped(style.gamma.value() + style.gammaMap.offsetAt(scalar));
+  style.gammaMap = {};
+}
+
+/// Returns how far the place lies from the box at least.
+float distanceFrom(const model::Box& box, const glm::vec3& place) {
+  return glm::length(glm::max(glm::max(box.low - place, place - box.high), 0.0f));
+}
+
+}  // namespace
+
 void findGammaOffsets(const model::Scene& scene, DrawnStructure& shown) {
   if (!gammaVaries(shown.style))
     return;
   model::GammaMap& map = shown.style.gammaMap;
+  if (map.scalar == model::GammaScalar::painted) {
+    const model::Node* node = scene.find(shown.id);
+    if (!node || !node->paint || node->paint->size() != shown.surface().mesh->vertexCount())
+      return level(shown.style, 0.0f);
+    shown.gammaOffsets = shown.prepared->gammaFields.at(node->paint, map);
+    return;
+  }
   std::vector<model::MeshPtr> targets;
   if (map.scalar == model::GammaScalar::distance)
     targets = targetsOf(scene, shown.id, map);
-  if (map.scalar == model::GammaScalar::distance && targets.empty()) {
+  if (map.scalar == model::GammaScalar::distance && targets.empty() && !map.place) {
     map = {};
     return;
   }
+  // What lies beyond the curve stays the same while the place is dragged, and so does its drawing.
+  if (const float beyond = map.curve.back().scalar;
+      map.place && targets.empty() && distanceFrom(shown.mesh->bounds(), *map.place) >= beyond)
+    return level(shown.style, beyond);
   shown.gammaOffsets = shown.prepared->gammaFields.at(shown.surface(), map, targets);
 }
 

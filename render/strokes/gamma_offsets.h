@@ -38,9 +38,12 @@ float gammaAt(const model::Mesh& mesh, const GammaOffsets& offsets, Gamma own,
 /// Keeps the fields of a surface that pictures have asked for last. May be used from threads.
 class GammaFields {
  public:
-  /// Returns the offsets by that map; the same as before where nothing has changed.
+  /// Returns the offsets by that map; the same as before where nothing has changed. Of a map by
+  /// distance, `targets` are the surfaces from which it is.
   GammaOffsetsPtr at(const model::Surface& surface, const model::GammaMap& map,
                      const std::vector<model::MeshPtr>& targets);
+  /// Does the same for a map by what is painted.
+  GammaOffsetsPtr at(const model::PaintPtr& paint, const model::GammaMap& map);
 
  private:
   /// The scalar at each vertex.
@@ -58,13 +61,31 @@ class GammaFields {
                                                   model::GammaScalar scalar,
                                                   const std::vector<model::MeshPtr>& targets);
 
+  /// The distances from a place: it is dragged, so only the last one is kept.
+  struct FromPlace {
+    glm::vec3 place{0.0f};
+    std::shared_ptr<const std::vector<float>> targets;  ///< null: from the place alone
+    std::shared_ptr<const std::vector<float>> values;
+  };
+  struct Painted {
+    model::PaintPtr paint;
+    std::vector<model::GammaPoint> points;
+    GammaOffsetsPtr offsets;
+  };
+
+  std::shared_ptr<const std::vector<float>> fromPlace(const model::Surface& surface,
+                                                      const model::GammaMap& map,
+                                                      const std::vector<model::MeshPtr>& targets);
+
   std::mutex m_mutex;
   std::vector<Field> m_fields;
   std::vector<Curve> m_curves;
+  std::vector<Painted> m_painted;
+  FromPlace m_fromPlace;
 };
 
 /// Finds the structure's offsets in its scene. Where its map measures distances to nothing that is
-/// there, it has none, and Γ is the same everywhere.
+/// there, it has none, and Γ is the same everywhere. Where nothing is painted, all has the value 0.
 void findGammaOffsets(const model::Scene& scene, DrawnStructure& shown);
 
 }  // namespace sline::render

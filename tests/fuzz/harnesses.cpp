@@ -173,10 +173,13 @@ std::string sceneJson(std::string_view bytes) {
     return faultOf(done.error());
   static const MeshPtr mesh = std::make_shared<const model::Mesh>(
       std::move(*model::Mesh::create({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})));
-  model::MeshesByName meshes;
+  static const auto paint = std::make_shared<const model::Paint>(3, 200);
+  model::SceneParts parts;
   for (const std::string& name : model::meshesCalledFor(*root))
-    meshes[name] = mesh;
-  Result<model::Scene> scene = model::sceneFromJson(*root, meshes);
+    parts.meshes[name] = mesh;
+  for (const std::string& name : model::paintsCalledFor(*root))
+    parts.paints[name] = paint;
+  Result<model::Scene> scene = model::sceneFromJson(*root, parts);
   if (!scene.ok())
     return faultOf(scene.error());
   if (*schema > model::sceneSchema)

@@ -65,7 +65,8 @@ model::Scene previewSubject(const model::Scene& scene, const NodeIds& ids) {
     model::Style look = model::answersOf(style);
     look.gamma.reset();
     look.visible = true;
-    subject.append({.style = look, .mesh = node->mesh, .provenance = node->provenance});
+    subject.append(
+        {.style = look, .mesh = node->mesh, .paint = node->paint, .provenance = node->provenance});
   }
   return subject;
 }

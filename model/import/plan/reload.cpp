@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "model/fairing/windowed_sinc.h"
 #include "model/geometry/nearest_point.h"
+#include "model/geometry/paint.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/load_parts.h"
 #include "model/import/plan/shape_parts.h"
@@ -23,6 +25,8 @@ using Fate = ReloadedFile::Fate;
 
 /// Limits the files below a folder that are looked at: a search in a whole disk ends.
 constexpr std::size_t mostFiles = 200'000;
+/// It is said where more than this share of what was painted is lost.
+constexpr float muchPaint = 0.05f;
 
 /// Returns the files that have one of the names, by name.
 std::map<std::string, std::set<fs::path>> filesNamed(const std::set<std::string>& names,
@@ -265,8 +269,26 @@ class Reloader {
     Result<MeshPtr> mesh = repeatImport(file.meshes[*k], as, m_options);
     if (!mesh)
       return tell(alone, Fate::failed, mesh.error().reason);
-    m_result.meshes.push_back({node.id, node.mesh, std::move(*mesh), std::move(as)});
+    PaintPtr paint = repainted(node, *mesh, origin.file);
+    m_result.meshes.push_back({.structure = node.id,
+                               .before = node.mesh,
+                               .mesh = std::move(*mesh),
+                               .provenance = std::move(as),
+                               .paintBefore = node.paint,
+                               .paint = std::move(paint)});
     tell(alone, Fate::replaced);
+  }
+
+  /// Returns what is painted on the structure, on its new mesh.
+  PaintPtr repainted(const Node& node, const MeshPtr& mesh, const std::string& file) {
+    if (!node.paint)
+      return nullptr;
+    CarriedPaint carried = carriedPaint(node.mesh, *node.paint, mesh);
+    if (carried.lost > muchPaint)
+      m_result.warnings.push_back(
+          {file, std::to_string(std::lround(100.0f * carried.lost)) +
+                     " % of what was painted on it is lost: the new surface does not reach there"});
+    return std::move(carried.paint);
   }
 
   const ReadOptions& m_options;
@@ -284,7 +306,13 @@ Scene withNewMeshes(const Scene& scene, std::span<const NewMesh> meshes) {
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes)
     if (const auto found = changes.find(node.id); found != changes.end()) {
-      node.mesh = found->second->mesh;
+      const NewMesh& now = *found->second;
+      // What was painted while the files were read is carried over, too.
+      if (node.paint == now.paintBefore)
+        node.paint = now.paint;
+      else if (node.paint)
+        node.paint = carriedPaint(node.mesh, *node.paint, now.mesh).paint;
+      node.mesh = now.mesh;
       node.provenance = found->second->provenance;
     }
   std::vector<Annotation> annotations = scene.annotations();

@@ -32,6 +32,8 @@ struct NewMesh {
   MeshPtr before;
   MeshPtr mesh;
   Provenance provenance;
+  PaintPtr paintBefore;
+  PaintPtr paint;  ///< what was painted before, on the new mesh
 };
 
 struct Reloaded {
@@ -46,9 +48,9 @@ struct Reloaded {
 /// with all below them, and reads it again where its fingerprint differs: in the same frame and
 /// unit, with as many steps of smoothing and refinement, and decimated as far as before. Ids,
 /// names, styles, sections and views stay; annotations on a surface go to the nearest point of the
-/// new one. Of a file with several surfaces each structure takes the one of its name. Where several
-/// files have the name, one that is unchanged counts; else it is an error, as it is not known which
-/// is meant.
+/// new one, and so does what was painted; a warning says where much of that is lost. Of a file with
+/// several surfaces each structure takes the one of its name. Where several files have the name,
+/// one that is unchanged counts; else it is an error, as it is not known which is meant.
 Reloaded reload(const Scene& scene, std::span<const std::filesystem::path> places,
                 const ReadOptions& options = {});
 

@@ -39,7 +39,7 @@ void move(Style& style, const NewIds& ids) {
   for (NodeId& id : style.gammaMap->targets)
     id = movedId(id, ids);
   std::erase(style.gammaMap->targets, rootId);
-  if (style.gammaMap->targets.empty())
+  if (style.gammaMap->targets.empty() && !style.gammaMap->place)
     style.gammaMap.reset();
 }
 

@@ -32,6 +32,7 @@ Style sampleStyle() {
           .hatchTone = HatchTone::clamped(1.3f),
           .gammaMap = GammaMap{.scalar = GammaScalar::distance,
                                .targets = {{5}, {1}},
+                               .place = glm::vec3(0.1f, 2.0f, -3.5f),
                                .curve = {{0.0f, 3.0f}, {12.5f, 0.1f}, {40.0f, -1.0f}}}};
 }
 
@@ -71,6 +72,10 @@ Scene sampleScene() {
   Node artery{.parent = arteries, .name = "Ärterie \"a\"", .mesh = sphere(7.3f, 2)};
   artery.style = sampleStyle();
   artery.locked = true;
+  Paint paint(artery.mesh->vertexCount(), 0);
+  paint[3] = 255;
+  paint[5] = 17;
+  artery.paint = std::make_shared<const Paint>(paint);
   artery.provenance = sampleProvenance();
   artery.atoms = sampleAtoms();
   const NodeId one = scene.append(artery);
@@ -97,6 +102,7 @@ Scene sampleScene() {
   focus.wishes.roles[vessels] = ContextRole::shell;
   focus.wishes.roles[one] = ContextRole::feeder;
   focus.wishes.hiddenToo = true;
+  focus.nearness = FocusNearness{.place = glm::vec3(1.5f, -2.0f, 0.1f), .falloffMm = 45.5f};
   focus.given.push_back({.node = one, .style = {.gamma = Gamma::clamped(4.5f)}});
   scene.setFocus(focus);
   scene.setViews({{.name = "Overview", .camera = camera},
@@ -151,7 +157,10 @@ std::string difference(const Scene& a, const Scene& b) {
     Node y = b.nodes()[i];
     if (x.isGroup() != y.isGroup() || (!x.isGroup() && !sameBits(*x.mesh, *y.mesh)))
       return "mesh of " + x.name;
+    if (!x.paint != !y.paint || (x.paint && *x.paint != *y.paint))
+      return "paint of " + x.name;
     x.mesh = y.mesh = nullptr;
+    x.paint = y.paint = nullptr;
     if (x != y)
       return x.name + " / " + y.name + ", " + x.unread + " / " + y.unread;
   }

@@ -135,6 +135,13 @@ void SceneFileTest::refuses_data() {
   row("another JSON", test::withMember(good, "scene.json", "{}"), "\"format\" is missing");
   row("a broken mesh", test::withMember(good, "meshes/3.mesh", "x"),
       "meshes/3.mesh: it is no mesh");
+  row("broken paint", test::withMember(good, "paint/3.paint", "x"),
+      "paint/3.paint: it does not begin like what is painted");
+  row("paint of too few", test::withMember(good, "paint/3.paint", "SlinePa1\x01\x02"),
+      "scene.json: nodes[2].paint.file: it has 2 values");
+  row("paint of too many",
+      test::withMember(good, "paint/3.paint", "SlinePa1" + std::string(1'000'000, '\1')),
+      "scene.json: nodes[2].paint.file: it has 1000000 values");
   Json root = Json::parse(test::memberOf(good, "scene.json"));
   root["nodes"][2]["style"]["gamma"] = 7;
   row("a value out of range", test::withMember(good, "scene.json", root.dump()),

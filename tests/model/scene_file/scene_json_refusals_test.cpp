@@ -88,6 +88,18 @@ void SceneJsonRefusalsTest::refuses_data() {
   row(
       "a number as name", [](Json& j) { j["nodes"][0]["name"] = 1; }, "nodes[0].name", "a text");
   row(
+      "no paint of the name", [](Json& j) { j["nodes"][2]["paint"]["file"] = "x"; },
+      "nodes[2].paint.file", "no such paint");
+  row(
+      "paint on a group", [](Json& j) { j["nodes"][0]["paint"] = j["nodes"][2]["paint"]; },
+      "nodes[0].paint", "nothing to paint on");
+  row(
+      "paint of another mesh", [](Json& j) { j["nodes"][4]["paint"] = j["nodes"][2]["paint"]; },
+      "nodes[4].paint.file", "it has 162 values, and the mesh 96 vertices");
+  row(
+      "paint without a file", [](Json& j) { j["nodes"][2]["paint"] = {1}; }, "nodes[2].paint",
+      "an object");
+  row(
       "no mesh of the name", [](Json& j) { j["nodes"][2]["mesh"]["file"] = "x"; },
       "nodes[2].mesh.file", "no such mesh");
   row(
@@ -237,6 +249,22 @@ void SceneJsonRefusalsTest::refuses_data() {
       "a role of nothing", [](Json& j) { j["focus"]["roles"]["shell"] = 3; }, "focus.roles.shell",
       "a list");
   row(
+      "nearness without end", [](Json& j) { j["focus"]["nearness"]["falloff_mm"] = 1e9; },
+      "focus.nearness.falloff_mm", "1 to 2000");
+  row(
+      "nearness without reach", [](Json& j) { j["focus"]["nearness"].erase("falloff_mm"); },
+      "focus.nearness", "\"falloff_mm\" is missing");
+  row(
+      "nearness to two numbers",
+      [](Json& j) {
+        j["focus"]["nearness"]["place_mm"] = {1, 2};
+      },
+      "focus.nearness.place_mm", "list of three numbers");
+  row(
+      "curvature from a place",
+      [](Json& j) { j["nodes"][2]["style"]["gamma_by"]["scalar"] = "painted"; },
+      "nodes[2].style.gamma_by", "only distances");
+  row(
       "a checksum too long",
       [](Json& j) { j["nodes"][2]["provenance"]["fingerprint"]["crc32"] = 1LL << 32; },
       "nodes[2].provenance.fingerprint.crc32", "whole number");
@@ -255,7 +283,7 @@ void SceneJsonRefusalsTest::refuses() {
   const Scene scene = test::sampleScene();
   Json json = jsonOf(scene);
   change(json);
-  const auto read = sceneFromJson(json, meshesByName(scene));
+  const auto read = sceneFromJson(json, partsByName(scene));
   QVERIFY(!read.ok());
   QCOMPARE(QString::fromStdString(read.error().where), where);
   QVERIFY2(QString::fromStdString(read.error().reason).contains(reason),

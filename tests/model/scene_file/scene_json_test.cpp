@@ -33,7 +33,7 @@ class SceneJsonTest : public QObject {
 void SceneJsonTest::roundTrip() {
   const Scene scene = test::sampleScene();
   const std::string text = sceneJson(scene);
-  const auto again = sceneFromJson(jsonOf(scene), meshesByName(scene));
+  const auto again = sceneFromJson(jsonOf(scene), partsByName(scene));
   QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
   QCOMPARE(test::difference(scene, *again), std::string());
   QCOMPARE(sceneJson(*again), text);
@@ -52,7 +52,7 @@ void SceneJsonTest::sectionsWithoutFacesAreTinted() {
     json["sections"][0].erase("faces");
     if (said)
       json["sections"][0]["faces"] = said;
-    const auto read = sceneFromJson(json, meshesByName(scene));
+    const auto read = sceneFromJson(json, partsByName(scene));
     QVERIFY(read.ok());
     QCOMPARE(read->sections()[0].faces, meant);
   }
@@ -68,14 +68,17 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
   };
   QCOMPARE(keysOf(root), QString("format schema frame unit nodes sections annotations views focus "
                                  "key_light"));
-  QCOMPARE(keysOf(root["focus"]), QString("targets context seen_from roles hidden_too given"));
-  QCOMPARE(keysOf(root["nodes"][2]), QString("id parent name mesh style locked provenance atoms"));
+  QCOMPARE(keysOf(root["focus"]),
+           QString("targets context seen_from roles hidden_too nearness given"));
+  QCOMPARE(keysOf(root["focus"]["nearness"]), QString("falloff_mm place_mm"));
+  QCOMPARE(keysOf(root["nodes"][2]),
+           QString("id parent name mesh paint style locked provenance atoms"));
   QCOMPARE(
       keysOf(root["nodes"][2]["style"]),
       QString("colour ink_colour gamma opacity fill visible technique line_thresholds pen_weight "
               "line_variation line_smoothing shortest_line line_scale hidden_lines halo grain "
               "hatch_density hatch_tone gamma_by"));
-  QCOMPARE(keysOf(root["nodes"][2]["style"]["gamma_by"]), QString("scalar targets curve"));
+  QCOMPARE(keysOf(root["nodes"][2]["style"]["gamma_by"]), QString("scalar targets place_mm curve"));
   QCOMPARE(keysOf(root["sections"][0]),
            QString("id name normal offset_mm scope enabled faces hatched"));
   QCOMPARE(keysOf(root["nodes"][2]["provenance"]),
@@ -99,6 +102,8 @@ void SceneJsonTest::unknownKeysAreKeptEverywhere() {
   for (Json* object : {&json,
                        &json["nodes"][0],
                        &json["nodes"][2],
+                       &json["nodes"][2]["paint"],
+                       &json["focus"]["nearness"],
                        &json["nodes"][2]["mesh"],
                        &json["nodes"][2]["style"],
                        &json["nodes"][2]["style"]["gamma_by"],
@@ -121,7 +126,7 @@ void SceneJsonTest::unknownKeysAreKeptEverywhere() {
                        &json["views"][3]["focus"]})
     (*object)["from the future"] = extra;
   json["nodes"][1]["style"] = {{"from the future", extra}};  // a style with nothing known in it
-  const auto again = sceneFromJson(json, meshesByName(scene));
+  const auto again = sceneFromJson(json, partsByName(scene));
   QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
   QVERIFY(!again->nodes()[0].unread.empty());
   QVERIFY(jsonOf(*again) == json);
@@ -139,10 +144,10 @@ void SceneJsonTest::newerWordsAreKept() {
   const Scene scene = test::sampleScene();
   Json json = jsonOf(scene);
   json["nodes"][2]["style"]["fill"] = "hologram";
-  const auto asOurs = sceneFromJson(json, meshesByName(scene));
+  const auto asOurs = sceneFromJson(json, partsByName(scene));
   QVERIFY(!asOurs.ok() && asOurs.error().where == "nodes[2].style.fill");
   json["schema"] = sceneSchema + 1;
-  const auto asNewer = sceneFromJson(json, meshesByName(scene));
+  const auto asNewer = sceneFromJson(json, partsByName(scene));
   QVERIFY(asNewer.ok());
   QVERIFY(!asNewer->nodes()[2].style.fill);
   QVERIFY(jsonOf(*asNewer)["nodes"][2] == json["nodes"][2]);
@@ -176,7 +181,7 @@ void SceneJsonTest::anotherLocaleChangesNothing() {
        {"de_DE.UTF-8", "de_DE.utf8", "nl_NL.UTF-8", "fr_FR.UTF-8", "nb_NO.UTF-8"})
     found = found || (std::setlocale(LC_ALL, name) && std::localeconv()->decimal_point[0] == ',');
   const std::string there = sceneJson(scene);
-  const auto again = sceneFromJson(jsonOf(scene), meshesByName(scene));
+  const auto again = sceneFromJson(jsonOf(scene), partsByName(scene));
   std::setlocale(LC_ALL, before.c_str());
   if (!found)
     QSKIP("no locale with a decimal comma is installed");

@@ -5,11 +5,14 @@ using namespace sline::model;
 
 namespace sline::test {
 
-MeshesByName meshesByName(const Scene& scene) {
-  MeshesByName meshes;
+SceneParts partsByName(const Scene& scene) {
+  SceneParts parts;
   for (const auto& [mesh, name] : meshNames(scene))
-    meshes[name] = mesh;
-  return meshes;
+    parts.meshes[name] = mesh;
+  for (const Node& node : scene.nodes())
+    if (node.paint)
+      parts.paints[paintName(node.id)] = node.paint;
+  return parts;
 }
 
 Json jsonOf(const Scene& scene) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Returns a scene's JSON and its meshes by name.
+// Returns a scene's JSON and what it refers to by name.
 #pragma once
 
 #include "model/scene_file/scene_json.h"
 
 namespace sline::test {
 
-model::MeshesByName meshesByName(const model::Scene& scene);
+model::SceneParts partsByName(const model::Scene& scene);
 
 model::Json jsonOf(const model::Scene& scene);
 

@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QtTest>
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 
@@ -70,6 +71,7 @@ class ReloadTest : public QObject {
   void decimatedAsFar();
   void surfacesByName();
   void annotationsGoToTheNearestPoint();
+  void whatIsPaintedIsFoundAgain();
   void whichFileIsMeant();
   void whatCannotBeRead();
 };
@@ -234,6 +236,62 @@ void ReloadTest::annotationsGoToTheNearestPoint() {
   QVERIFY(glm::length(place(reloaded.scene, 0) - 1.3f * place(scene, 0)) < 1e-3f);
   QVERIFY(reloaded.scene.annotations()[1] == scene.annotations()[1]);
   QVERIFY(reloaded.scene.annotations()[2] == scene.annotations()[2]);
+}
+
+void ReloadTest::whatIsPaintedIsFoundAgain() {
+  const QTemporaryDir folder;
+  const MeshPtr mesh = test::octahedron({}, 20);
+  const auto turned = [&](std::size_t first) {
+    // The vertices in another order.
+    std::vector<glm::vec3> positions(mesh->positions().begin(), mesh->positions().end());
+    std::rotate(positions.begin(), positions.begin() + std::ptrdiff_t(first), positions.end());
+    std::vector<Triangle> triangles(mesh->triangles().begin(), mesh->triangles().end());
+    for (Triangle& t : triangles)
+      for (std::uint32_t& v : t)
+        v = std::uint32_t((v + positions.size() - first) % positions.size());
+    return *Mesh::create(std::move(positions), std::move(triangles));
+  };
+  for (const char* name : {"liver.ply", "spleen.ply"})
+    test::writeMesh(folder.filePath(name), *mesh);
+  Scene scene = imported(folder);
+  std::vector<Node> nodes = scene.nodes();
+  const auto at = [](const Node& node, const glm::vec3& place) {
+    const auto positions = node.mesh->positions();
+    const auto found = std::find_if(positions.begin(), positions.end(), [&](const glm::vec3& p) {
+      return glm::distance(p, place) < 1e-3f;
+    });
+    return std::size_t(found - positions.begin());
+  };
+  const glm::vec3 tip(0.0f, 0.0f, 20.0f);
+  for (Node& node : nodes) {
+    Paint paint(node.mesh->vertexCount(), 0);
+    paint.at(at(node, tip)) = 200;
+    node.paint = std::make_shared<const Paint>(std::move(paint));
+  }
+  scene.setNodes(std::move(nodes));
+  test::writeMesh(folder.filePath("liver.ply"), turned(2));
+  test::writeMesh(folder.filePath("spleen.ply"), *test::octahedron({200, 0, 0}, 20));
+  const Reloaded reloaded = reload(scene, std::array{path(folder)});
+  QCOMPARE(told(reloaded), QString("liver.ply replaced; spleen.ply replaced"));
+  const Node& liver = test::named(reloaded.scene, "liver");
+  QVERIFY(at(liver, tip) != at(test::named(scene, "liver"), tip));
+  QVERIFY(liver.paint);
+  for (std::size_t v = 0; v < liver.paint->size(); ++v)
+    QCOMPARE(int((*liver.paint)[v]), v == at(liver, tip) ? 200 : 0);
+  QVERIFY(!test::named(reloaded.scene, "spleen").paint);
+  QCOMPARE(reloaded.warnings.size(), std::size_t(1));
+  QCOMPARE(reloaded.warnings[0].file, std::string("spleen.ply"));
+  QVERIFY(reloaded.warnings[0].reason.find("100 % of what was painted") != std::string::npos);
+  // What was painted while the files were read counts.
+  std::vector<Node> repainted = scene.nodes();
+  for (Node& node : repainted)
+    if (node.name == "liver")
+      node.paint = std::make_shared<const Paint>(node.mesh->vertexCount(), std::uint8_t(7));
+  Scene meanwhile = scene;
+  meanwhile.setNodes(std::move(repainted));
+  const Scene both = withNewMeshes(meanwhile, reloaded.meshes);
+  const PaintPtr now = test::named(both, "liver").paint;
+  QVERIFY(now && *now == Paint(now->size(), 7));
 }
 
 void ReloadTest::whichFileIsMeant() {

@@ -123,7 +123,7 @@ void KeptScansTest::spoiledScenes() {
   QVERIFY(imported.ok());
   const std::string json = sceneJson(imported->scene);
   const VoxelsByName voxels{{"scans/1.scan", imported->scene.scans().front().voxels}};
-  QVERIFY(sceneFromJson(*parseJson(json), {}, voxels).ok());
+  QVERIFY(sceneFromJson(*parseJson(json), {.voxels = voxels}).ok());
   struct Row {
     const char* before;
     const char* after;
@@ -137,7 +137,7 @@ void KeptScansTest::spoiledScenes() {
     const std::size_t at = spoiled.find(row.before);
     QVERIFY2(at != std::string::npos, row.before);
     spoiled.replace(at, std::strlen(row.before), row.after);
-    const auto scene = sceneFromJson(*parseJson(spoiled), {}, voxels);
+    const auto scene = sceneFromJson(*parseJson(spoiled), {.voxels = voxels});
     QVERIFY2(!scene.ok() && scene.error().reason.find(row.reason) != std::string::npos, row.after);
     QVERIFY(scene.error().where.starts_with("scans[0]"));
   }
