@@ -8,6 +8,7 @@
 
 #include "model/edit/node_sets.h"
 #include "model/edit/visibility.h"
+#include "model/focus/nearness.h"
 #include "model/scene/style_fields.h"
 
 namespace sline::model {
@@ -349,8 +350,9 @@ std::vector<NodeId> hiddenByHand(const Scene& scene, const FocusAnalysis& analys
   return hidden;
 }
 
-Edited withFocusAndContext(const Scene& scene, const FocusAnalysis& analysis, ContextAmount amount,
+Edited withFocusAndContext(const Scene& before, const FocusAnalysis& analysis, ContextAmount amount,
                            const ContextWishes& wishes) {
+  const Scene scene = withoutNearness(before).scene;
   const auto all = standings(scene);
   const std::unordered_set<std::uint64_t> hers = keptByHand(scene, analysis);
   std::vector<NodeId> opened;
@@ -382,7 +384,7 @@ Edited withFocusAndContext(const Scene& scene, const FocusAnalysis& analysis, Co
   focus.amount = amount;
   focus.wishes = wishes;
   after.setFocus(std::move(focus));
-  const bool changed = !(after == scene);
+  const bool changed = !(after == before);
   return {std::move(after), changed};
 }
 

@@ -84,6 +84,13 @@ void ExitCodesTest::answers_data() {
   QTest::newRow("context without focus") << render + "|--context|0.5" << 2 << "--focus";
   QTest::newRow("context from nowhere")
       << render + "|--focus|kidney|--context-from|above" << 2 << "above|around";
+  QTest::newRow("near nothing") << render + "|--focus-near|kidny" << 2 << "kidny|\"kidney\"";
+  QTest::newRow("near two numbers") << render + "|--focus-near|1,2" << 2 << "1";
+  QTest::newRow("falloff of nothing") << render + "|--falloff|50" << 2 << "--focus-near";
+  QTest::newRow("no falloff") << render + "|--focus-near|kidney|--falloff|0" << 2
+                              << "--falloff|1 to 2000";
+  QTest::newRow("two kinds of focus")
+      << render + "|--focus|kidney|--focus-near|kidney" << 2 << "--focus-near";
   QTest::newRow("unknown view") << render + "|--view|front" << 2 << "front|anterior|superior";
   QTest::newRow("view and camera") << render + "|--view|left|--camera|DIR/front.json" << 2 << "";
   QTest::newRow("absent camera") << render + "|--camera|DIR/none.json" << 2 << "none.json";

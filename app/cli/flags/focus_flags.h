@@ -2,6 +2,7 @@
 // Declares the flags that put structures in focus and arrange everything else around them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,18 @@ struct FocusFlags {
   double context = 0.5;
   bool contextGiven = false;
   std::string from = "camera";
+  std::string near;
+  std::optional<double> falloff;
 };
 
 struct FocusSpec {
   std::vector<std::string> names;  ///< empty: no focus
   model::ContextAmount context;
   bool fromCamera = false;
+  std::string near;  ///< names, or a place as three numbers; empty: Γ does not follow nearness
+  std::optional<float> falloffMm;  ///< absent: what suits the scene
+
+  bool any() const { return !names.empty() || !near.empty(); }
 };
 
 /// Reads the flags. An error counts as wrong use, here and in `focused`.

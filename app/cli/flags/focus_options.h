@@ -33,6 +33,17 @@ inline void addFocusOptions(CLI::App& command, FocusFlags& flags) {
           "for pictures that turn it")
       ->type_name("camera|around")
       ->capture_default_str();
+  command
+      .add_option("--focus-near", flags.near,
+                  "Draws everything by how near it is to these structures, or to a place in LPS "
+                  "millimetres: shaded there, then hatched, in the end silhouettes; what lies "
+                  "before it becomes outlines")
+      ->type_name("NAME[,NAME...]|X,Y,Z");
+  command
+      .add_option_function<double>(
+          "--falloff", [&flags](const double& millimetres) { flags.falloff = millimetres; },
+          "From what distance on --focus-near draws silhouettes, in mm; else what suits the scene")
+      ->type_name("MM");
 }
 
 }  // namespace sline::cli

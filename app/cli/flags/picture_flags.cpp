@@ -359,7 +359,7 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureSpec& spec) 
 }
 
 Result<model::Scene> withOpeningLook(const model::Scene& scene, PictureSpec& spec) {
-  if (!model::hasNoLook(scene) || !spec.focus.names.empty())
+  if (!model::hasNoLook(scene) || spec.focus.any())
     return scene;
   if (!spec.drawing && (!spec.choosesLook || spec.fill || sayForAll(spec.gammas)))
     return scene;
@@ -395,7 +395,7 @@ Result<model::Scene> withOpeningLook(const model::Scene& scene, PictureSpec& spe
 }
 
 Result<model::Scene> inFocus(const model::Scene& scene, const PictureSpec& spec) {
-  if (spec.focus.names.empty())
+  if (!spec.focus.any())
     return scene;
   const Result<model::Scene> cut = cutOpen(scene, spec);
   if (!cut.ok())
