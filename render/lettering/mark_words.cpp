@@ -18,6 +18,8 @@ struct MarkTable {
   const char* oblique;
   const char* count;
   const char* midDepth;
+  std::array<const char*, 5> scalars;  ///< in the order of model::GammaScalar
+  const char* place;
 };
 
 namespace {
@@ -31,7 +33,10 @@ constexpr std::array<MarkTable, 5> tables{
        "Axial section at %1, superior part kept", "Axial section at %1, inferior part kept"},
       "Oblique section",
       "%1 sections",
-      "%1 at mid-depth"},
+      "%1 at mid-depth",
+      {"", "Depth in cavities, 0 to 1", "Curvature (a ball: 1)", "Distance from %1 (mm)",
+       "As painted, 0 to 1"},
+      "a place"},
      {"de",
       {"Ansicht von vorn", "Ansicht von hinten", "Ansicht von links", "Ansicht von rechts",
        "Ansicht von oben", "Ansicht von unten"},
@@ -42,7 +47,10 @@ constexpr std::array<MarkTable, 5> tables{
        "Axialschnitt bei %1, unterer Teil erhalten"},
       "Schräger Schnitt",
       "%1 Schnitte",
-      "%1 in mittlerer Tiefe"},
+      "%1 in mittlerer Tiefe",
+      {"", "Tiefe in Höhlungen, 0 bis 1", "Krümmung (Kugel: 1)", "Abstand von: %1 (mm)",
+       "Wie gemalt, 0 bis 1"},
+      "einem Ort"},
      {"nl",
       {"Vooraanzicht", "Achteraanzicht", "Linkerzijaanzicht", "Rechterzijaanzicht", "Bovenaanzicht",
        "Onderaanzicht"},
@@ -54,7 +62,10 @@ constexpr std::array<MarkTable, 5> tables{
        "Axiale doorsnede bij %1, onderste deel behouden"},
       "Schuine doorsnede",
       "%1 doorsneden",
-      "%1 op halve diepte"},
+      "%1 op halve diepte",
+      {"", "Diepte in holten, 0 tot 1", "Kromming (bol: 1)", "Afstand tot %1 (mm)",
+       "Zoals geschilderd, 0 tot 1"},
+      "een plaats"},
      {"nb",
       {"Sett forfra", "Sett bakfra", "Sett fra venstre", "Sett fra høyre", "Sett ovenfra",
        "Sett nedenfra"},
@@ -63,7 +74,10 @@ constexpr std::array<MarkTable, 5> tables{
        "Aksialt snitt ved %1, øvre del beholdt", "Aksialt snitt ved %1, nedre del beholdt"},
       "Skrått snitt",
       "%1 snitt",
-      "%1 i midtre dybde"},
+      "%1 i midtre dybde",
+      {"", "Dybde i hulrom, 0 til 1", "Krumning (kule: 1)", "Avstand fra %1 (mm)",
+       "Som malt, 0 til 1"},
+      "et sted"},
      {"la",
       {"Aspectus anterior", "Aspectus posterior", "Aspectus lateralis sinister",
        "Aspectus lateralis dexter", "Aspectus superior", "Aspectus inferior"},
@@ -75,7 +89,10 @@ constexpr std::array<MarkTable, 5> tables{
        "Sectio axialis ad %1, parte inferiore servata"},
       "Sectio obliqua",
       "%1 sectiones",
-      "%1 in media profunditate"}}};
+      "%1 in media profunditate",
+      {"", "Profunditas cavitatum, 0 ad 1", "Curvatura (globus: 1)", "Distantia: %1 (mm)",
+       "Ut pictum est, 0 ad 1"},
+      "locus"}}};
 
 const MarkTable& tableOf(const std::string& language) {
   const std::string primary = language.substr(0, language.find_first_of("-_+"));
@@ -116,6 +133,14 @@ QString MarkWords::section(const model::Plane& plane) const {
 
 QString MarkWords::sections(std::size_t count) const {
   return QString::fromUtf8(m_table.count).arg(m_locale.toString(qulonglong(count)));
+}
+
+QString MarkWords::gammaScalar(model::GammaScalar scalar) const {
+  return QString::fromUtf8(m_table.scalars[std::size_t(scalar)]);
+}
+
+QString MarkWords::somePlace() const {
+  return QString::fromUtf8(m_table.place);
 }
 
 QString MarkWords::atMidDepth(const QString& length) const {

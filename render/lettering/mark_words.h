@@ -7,6 +7,7 @@
 #include <QString>
 
 #include "model/scene/camera.h"
+#include "model/scene/gamma_map.h"
 #include "model/scene/section.h"
 
 namespace sline::render {
@@ -28,6 +29,10 @@ class MarkWords {
   QString sections(std::size_t count) const;
   /// Returns "5 cm at mid-depth", for a length that is true only there.
   QString atMidDepth(const QString& length) const;
+  /// Returns what Γ follows, with its unit; of a distance with "%1" for what it is from.
+  QString gammaScalar(model::GammaScalar scalar) const;
+  /// Returns "a place", of which there is no name.
+  QString somePlace() const;
   const QLocale& locale() const { return m_locale; }
 
  private:

@@ -51,6 +51,7 @@ class ExportTest : public QObject {
   void badTargets_data();
   void badTargets();
   void tellsNothingElse();
+  void keysOfGamma();
   void legends_data();
   void legends();
   void films();
@@ -322,6 +323,22 @@ void ExportTest::legends_data() {
                          << QStringList{"kidney"};
   QTest::newRow("in German") << QStringList{"--legend", "labelled", "--language", "de"}
                              << QStringList{"renal vein"};
+}
+
+/// Where Γ varies over surfaces, a drawing says by what.
+void ExportTest::keysOfGamma() {
+  const QString file = m_folder.filePath("keys.svg");
+  const auto drawn = [&](const QStringList& flags) {
+    const Finished finished = runSline(QStringList{"export", m_sample, "--svg", file} + flags);
+    return finished.code == 0 ? contents(file) : finished.err;
+  };
+  QVERIFY(!drawn({}).contains("gamma: "));
+  const QByteArray key = drawn({"--gamma-by", "kidney=distance:renal artery", "--language", "de"});
+  QVERIFY(key.contains("gamma: Abstand von: "));
+  QVERIFY(key.contains("\"gamma 6\""));
+  QVERIFY(drawn({"--focus-near", "kidney"}).contains("gamma: Distance from kidney (mm)"));
+  QVERIFY(drawn({"--focus-near", "1,2,3"}).contains("gamma: Distance from a place (mm)"));
+  QVERIFY(!drawn({"--focus-near", "kidney", "--marks", "sides"}).contains("gamma: "));
 }
 
 void ExportTest::legends() {

@@ -40,7 +40,7 @@ Result<render::ExportMarks> parseMarks(const std::string& text) {
     if (mark == marks.end())
       return Error{.reason = "--marks " + text + " is unknown",
                    .remedy =
-                       "Give on, off or some of sides, view, scale and sections, as in "
+                       "Give on, off or some of sides, view, scale, sections and gamma, as in "
                        "sides,scale"};
     (*mark)->field.write(order, true);
     if (comma == std::string_view::npos)
@@ -60,8 +60,8 @@ void declareLabels(CLI::App& command, LabelFlags& flags) {
   command
       .add_option("--marks", flags.marks,
                   "What stands at the picture's edges: on, off, or some of sides (R and L, and the "
-                  "other sides of the body), view (its name), scale (a bar) and sections (what "
-                  "they have taken away), as in sides,scale")
+                  "other sides of the body), view (its name), scale (a bar), sections (what they "
+                  "have taken away) and gamma (by what it varies), as in sides,scale")
       ->type_name("on|off|LIST")
       ->capture_default_str();
 }

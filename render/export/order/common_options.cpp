@@ -128,6 +128,15 @@ constexpr ExportOption sectionState{
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What sections have taken away"),
     .field = boundTo([](auto& o) -> auto& { return o.marks.sectionState; })};
 
+constexpr ExportOption gammaKey{
+    .id = "gammaKey",
+    .group = OptionGroup::marks,
+    .flag = "gamma",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Γ over s&urfaces"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "By what Γ varies, and how the drawing changes along it"),
+    .field = boundTo([](auto& o) -> auto& { return o.marks.gammaKey; })};
+
 constexpr ExportOption author{
     .id = "author",
     .group = OptionGroup::credit,
@@ -195,9 +204,9 @@ constinit const ExportOption pureInkOption{
     .field = boundTo([](auto& o) -> auto& { return o.pureInk; })};
 
 OptionList pictureOptions() {
-  static constexpr std::array all{&backgroundOption, &labels,   &languageOption,
-                                  &labelSize,        &legend,   &sides,
-                                  &viewName,         &scaleBar, &sectionState};
+  static constexpr std::array all{&backgroundOption, &labels,  &languageOption, &labelSize,
+                                  &legend,           &sides,   &viewName,       &scaleBar,
+                                  &sectionState,     &gammaKey};
   return all;
 }
 

@@ -37,8 +37,9 @@ struct ExportMarks {
   bool viewName = true;      ///< "Anterior view", or the saved view's name
   bool scaleBar = true;      ///< shown where the projection has one scale
   bool sectionState = true;  ///< what sections have taken away
+  bool gammaKey = true;      ///< by what Γ varies, where it varies over surfaces
 
-  static constexpr ExportMarks none() { return {false, false, false, false}; }
+  static constexpr ExportMarks none() { return {false, false, false, false, false}; }
   bool operator==(const ExportMarks&) const = default;
 };
 

@@ -3,7 +3,9 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <iterator>
 
+#include "render/export/plate/gamma_key.h"
 #include "render/export/plate/legend.h"
 #include "render/lettering/label_texts.h"
 #include "render/lettering/mark_words.h"
@@ -95,6 +97,8 @@ class MarkLayout {
     else if (m_order.marks.sides)
       addNote(m_marks.notes, {.kind = ExportNote::Kind::sidesUnknown, .names = {}, .detail = {}});
     addUpperLeft();
+    if (m_order.marks.gammaKey)
+      addGammaKeys();
     if (m_order.marks.scaleBar)
       addScaleBar();
     if (m_order.legendInPicture())
@@ -257,6 +261,7 @@ class MarkLayout {
       m_marks.edges.bottom = std::max(m_marks.edges.bottom, m_size.y - baseline + cap + gap);
   }
 
+  void addGammaKeys();
   void addLegend();
   void addLegendRow(const model::Node& node, const QString& name, const glm::vec2& at);
 
@@ -269,6 +274,24 @@ class MarkLayout {
   std::optional<LabelBox> m_top;
   std::optional<LabelBox> m_bottom;
 };
+
+/// Adds keys in the upper right corner, one below the other.
+void MarkLayout::addGammaKeys() {
+  constexpr float widest = 0.3f;  // of the page's width
+  const GammaKeyStyle style{
+      .points = points(smallSize), .width = widest * m_size.x, .colours = m_colours};
+  float top = margin;
+  for (GammaKey key : gammaKeys(m_order, m_words)) {
+    key.title = elided(key.title, smallSize, 1.5f * widest * m_size.x);
+    const glm::vec2 size = gammaKeySize(key, style);
+    const glm::vec2 corner{m_size.x - margin - size.x, top};
+    std::vector<LetteringItem> items = drawnGammaKey(key, corner, style, m_words);
+    if (!add(std::move(items.front()), {corner, corner + size}))
+      return;
+    std::move(items.begin() + 1, items.end(), std::back_inserter(m_marks.lettering.items));
+    top += size.y + gap;
+  }
+}
 
 /// Adds swatches and names in the lower right corner, in columns no higher than to the letter at
 /// the picture's right side and no wider than to that at its foot. What finds no room is left out.

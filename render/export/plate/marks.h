@@ -14,7 +14,7 @@ namespace sline::render {
 inline constexpr float markMargin = 3.0f;
 
 /// Holds an item for each mark: "side L", "view", "section 1" …, "scale", and one for each row of
-/// the legend.
+/// the legend and each part of the keys of Γ.
 struct Marks {
   Lettering lettering;
   EdgeRoom edges;  ///< the room that they take at each edge, for films, where they come and go
