@@ -63,6 +63,13 @@ KeptAtoms sampleAtoms() {
   return {std::make_shared<const AtomSet>(std::move(set))};
 }
 
+PaintPtr samplePaint(const Mesh& mesh) {
+  Paint paint(mesh.vertexCount(), 0);
+  paint[3] = 255;
+  paint[5] = 17;
+  return std::make_shared<const Paint>(std::move(paint));
+}
+
 }  // namespace
 
 Scene sampleScene() {
@@ -72,10 +79,7 @@ Scene sampleScene() {
   Node artery{.parent = arteries, .name = "Ärterie \"a\"", .mesh = sphere(7.3f, 2)};
   artery.style = sampleStyle();
   artery.locked = true;
-  Paint paint(artery.mesh->vertexCount(), 0);
-  paint[3] = 255;
-  paint[5] = 17;
-  artery.paint = std::make_shared<const Paint>(paint);
+  artery.paint = samplePaint(*artery.mesh);
   artery.provenance = sampleProvenance();
   artery.atoms = sampleAtoms();
   const NodeId one = scene.append(artery);
