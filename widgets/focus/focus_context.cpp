@@ -301,14 +301,16 @@ void FocusContext::stepTo(model::ContextAmount amount) {
 }
 
 void FocusContext::documentChange(const Document& before, const Document& now) {
-  if (m_applying || m_session.previewing())
+  // What is near a place is another focus already while the place is dragged.
+  const bool another = before.opening != now.opening;
+  const bool otherTargets = m_state.targets != now.scene.focus().targets;
+  if (m_applying || (m_session.previewing() && !otherTargets))
     return;
   if (m_dragging) {  // the drag was ended elsewhere
     m_dragging = false;
     m_state.amount = m_beforeDrag;
   }
-  const bool another = before.opening != now.opening;
-  if (!another && before.scene.focus() == now.scene.focus())
+  if (!another && !otherTargets && before.scene.focus() == now.scene.focus())
     return;
   if (another) {
     m_stop.request_stop();

@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "widgets/focus/amount_slider.h"
+#include "widgets/focus/near_row.h"
 #include "widgets/focus/role_texts.h"
 
 namespace sline::widgets {
@@ -64,7 +65,7 @@ QTreeWidgetItem* rowOf(Session& session, const model::Relation& relation, Decidi
 
 }  // namespace
 
-FocusPanel::FocusPanel(Session& session, FocusContext& focus, QWidget* parent)
+FocusPanel::FocusPanel(Session& session, FocusContext& focus, NearTool& nearness, QWidget* parent)
     : QWidget(parent), m_session(session), m_focus(focus) {
   m_title = caption({});
   m_title->setObjectName(QStringLiteral("focusTitle"));
@@ -83,6 +84,7 @@ FocusPanel::FocusPanel(Session& session, FocusContext& focus, QWidget* parent)
   layout->addWidget(m_title);
   layout->addWidget(m_hint);
   layout->addWidget(m_button);
+  layout->addWidget(new NearRow(session, nearness));
   layout->addSpacing(4);
   layout->addWidget(makeAmount());
   layout->addWidget(makeSides());
@@ -200,6 +202,7 @@ void FocusPanel::connectControls() {
           [this](const Document& before, const Document& now) {
             if (before.scene.nodes() == now.scene.nodes())
               return;
+            showTitle();
             showHidden();
             showHand();
           });
@@ -225,7 +228,9 @@ void FocusPanel::showTitle() {
     if (const model::Node* node = m_session.scene().find(id))
       names << m_session.names().shown(node->name);
   constexpr int few = 3;
-  m_title->setText(names.isEmpty() ? tr("Nothing in focus")
+  const auto& nearness = m_session.scene().focus().nearness;
+  m_title->setText(nearness && nearness->place ? tr("Nearness to a place")
+                   : names.isEmpty()           ? tr("Nothing in focus")
                    : names.size() <= few
                        ? names.join(QStringLiteral(", "))
                        : tr("%n structures in focus", nullptr, int(names.size())));
@@ -233,7 +238,7 @@ void FocusPanel::showTitle() {
   m_button->setEnabled(any);
   m_hint->setText(m_focus.busy() ? tr("Looking at what surrounds it…")
                                  : tr("Select a structure in the list or in the picture."));
-  m_hint->setVisible(m_focus.busy() || (!any && names.isEmpty()));
+  m_hint->setVisible(m_focus.busy() || (!any && names.isEmpty() && !nearness));
 }
 
 void FocusPanel::showRoles() {

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "widgets/focus/focus_context.h"
+#include "widgets/focus/near_tool.h"
 
 class QButtonGroup;
 class QCheckBox;
@@ -21,7 +22,7 @@ class AmountSlider;
 class FocusPanel : public QWidget {
   Q_OBJECT
  public:
-  FocusPanel(Session& session, FocusContext& focus, QWidget* parent = nullptr);
+  FocusPanel(Session& session, FocusContext& focus, NearTool& nearness, QWidget* parent = nullptr);
   QSize sizeHint() const override { return {250, 340}; }
 
  signals:

@@ -3,12 +3,14 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "model/edit/look.h"
+#include "model/edit/painting.h"
 #include "widgets/gamma/gamma_curve.h"
 #include "widgets/gamma/selected_looks.h"
 
@@ -48,6 +50,7 @@ GammaMapEditor::GammaMapEditor(Session& session, QWidget* parent)
       m_scalar(new QComboBox),
       m_from(new QWidget),
       m_target(new TargetBox),
+      m_paint(new QPushButton(tr("Paint…"))),
       m_curve(new GammaCurve) {
   setToolTip(tr("Lets Γ vary from place to place on a structure"));
   m_scalar->setObjectName(QStringLiteral("gammaMapScalar"));
@@ -56,15 +59,19 @@ GammaMapEditor::GammaMapEditor(Session& session, QWidget* parent)
   m_scalar->addItem(tr("By cavities"));
   m_scalar->addItem(tr("By curvature"));
   m_scalar->addItem(tr("By distance"));
+  m_scalar->addItem(tr("By painting"));
   m_scalar->setPlaceholderText(tr("Several"));
   m_scalar->setToolTip(
       tr("Cavities: how much of its own sky the surface hides, 0 to 1. Curvature: 1 on a ball, "
-         "negative in hollows. Distance: millimetres from another structure"));
+         "negative in hollows. Distance: millimetres from another structure. Painting: what "
+         "you paint in the picture, 0 to 1"));
   m_target->setObjectName(QStringLiteral("gammaMapTarget"));
   m_target->setAccessibleName(tr("Distance from"));
   m_target->setToolTip(tr("The structure or group from which distances are measured"));
   m_target->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_target->setMinimumContentsLength(10);
+  m_paint->setObjectName(QStringLiteral("gammaMapPaint"));
+  m_paint->setToolTip(tr("Paint in the picture with a brush"));
   m_curve->setObjectName(QStringLiteral("gammaMapCurve"));
   layOut();
   connectValues();
@@ -89,6 +96,7 @@ void GammaMapEditor::layOut() {
   layout->addLayout(first);
   layout->addWidget(m_scalar);
   layout->addWidget(m_from);
+  layout->addWidget(m_paint, 0, Qt::AlignLeft);
   layout->addWidget(m_curve);
 }
 
@@ -100,6 +108,7 @@ void GammaMapEditor::connectValues() {
     m_map.targets = {model::NodeId{m_target->itemData(place).toULongLong()}};
     apply(drawn());
   });
+  connect(m_paint, &QPushButton::clicked, this, &GammaMapEditor::brushWanted);
   connect(&resetButton(), &QToolButton::clicked, this,
           [this] { inherit({.gammaMap = model::GammaMap()}); });
   connect(m_curve, &GammaCurve::changed, this, [this] { apply(drawn()); });
@@ -126,7 +135,12 @@ void GammaMapEditor::chooseScalar(model::GammaScalar scalar) {
   m_map = {.scalar = scalar, .targets = {}, .curve = model::usualCurve(scalar)};
   if (scalar == model::GammaScalar::distance)
     m_map.targets = firstTargets(session().scene(), session().selection());
+  const std::vector<model::ResolvedStyle> looks = looksOf(session().scene(), session().selection());
+  if (scalar == model::GammaScalar::painted && !looks.empty())
+    m_map.curve = model::firstPaintedCurve(looks.front().gamma);
   apply({.gammaMap = m_map});
+  if (scalar == model::GammaScalar::painted)
+    emit brushWanted();
 }
 
 void GammaMapEditor::listTargets() {
@@ -162,6 +176,7 @@ void GammaMapEditor::showSelection() {
   const bool varies = !mixed && m_map.scalar != model::GammaScalar::none;
   m_scalar->setCurrentIndex(mixed ? -1 : int(m_map.scalar));
   m_from->setVisible(varies && m_map.scalar == model::GammaScalar::distance);
+  m_paint->setVisible(varies && m_map.scalar == model::GammaScalar::painted);
   m_curve->setVisible(varies);
   if (varies) {
     showTargets();

@@ -6,6 +6,8 @@
 
 #include "widgets/gamma/style_editors.h"
 
+class QPushButton;
+
 namespace sline::widgets {
 
 class GammaCurve;
@@ -27,6 +29,10 @@ class GammaMapEditor : public StyleEditor {
   explicit GammaMapEditor(Session& session, QWidget* parent = nullptr);
   void showSelection() override;
 
+ signals:
+  /// Asks for the brush, to paint by what Γ varies.
+  void brushWanted();
+
  private:
   void layOut();
   void connectValues();
@@ -40,6 +46,7 @@ class GammaMapEditor : public StyleEditor {
   QComboBox* m_scalar;
   QWidget* m_from;  ///< the row of the target
   TargetBox* m_target;
+  QPushButton* m_paint;
   GammaCurve* m_curve;
 };
 

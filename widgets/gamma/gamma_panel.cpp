@@ -199,6 +199,7 @@ QWidget* GammaPanel::makeFill() {
 }
 
 void GammaPanel::connectControls() {
+  connect(m_more, &MorePanel::brushWanted, this, &GammaPanel::brushWanted);
   connect(m_presets, &PresetPanel::focusWanted, this, &GammaPanel::focusWanted);
   connect(m_slider, &DragSlider::dragStarted, this, [this] {
     m_drag.begin({m_session.selection(), m_slider->middle().value(), m_slider->levels()});

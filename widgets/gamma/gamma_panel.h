@@ -36,6 +36,7 @@ class GammaPanel : public QWidget {
 
  signals:
   void focusWanted();
+  void brushWanted();
 
  private:
   QLayout* makeGamma();

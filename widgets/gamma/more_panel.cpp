@@ -33,7 +33,9 @@ MorePanel::MorePanel(Session& session, QSettings& settings, QWidget* parent)
   for (const StyleChoice& row : styleChoices())
     m_editors.push_back(new StyleChoiceEditor(session, row));
   m_editors.push_back(new ThresholdEditor(session));
-  m_editors.push_back(new GammaMapEditor(session));
+  auto* map = new GammaMapEditor(session);
+  connect(map, &GammaMapEditor::brushWanted, this, &MorePanel::brushWanted);
+  m_editors.push_back(map);
   for (const StyleColour& row : styleColours())
     m_editors.push_back(new StyleColourEditor(session, row));
   for (StyleEditor* editor : m_editors)

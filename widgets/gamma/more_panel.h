@@ -26,6 +26,7 @@ class MorePanel : public QWidget {
 
  signals:
   void opened();
+  void brushWanted();
 
  private:
   void unfold(bool open);

@@ -42,9 +42,12 @@ std::vector<MenuRow> menuRows() {
       row("selectMenu", tr("S&elect"),
           ids("selectAll selectInverse selectSameKind selectOtherSide | selectBox")),
       row("structureMenu", tr("&Structure"),
-          ids("focus context ghost colour >styleMenu >hiddenLinesMenu >inheritMenu | >selectMenu "
+          ids("focus focusNear focusPlace context ghost colour >brushMenu >styleMenu "
+              ">hiddenLinesMenu >inheritMenu | "
+              ">selectMenu "
               "| toggle isolate hideOthers showAll zoomTo | rename newGroup group ungroup lock "
               "properties | remove")),
+      row("brushMenu", tr("Paint"), ids("brush | brushSmaller brushLarger | brushErase")),
       row("hiddenLinesMenu", tr("Hi&dden Outlines"),
           ids("hiddenLinesNone hiddenLinesThin hiddenLinesDashed")),
       row("inheritMenu", tr("&Inherit"), ids("inherit inheritColour inheritOpacity | inheritAll")),
@@ -71,7 +74,7 @@ std::vector<MenuRow> menuRows() {
 
 std::vector<QString> toolRows() {
   return ids(
-      "openFiles openFolder save export | undo redo | focus context isolate "
+      "openFiles openFolder save export | undo redo | focus context isolate brush "
       "showAll | anterior posterior left right superior inferior fit | "
       "sectionSagittal sectionCoronal sectionAxial sectionFlip | annotateLabel "
       "annotateDistance | keyLight");

@@ -135,6 +135,24 @@ std::vector<ActionRow> lookRows() {
        "show_all"}};
 }
 
+/// Rows of what is done by hand in the picture: near to what everything is, and what is painted.
+std::vector<ActionRow> handRows() {
+  return {{QStringLiteral("focusNear"), tr("Focus &by Nearness"), key(tr("Shift+F")),
+           tr("The selected shaded, everything else the less detailed the farther away it is")},
+          {QStringLiteral("focusPlace"), tr("Nearness to a Place"), key(tr("Ctrl+Shift+F")),
+           tr("Click in the picture to set the place, and drag it; with Shift in depth")},
+          {QStringLiteral("brush"), tr("&Brush"), key(tr("Shift+B")),
+           tr("Paint on the selected structures where more is to be told than elsewhere"), "brush"},
+          {QStringLiteral("brushSmaller"), tr("S&maller Brush"), key(tr("[")),
+           tr("Paint with a smaller brush")},
+          {QStringLiteral("brushLarger"), tr("&Larger Brush"), key(tr("]")),
+           tr("Paint with a larger brush")},
+          {QStringLiteral("brushErase"),
+           tr("&Erase with the Brush"),
+           {},
+           tr("Take away what is painted (Ctrl while you paint)")}};
+}
+
 std::vector<ActionRow> selectionRows() {
   return {{QStringLiteral("selectAll"), tr("&All"), key(QKeySequence::SelectAll),
            tr("Select all structures that are shown and not locked")},
@@ -264,8 +282,8 @@ std::vector<ActionRow> viewRows() {
 
 std::vector<ActionRow> actionRows() {
   std::vector<ActionRow> rows = fileRows();
-  for (const std::vector<ActionRow>& more :
-       {lookRows(), selectionRows(), styleRows(), structureRows(), labelRows(), viewRows()})
+  for (const std::vector<ActionRow>& more : {lookRows(), handRows(), selectionRows(), styleRows(),
+                                             structureRows(), labelRows(), viewRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

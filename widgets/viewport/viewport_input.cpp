@@ -86,6 +86,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   if (!m_held || (!m_dragged && !m_held->movesAtOnce()))
     return;
   m_heldBack = pointer(event->position(), m_button, event->modifiers());
+  m_held->passes(*m_heldBack);
   // Tools move once for each picture, because what is changed and painted in between would only
   // take time from drawing. Where no picture comes, the drag goes on all the same.
   if (m_took == m_asked || m_lastHeard.hasExpired(longestUnheard))

@@ -17,6 +17,7 @@
 #include "widgets/comparison/comparison_actions.h"
 #include "widgets/export/export_actions.h"
 #include "widgets/focus/focus_context.h"
+#include "widgets/focus/near_tool.h"
 #include "widgets/focus/subject_popup.h"
 #include "widgets/help/help_key.h"
 #include "widgets/preferences/preferences_dialog.h"
@@ -187,6 +188,13 @@ void MainWindow::connectActions() {
     m_tree->find();
   });
   on("focus", [this] { m_focus->focusOn(m_session.selection()); });
+  on("focusNear", [this] {
+    if (m_session.selection().empty())
+      m_nearness->setPlacing(true);
+    else
+      m_nearness->focusOn(m_session.selection());
+  });
+  on("focusPlace", [this] { m_nearness->setPlacing(true); });
   on("plate", [this] { m_focus->chooseLook(pictureAspect(), 0); });
   on("anotherSubject", [this] { m_focus->chooseLook(pictureAspect(), m_focus->subject() + 1); });
   on("subjects", [this] { (new SubjectPopup(m_session, *m_focus, *m_viewport))->open(); });

@@ -20,6 +20,7 @@ class QToolButton;
 
 namespace sline::widgets {
 
+class BrushTool;
 class ComparisonActions;
 class ExportActions;
 class FileActions;
@@ -27,6 +28,7 @@ class FocusContext;
 struct HandedFiles;
 class ImportActions;
 class MessageBar;
+class NearTool;
 class SectionActions;
 class StartPage;
 class StructureTree;
@@ -47,6 +49,8 @@ class MainWindow : public QMainWindow {
   Preferences& preferences() { return m_preferences; }
   FileActions& files() { return *m_files; }
   FocusContext& focus() { return *m_focus; }
+  BrushTool& brush() { return *m_brush; }
+  NearTool& nearness() { return *m_nearness; }
 
   /// Tells whether no question is open that must be answered first.
   bool isFree() const;
@@ -102,6 +106,8 @@ class MainWindow : public QMainWindow {
   QObject* m_parts = nullptr;  ///< owns what belongs to the controls, and is deleted with them
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;
+  NearTool* m_nearness = nullptr;  ///< belongs to the viewport, as does the brush
+  BrushTool* m_brush = nullptr;
   FileActions* m_files = nullptr;
   ExportActions* m_exports = nullptr;
   ComparisonActions* m_comparisons = nullptr;

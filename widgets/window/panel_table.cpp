@@ -35,6 +35,11 @@ QWidget* makeGamma(const PanelContext& context) {
   auto* panel = new GammaPanel(context.session, context.settings);
   QObject::connect(panel, &GammaPanel::focusWanted, &context.actions[QStringLiteral("focus")],
                    &QAction::trigger);
+  QAction& brush = context.actions[QStringLiteral("brush")];
+  QObject::connect(panel, &GammaPanel::brushWanted, &brush, [&brush] {
+    if (!brush.isChecked())
+      brush.trigger();
+  });
   drawStages(context.session, context.viewport, panel->stages());
   offerDrawings(context.session, context.viewport, panel->drawings());
   auto* grounds = new DrawingGrounds(context.session, context.preferences, panel);
@@ -44,7 +49,7 @@ QWidget* makeGamma(const PanelContext& context) {
 }
 
 QWidget* makeFocus(const PanelContext& context) {
-  auto* panel = new FocusPanel(context.session, context.focus);
+  auto* panel = new FocusPanel(context.session, context.focus, context.nearness);
   QObject::connect(panel, &FocusPanel::focusWanted, &context.actions[QStringLiteral("focus")],
                    &QAction::trigger);
   return panel;

@@ -15,6 +15,7 @@ class QWidget;
 namespace sline::widgets {
 
 class FocusContext;
+class NearTool;
 class Preferences;
 class Session;
 class Viewport;
@@ -28,6 +29,7 @@ struct PanelContext {
   Preferences& preferences;
   Viewport& viewport;
   FocusContext& focus;
+  NearTool& nearness;
   ViewTour& tour;
   const WindowActions& actions;
 };

@@ -21,6 +21,9 @@
 #include "widgets/comparison/comparison_actions.h"
 #include "widgets/export/export_actions.h"
 #include "widgets/focus/focus_context.h"
+#include "widgets/focus/near_tool.h"
+#include "widgets/gamma/brush_actions.h"
+#include "widgets/gamma/brush_tool.h"
 #include "widgets/import_dialog/import_actions.h"
 #include "widgets/language/languages.h"
 #include "widgets/sections/section_actions.h"
@@ -61,6 +64,14 @@ void MainWindow::makeCentre() {
   auto sectionTool = std::make_unique<SectionTool>(m_session, *m_viewport);
   sectionTool->showOver(*m_viewport);
   m_viewport->addTool(std::move(sectionTool));
+  auto nearness = std::make_unique<NearTool>(m_session, *m_viewport);
+  nearness->showOver(*m_viewport);
+  m_nearness = nearness.get();
+  m_viewport->addTool(std::move(nearness));
+  auto brush = std::make_unique<BrushTool>(m_session, *m_viewport);
+  brush->showOver(*m_viewport);
+  m_brush = brush.get();
+  m_viewport->addTool(std::move(brush));
   m_focus = new FocusContext(
       m_session, [this] { return m_viewport->camera(); }, this);
   connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
@@ -112,6 +123,7 @@ void MainWindow::makePanels() {
                     .preferences = m_preferences,
                     .viewport = *m_viewport,
                     .focus = *m_focus,
+                    .nearness = *m_nearness,
                     .tour = *tour,
                     .actions = m_actions});
   m_tree = findChild<StructureTree*>();
@@ -163,6 +175,7 @@ void MainWindow::makeMenus() {
   connect(m_views, &ViewActions::viewChosen, m_tour, &ViewTour::goTo);
   new StructureActions(m_session, *m_tree, *m_viewport, m_actions, m_parts);
   new StyleActions(m_session, m_actions, m_parts);
+  new BrushActions(m_session, *m_brush, *m_viewport, m_actions, m_parts);
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
   connect(m_sections, &SectionActions::refused, m_message, &MessageBar::showError);
   m_sections->fillAddMenu(findChild<SectionsPanel*>()->addButton());

@@ -41,6 +41,8 @@ class Tool {
   /// Returns true if the tool takes the mouse: it then gets every move until release or cancel.
   virtual bool press(const Pointer& pointer) = 0;
   virtual void move(const Pointer& pointer) = 0;
+  /// Notes where the mouse passes while the tool has it; moves come only once for each picture.
+  virtual void passes(const Pointer&) {}
   virtual void release(const Pointer& pointer) = 0;
   /// Restores everything as it was before the press.
   virtual void cancel() = 0;

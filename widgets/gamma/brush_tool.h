@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QPointer>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "widgets/gamma/brush_mark.h"
+#include "widgets/gamma/brush_stroke.h"
+#include "widgets/session/session.h"
+#include "widgets/viewport/tools/tool.h"
+
+namespace sline::widgets {
+
+/// Paints on the selected structures while it is active: the left button paints, with Ctrl it
+/// erases; each stroke is one undo step, which Escape takes back. A press beside them is left to
+/// other tools, so that a drag there turns the scene and a click selects another structure.
+class BrushTool : public QObject, public Tool {
+  Q_OBJECT
+ public:
+  BrushTool(Session& session, const ViewControl& view);
+  /// Shows the brush over the picture, above what lies there so far.
+  void showOver(QWidget& picture);
+  const BrushMark* mark() const { return m_mark; }
+
+  bool active() const { return m_active; }
+  void setActive(bool active);
+  const Brush& brush() const { return m_brush; }
+  void setBrush(const Brush& brush);
+  /// Returns the structures that can be painted on: those selected that are shown and not locked,
+  /// or the scene's only one.
+  NodeIds targets() const;
+  /// Returns how many millimetres one pixel shows where the brush is; 0 beside the targets.
+  float millimetresPerPixel() const { return m_millimetres; }
+  bool painting() const { return m_stroke.has_value() || m_awaited.has_value(); }
+
+  bool press(const Pointer& pointer) override;
+  void move(const Pointer& pointer) override;
+  void passes(const Pointer& pointer) override;
+  void release(const Pointer& pointer) override;
+  void cancel() override;
+  bool grips(const Pointer& pointer) const override;
+  std::optional<Qt::CursorShape> cursor(const Pointer& pointer) const override;
+  bool movesAtOnce() const override { return true; }
+  bool keepsClicks() const override { return true; }
+  void show(const ShownPicture& picture) override;
+  void setDark(bool dark) override;
+
+ signals:
+  void activeChanged(bool active);
+  void brushChanged();
+
+ private:
+  using Grounds = std::map<model::MeshPtr, BrushGroundPtr>;
+  struct Place {
+    model::NodeId id;
+    float distance = 0.0f;
+  };
+  /// A press, before and while its stroke is painted.
+  struct Press {
+    glm::vec2 pixel{0.0f};
+    glm::vec2 size{1.0f};
+    bool erases = false;
+  };
+  /// Makes the targets' surfaces ready, in the background.
+  void prepare();
+  /// Tells whether they are; `wait`: waits until they are.
+  bool ready(bool wait) const;
+  /// Returns the target under the pixel; where the surfaces are not ready, any in whose box it is.
+  std::optional<Place> targetAt(const glm::vec2& pixel, const glm::vec2& size) const;
+  bool begin(const Press& press);
+  /// Paints as far as the mouse has come.
+  void follow();
+  void finish();
+  QString stepName() const;
+
+  Session& m_session;
+  const ViewControl& m_view;
+  Brush m_brush;
+  bool m_active = false;
+  std::shared_future<Grounds> m_grounds;
+  std::set<model::MeshPtr> m_prepared;  ///< the meshes of the grounds
+
+  std::optional<Press> m_awaited;  ///< of which the surfaces are not ready yet
+  std::optional<BrushStroke> m_stroke;
+  model::NodeId m_target;
+  bool m_erases = false;
+  std::vector<glm::vec2> m_path;  ///< where the mouse has passed and not painted yet
+  glm::vec2 m_last{0.0f};         ///< to where it has painted
+  float m_millimetres = 0.0f;
+  QPointer<BrushMark> m_mark;
+  ShownPicture m_picture;
+};
+
+}  // namespace sline::widgets
