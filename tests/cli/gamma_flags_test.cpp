@@ -32,6 +32,8 @@ void GammaFlagsTest::understood_data() {
                              << "";
   QTest::newRow("case") << "Curvature" << int(GammaScalar::curvature) << ""
                         << "";
+  QTest::newRow("painted") << "painted@0:-2,1:+2" << int(GammaScalar::painted) << ""
+                           << "0:-2,1:+2";
   QTest::newRow("none") << "none" << int(GammaScalar::none) << ""
                         << "";
   QTest::newRow("a curve") << "curvature@-2:+2,0:0" << int(GammaScalar::curvature) << ""

@@ -16,8 +16,8 @@ struct GammaMapWish {
   std::string target;  ///< the name of what distances are measured to
 };
 
-/// Reads "occlusion", "curvature", "distance:STRUCTURE" or "none", with "@CURVE" where the curve is
-/// not the usual one.
+/// Reads "occlusion", "curvature", "distance:STRUCTURE", "painted" or "none", with "@CURVE" where
+/// the curve is not the usual one.
 Result<GammaMapWish> parseGammaMap(std::string_view text);
 
 /// Returns the map with the ids of its targets.

@@ -89,8 +89,9 @@ inline void addDetailOptions(CLI::App& command, PictureFlags& flags) {
       command.add_option(
           "--gamma-by", flags.gammaMaps,
           "Lets gamma vary over surfaces: by occlusion (0 in the open … 1 in a cavity), by "
-          "curvature (1 on a sphere, negative in hollows) or by the distance from a structure or "
-          "group (mm), of all (--gamma-by occlusion), of a structure or of all in a group "
+          "curvature (1 on a sphere, negative in hollows), by the distance from a structure or "
+          "group (mm) or as painted in the scene file (0 … 1), of all (--gamma-by occlusion), of a "
+          "structure or of all in a group "
           "(--gamma-by liver=distance:tumour). A curve of 2 to 8 pairs says what is added to gamma "
           "at which value: --gamma-by \"liver=distance:tumour@0:+3,40:-1\""))
       ->type_name("[NAME=]SCALAR[@CURVE]");

@@ -74,6 +74,8 @@ class GammaMapPictureTest : public QObject {
   void eachPlaceHasItsOwn();
   void changesAreSeen();
   void meshesMayBeShared();
+  void paintIsDrawnWhereItIs();
+  void distancesMayBeFromAPlace();
   void sectionsCut();
 
  private:
@@ -240,6 +242,65 @@ void GammaMapPictureTest::meshesMayBeShared() {
     const Difference apart = difference(picture(one), picture(plainRing(shown == 0 ? 2.5f : 5.0f)));
     QVERIFY2(apart.largest <= 3, qPrintable(QString::number(apart.largest)));
   }
+}
+
+void GammaMapPictureTest::paintIsDrawnWhereItIs() {
+  model::Scene scene = plainRing(1.0f);
+  std::vector<model::Node> nodes = scene.nodes();
+  nodes[0].style.gammaMap =
+      model::GammaMap{.scalar = model::GammaScalar::painted, .curve = {{0.0f, 0.0f}, {1.0f, 4.0f}}};
+  scene.setNodes(nodes);
+  // Nothing is painted yet.
+  const Image plain = picture(plainRing(1.0f));
+  QCOMPARE(difference(picture(scene), plain).largest, 0);
+  model::Paint paint;
+  for (const glm::vec3& p : nodes[0].mesh->positions())
+    paint.push_back(p.x > 0.0f ? 255 : 0);
+  nodes[0].paint = std::make_shared<const model::Paint>(paint);
+  scene.setNodes(nodes);
+  const Image half = picture(scene);
+  const Image shaded = picture(plainRing(5.0f));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (std::abs(x - width / 2) < 12)
+        continue;  // where the one becomes the other
+      const Image& like = x > width / 2 ? shaded : plain;
+      const auto at = std::size_t(4 * (y * width + x));
+      for (std::size_t k = 0; k < 3; ++k)
+        QVERIFY2(std::abs(int(half.rgba[at + k]) - int(like.rgba[at + k])) < 60,
+                 qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
+    }
+  // What is painted anew is drawn anew.
+  std::fill(paint.begin(), paint.end(), std::uint8_t(255));
+  nodes[0].paint = std::make_shared<const model::Paint>(paint);
+  scene.setNodes(nodes);
+  QVERIFY(difference(picture(scene), half).largest > 50);
+}
+
+void GammaMapPictureTest::distancesMayBeFromAPlace() {
+  // A small ball in that place is as good as the place.
+  const glm::vec3 place(70.0f, 0.0f, 0.0f);
+  const std::vector<model::GammaPoint> curve{{30.0f, 5.0f}, {60.0f, 0.0f}};
+  model::Scene scene;
+  const model::NodeId ball = add(scene, moved(*sphere(0.01f, 2), 1.0f, place), gammaStyle(0.0f));
+  model::Style style = gammaStyle(0.0f);
+  style.gammaMap =
+      model::GammaMap{.scalar = model::GammaScalar::distance, .targets = {ball}, .curve = curve};
+  add(scene, ringMesh(), style);
+  std::vector<model::Node> nodes = scene.nodes();
+  nodes[0].style.visible = false;
+  scene.setNodes(nodes);
+  const Image fromBall = picture(scene);
+  nodes[1].style.gammaMap =
+      model::GammaMap{.scalar = model::GammaScalar::distance, .place = place, .curve = curve};
+  scene.setNodes(nodes);
+  const Image fromPlace = picture(scene);
+  QVERIFY(difference(fromBall, fromPlace).share < 0.002);
+  QVERIFY(difference(fromPlace, picture(plainRing(0.0f))).share > 0.01);
+  // Far away from it there is no difference at all.
+  nodes[1].style.gammaMap->place = glm::vec3(9000.0f, 0.0f, 0.0f);
+  scene.setNodes(nodes);
+  QCOMPARE(difference(picture(scene), picture(plainRing(0.0f))).largest, 0);
 }
 
 void GammaMapPictureTest::sectionsCut() {
