@@ -84,6 +84,7 @@ Style nearTargetStyle() {
   style.fill = Fill::paper;
   style.opacity = Opacity::clamped(1.0f);
   style.penWeight = 1.0f;
+  style.hatchTone = HatchTone::clamped(1.0f);
   style.gammaMap = GammaMap();
   return style;
 }
@@ -106,6 +107,7 @@ Style distanceStyle(const NearFocus& focus) {
   style.fill = Fill::paper;
   style.opacity = Opacity::clamped(1.0f);
   style.penWeight = 0.6f;
+  style.hatchTone = HatchTone::clamped(1.0f);
   style.gammaMap = GammaMap{.scalar = GammaScalar::distance,
                             .targets = focus.nearness.place ? std::vector<NodeId>() : focus.targets,
                             .place = focus.nearness.place,
@@ -121,7 +123,7 @@ bool fadedOutBefore(const Style& style) {
 }  // namespace
 
 float usualFalloffMm(const Scene& scene) {
-  constexpr float share = 0.12f;
+  constexpr float share = 0.25f;
   const Box bounds = scene.visibleBounds();
   if (bounds.empty())
     return FocusNearness().falloffMm;
@@ -130,7 +132,10 @@ float usualFalloffMm(const Scene& scene) {
 }
 
 std::vector<GammaPoint> falloffCurve(float falloffMm) {
-  return {{0.0f, nearGamma}, {0.35f * falloffMm, 3.0f}, {falloffMm, 0.0f}};
+  return {{0.0f, nearGamma},
+          {0.15f * falloffMm, nearGamma},
+          {0.4f * falloffMm, 3.0f},
+          {falloffMm, 0.0f}};
 }
 
 std::set<NodeId> structuresBefore(const Scene& scene, const NearFocus& focus, const Camera& camera,
