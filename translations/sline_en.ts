@@ -131,6 +131,16 @@
     </message>
 </context>
 <context>
+    <name>sline::widgets::BrushBar</name>
+    <message numerus="yes">
+        <source>%n structures</source>
+        <translation>
+            <numerusform>%n structure</numerusform>
+            <numerusform>%n structures</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::ExportActions</name>
     <message numerus="yes">
         <source>Exporting %n files</source>
