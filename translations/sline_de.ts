@@ -1239,6 +1239,30 @@
         <source>Take fewer pixels to the inch, smaller cells or fewer models</source>
         <translation>Nimm weniger Pixel je Zoll, kleinere Felder oder weniger Modelle</translation>
     </message>
+    <message>
+        <source>its atoms lie too far apart for a lattice between them</source>
+        <translation>seine Atome liegen zu weit auseinander für ein Gitter dazwischen</translation>
+    </message>
+    <message>
+        <source>it has more than %1 atoms</source>
+        <translation>es hat mehr als %1 Atome</translation>
+    </message>
+    <message>
+        <source>Find the pockets of fewer chains at a time</source>
+        <translation>Suche die Taschen von weniger Ketten auf einmal</translation>
+    </message>
+    <message>
+        <source>its atoms lie closer together than those of matter do</source>
+        <translation>seine Atome liegen dichter beieinander als die von Materie</translation>
+    </message>
+    <message>
+        <source>Repair the file</source>
+        <translation>Repariere die Datei</translation>
+    </message>
+    <message>
+        <source>the large probe must be larger than the small one</source>
+        <translation>die große Kugel muss größer sein als die kleine</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -1723,6 +1747,14 @@
     <message>
         <source>Callouts explain; only labels name what a card can ask for</source>
         <translation>Textfelder erklären; nur Beschriftungen nennen, wonach eine Karte fragen kann</translation>
+    </message>
+    <message>
+        <source>Γ over s&amp;urfaces</source>
+        <translation>Γ über &amp;Flächen</translation>
+    </message>
+    <message>
+        <source>By what Γ varies, and how the drawing changes along it</source>
+        <translation>Wonach Γ sich ändert, und wie sich die Zeichnung dabei wandelt</translation>
     </message>
 </context>
 <context>
@@ -4327,10 +4359,6 @@
         <translation>ConFIS</translation>
     </message>
     <message>
-        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum, or lines that these are compared with</source>
-        <translation>Was die Form innerhalb der Konturen zeichnet: suggestive Konturen und Schraffur, oder kurze Stromlinien an Konturen und wo die Krümmung ein Extremum hat, oder Linien, mit denen diese verglichen werden</translation>
-    </message>
-    <message>
         <source>Apparent ridges</source>
         <translation>Scheinbare Grate</translation>
     </message>
@@ -4421,6 +4449,101 @@
     <message>
         <source>See what is selected, or all, drawn by several line techniques side by side, and save that as a sheet</source>
         <translation>Das Gewählte oder alles in mehreren Linientechniken nebeneinander sehen und als Blatt sichern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures are drawn without noise, which is made of pixels: %1.</source>
+        <translation>
+            <numerusform>%n Struktur ist ohne Rauschen gezeichnet, das aus Pixeln besteht: %1.</numerusform>
+            <numerusform>%n Strukturen sind ohne Rauschen gezeichnet, das aus Pixeln besteht: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export a picture, or take streamline hatching.</source>
+        <translation>Exportiere ein Bild oder nimm die Stromlinienschraffur.</translation>
+    </message>
+    <message>
+        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum, or lines, streamlines and noise that these are compared with</source>
+        <translation>Was die Form innerhalb der Konturen zeichnet: suggestive Konturen und Schraffur, kurze Stromlinien an Konturen und wo die Krümmung ein Extremum hat, oder Linien, Stromlinien und Rauschen, mit denen diese verglichen werden</translation>
+    </message>
+    <message>
+        <source>Streamline hatching</source>
+        <translation>Stromlinienschraffur</translation>
+    </message>
+    <message>
+        <source>Noise LIC</source>
+        <translation>Rausch-LIC</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Focus &amp;by Nearness</source>
+        <translation>Fokus nach Nähe</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Umschalt+F</translation>
+    </message>
+    <message>
+        <source>The selected shaded, everything else the less detailed the farther away it is</source>
+        <translation>Das Ausgewählte schattiert, alles andere umso weniger ausgeführt, je weiter weg es ist</translation>
+    </message>
+    <message>
+        <source>Nearness to a Place</source>
+        <translation>Nähe zu einem Ort</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Strg+Umschalt+F</translation>
+    </message>
+    <message>
+        <source>Click in the picture to set the place, and drag it; with Shift in depth</source>
+        <translation>Ein Klick im Bild setzt den Ort, Ziehen bewegt ihn; mit Umschalt in die Tiefe</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Pinsel</translation>
+    </message>
+    <message>
+        <source>Shift+B</source>
+        <translation>Umschalt+B</translation>
+    </message>
+    <message>
+        <source>Paint on the selected structures where more is to be told than elsewhere</source>
+        <translation>Auf die ausgewählten Strukturen malen, wo mehr zu sagen ist als anderswo</translation>
+    </message>
+    <message>
+        <source>S&amp;maller Brush</source>
+        <translation>&amp;Kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>[</source>
+        <translation>[</translation>
+    </message>
+    <message>
+        <source>Paint with a smaller brush</source>
+        <translation>Mit einem kleineren Pinsel malen</translation>
+    </message>
+    <message>
+        <source>&amp;Larger Brush</source>
+        <translation>&amp;Größerer Pinsel</translation>
+    </message>
+    <message>
+        <source>]</source>
+        <translation>]</translation>
+    </message>
+    <message>
+        <source>Paint with a larger brush</source>
+        <translation>Mit einem größeren Pinsel malen</translation>
+    </message>
+    <message>
+        <source>&amp;Erase with the Brush</source>
+        <translation>Mit dem Pinsel &amp;radieren</translation>
+    </message>
+    <message>
+        <source>Take away what is painted (Ctrl while you paint)</source>
+        <translation>Gemaltes wegnehmen (Strg beim Malen)</translation>
     </message>
 </context>
 <context>
@@ -4591,6 +4714,91 @@ OpenGL: %3</translation>
     <message>
         <source>Delete Labels</source>
         <translation>Beschriftungen löschen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::BrushBar</name>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Radius of the brush ([ and ])</source>
+        <translation>Radius des Pinsels ([ und ])</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>How much weaker the brush is towards its rim</source>
+        <translation>Wie viel schwächer der Pinsel zum Rand hin ist</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>How much a stroke paints in its middle</source>
+        <translation>Wie viel ein Strich in seiner Mitte malt</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Take away instead (Ctrl while you paint)</source>
+        <translation>Stattdessen wegnehmen (Strg beim Malen)</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Take away all that is painted on the selected</source>
+        <translation>Alles wegnehmen, was auf das Ausgewählte gemalt ist</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Put the brush away (Esc)</source>
+        <translation>Den Pinsel weglegen (Esc)</translation>
+    </message>
+    <message>
+        <source>Clear Paint</source>
+        <translation>Gemaltes leeren</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Click on what you want to paint on</source>
+        <translation>Klick an, worauf du malen willst</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures</source>
+        <translation>
+            <numerusform>%n Struktur</numerusform>
+            <numerusform>%n Strukturen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::BrushTool</name>
+    <message>
+        <source>Erase on %1</source>
+        <translation>Auf %1 radieren</translation>
+    </message>
+    <message>
+        <source>Paint on %1</source>
+        <translation>Auf %1 malen</translation>
     </message>
 </context>
 <context>
@@ -5134,6 +5342,10 @@ OpenGL: %3</translation>
             <numerusform>%n von Hand: zurück zum Fokus</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Nearness to a place</source>
+        <translation>Nähe zu einem Ort</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::GammaCurve</name>
@@ -5181,10 +5393,6 @@ OpenGL: %3</translation>
         <translation>Mehrere</translation>
     </message>
     <message>
-        <source>Cavities: how much of its own sky the surface hides, 0 to 1. Curvature: 1 on a ball, negative in hollows. Distance: millimetres from another structure</source>
-        <translation>Höhlungen: wie viel von ihrem eigenen Himmel die Fläche verdeckt, 0 bis 1. Krümmung: 1 auf einer Kugel, negativ in Mulden. Abstand: Millimeter von einer anderen Struktur</translation>
-    </message>
-    <message>
         <source>Distance from</source>
         <translation>Abstand von</translation>
     </message>
@@ -5202,6 +5410,22 @@ OpenGL: %3</translation>
             <numerusform>%n Element</numerusform>
             <numerusform>%n Elemente</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Paint…</source>
+        <translation>Malen …</translation>
+    </message>
+    <message>
+        <source>By painting</source>
+        <translation>Nach Gemaltem</translation>
+    </message>
+    <message>
+        <source>Cavities: how much of its own sky the surface hides, 0 to 1. Curvature: 1 on a ball, negative in hollows. Distance: millimetres from another structure. Painting: what you paint in the picture, 0 to 1</source>
+        <translation>Höhlungen: wie viel von ihrem eigenen Himmel die Fläche verdeckt, 0 bis 1. Krümmung: 1 auf einer Kugel, negativ in Mulden. Abstand: Millimeter von einer anderen Struktur. Gemaltes: was du im Bild malst, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Paint in the picture with a brush</source>
+        <translation>Mit einem Pinsel im Bild malen</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +6121,56 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::NearRow</name>
+    <message>
+        <source>By Nearness</source>
+        <translation>Nach Nähe</translation>
+    </message>
+    <message>
+        <source>Near a Place</source>
+        <translation>Nahe einem Ort</translation>
+    </message>
+    <message>
+        <source>The selected shaded, everything else the less detailed the farther away it is</source>
+        <translation>Das Ausgewählte schattiert, alles andere umso weniger ausgeführt, je weiter weg es ist</translation>
+    </message>
+    <message>
+        <source>Click in the picture to set the place, and drag it; with Shift in depth</source>
+        <translation>Ein Klick im Bild setzt den Ort, Ziehen bewegt ihn; mit Umschalt in die Tiefe</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>From what distance on there are only silhouettes</source>
+        <translation>Ab welchem Abstand es nur Silhouetten gibt</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::NearTool</name>
+    <message>
+        <source>Focus by Nearness</source>
+        <translation>Fokus nach Nähe</translation>
+    </message>
+    <message>
+        <source>Reach of Nearness</source>
+        <translation>Reichweite der Nähe</translation>
+    </message>
+    <message>
+        <source>Nearness to a Place</source>
+        <translation>Nähe zu einem Ort</translation>
+    </message>
+    <message>
+        <source>Move the Place</source>
+        <translation>Ort verschieben</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::NumberLimits</name>
     <message>
         <source>Numbers from %1 to %2 can be set here</source>
@@ -6113,6 +6387,123 @@ OpenGL: %3</translation>
     <message>
         <source>Fewer triangles</source>
         <translation>Weniger Dreiecke</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PocketsPanel</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n residues at its wall: %1</source>
+        <translation>
+            <numerusform>%n Rest an ihrer Wand: %1</numerusform>
+            <numerusform>%n Reste an ihrer Wand: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pocket</source>
+        <translation>Tasche</translation>
+    </message>
+    <message>
+        <source>Volume Å³</source>
+        <translation>Volumen Å³</translation>
+    </message>
+    <message>
+        <source>Mouth Å²</source>
+        <translation>Mündung Å²</translation>
+    </message>
+    <message>
+        <source>Burial</source>
+        <translation>Tiefe Lage</translation>
+    </message>
+    <message>
+        <source>The room that the small probe can fill</source>
+        <translation>Der Raum, den die kleine Kugel füllen kann</translation>
+    </message>
+    <message>
+        <source>The surface across which the pocket is open; 0: it is closed</source>
+        <translation>Die Fläche, über die die Tasche offen ist; 0: sie ist geschlossen</translation>
+    </message>
+    <message>
+        <source>The share of directions in which atoms lie within 10 Å</source>
+        <translation>Der Anteil der Richtungen, in denen Atome innerhalb von 10 Å liegen</translation>
+    </message>
+    <message>
+        <source>Its number, and what lies in it</source>
+        <translation>Ihre Nummer und was in ihr liegt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Pockets</source>
+        <translation>Taschen</translation>
+    </message>
+    <message>
+        <source>Click a pocket to put it in focus, with what lies in it</source>
+        <translation>Klicke auf eine Tasche, um sie mit dem, was in ihr liegt, in den Fokus zu stellen</translation>
+    </message>
+    <message>
+        <source>Radius of the ball that goes into pockets; water has 1.4 Å</source>
+        <translation>Radius der Kugel, die in Taschen hineingeht; Wasser hat 1,4 Å</translation>
+    </message>
+    <message>
+        <source>Radius of the ball that stays out: with a larger one, shallower and wider pockets count</source>
+        <translation>Radius der Kugel, die draußen bleibt: mit einer größeren zählen auch flachere und weitere Taschen</translation>
+    </message>
+    <message>
+        <source> Å³</source>
+        <translation> Å³</translation>
+    </message>
+    <message>
+        <source>Smaller pockets are left out</source>
+        <translation>Kleinere Taschen entfallen</translation>
+    </message>
+    <message>
+        <source>&amp;Probe radius</source>
+        <translation>&amp;Kugelradius</translation>
+    </message>
+    <message>
+        <source>&amp;Large probe</source>
+        <translation>&amp;Große Kugel</translation>
+    </message>
+    <message>
+        <source>&amp;Smallest</source>
+        <translation>K&amp;leinste</translation>
+    </message>
+    <message>
+        <source> Å</source>
+        <translation> Å</translation>
+    </message>
+    <message>
+        <source>Looking for pockets …</source>
+        <translation>Taschen werden gesucht …</translation>
+    </message>
+    <message>
+        <source>Open a protein from a PDB or mmCIF file to see its pockets here.</source>
+        <translation>Öffne ein Protein aus einer PDB- oder mmCIF-Datei, um hier seine Taschen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Nothing was looked for. Change a radius to start.</source>
+        <translation>Es wurde nichts gesucht. Ändere einen Radius, um zu beginnen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pockets</source>
+        <translation>
+            <numerusform>%n Tasche</numerusform>
+            <numerusform>%n Taschen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pocket %1 in Focus</source>
+        <translation>Tasche %1 im Fokus</translation>
     </message>
 </context>
 <context>

@@ -1239,6 +1239,30 @@
         <source>Take fewer pixels to the inch, smaller cells or fewer models</source>
         <translation>Ta færre piksler per tomme, mindre felter eller færre modeller</translation>
     </message>
+    <message>
+        <source>its atoms lie too far apart for a lattice between them</source>
+        <translation>atomene ligger for langt fra hverandre til et gitter mellom dem</translation>
+    </message>
+    <message>
+        <source>it has more than %1 atoms</source>
+        <translation>det har mer enn %1 atomer</translation>
+    </message>
+    <message>
+        <source>Find the pockets of fewer chains at a time</source>
+        <translation>Finn lommene til færre kjeder om gangen</translation>
+    </message>
+    <message>
+        <source>its atoms lie closer together than those of matter do</source>
+        <translation>atomene ligger tettere enn de i materie gjør</translation>
+    </message>
+    <message>
+        <source>Repair the file</source>
+        <translation>Reparer filen</translation>
+    </message>
+    <message>
+        <source>the large probe must be larger than the small one</source>
+        <translation>den store kulen må være større enn den lille</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -1723,6 +1747,14 @@
     <message>
         <source>Callouts explain; only labels name what a card can ask for</source>
         <translation>Forklaringer forklarer; bare etiketter nevner det et kort kan spørre om</translation>
+    </message>
+    <message>
+        <source>Γ over s&amp;urfaces</source>
+        <translation>Γ over &amp;flater</translation>
+    </message>
+    <message>
+        <source>By what Γ varies, and how the drawing changes along it</source>
+        <translation>Hva Γ varierer etter, og hvordan tegningen endres langs det</translation>
     </message>
 </context>
 <context>
@@ -4327,10 +4359,6 @@
         <translation>ConFIS</translation>
     </message>
     <message>
-        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum, or lines that these are compared with</source>
-        <translation>Hva som tegner formen innenfor konturene: suggestive konturer og skravering, eller korte strømlinjer langs konturer og der krumningen har et ekstremum, eller linjer som disse sammenlignes med</translation>
-    </message>
-    <message>
         <source>Apparent ridges</source>
         <translation>Tilsynelatende rygger</translation>
     </message>
@@ -4421,6 +4449,101 @@
     <message>
         <source>See what is selected, or all, drawn by several line techniques side by side, and save that as a sheet</source>
         <translation>Se det som er valgt, eller alt, tegnet med flere linjeteknikker side om side, og lagre det som et ark</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures are drawn without noise, which is made of pixels: %1.</source>
+        <translation>
+            <numerusform>%n struktur er tegnet uten støy, som består av piksler: %1.</numerusform>
+            <numerusform>%n strukturer er tegnet uten støy, som består av piksler: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export a picture, or take streamline hatching.</source>
+        <translation>Eksporter et bilde, eller ta strømlinjeskravering.</translation>
+    </message>
+    <message>
+        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum, or lines, streamlines and noise that these are compared with</source>
+        <translation>Hva som tegner formen innenfor konturene: antydede konturer og skravering, korte strømlinjer langs konturer og der krumningen har et ekstremum, eller linjer, strømlinjer og støy som disse sammenlignes med</translation>
+    </message>
+    <message>
+        <source>Streamline hatching</source>
+        <translation>Strømlinjeskravering</translation>
+    </message>
+    <message>
+        <source>Noise LIC</source>
+        <translation>Støy-LIC</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Male</translation>
+    </message>
+    <message>
+        <source>Focus &amp;by Nearness</source>
+        <translation>Fokus etter nærhet</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>The selected shaded, everything else the less detailed the farther away it is</source>
+        <translation>Det valgte skyggelagt, alt annet mindre detaljert jo lenger unna det er</translation>
+    </message>
+    <message>
+        <source>Nearness to a Place</source>
+        <translation>Nærhet til et sted</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>Click in the picture to set the place, and drag it; with Shift in depth</source>
+        <translation>Klikk i bildet for å sette stedet, og dra det; med Shift i dybden</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Pensel</translation>
+    </message>
+    <message>
+        <source>Shift+B</source>
+        <translation>Shift+B</translation>
+    </message>
+    <message>
+        <source>Paint on the selected structures where more is to be told than elsewhere</source>
+        <translation>Mal på de valgte strukturene der mer skal fortelles enn andre steder</translation>
+    </message>
+    <message>
+        <source>S&amp;maller Brush</source>
+        <translation>&amp;Mindre pensel</translation>
+    </message>
+    <message>
+        <source>[</source>
+        <translation>[</translation>
+    </message>
+    <message>
+        <source>Paint with a smaller brush</source>
+        <translation>Mal med en mindre pensel</translation>
+    </message>
+    <message>
+        <source>&amp;Larger Brush</source>
+        <translation>&amp;Større pensel</translation>
+    </message>
+    <message>
+        <source>]</source>
+        <translation>]</translation>
+    </message>
+    <message>
+        <source>Paint with a larger brush</source>
+        <translation>Mal med en større pensel</translation>
+    </message>
+    <message>
+        <source>&amp;Erase with the Brush</source>
+        <translation>&amp;Visk ut med penselen</translation>
+    </message>
+    <message>
+        <source>Take away what is painted (Ctrl while you paint)</source>
+        <translation>Ta bort det som er malt (Ctrl mens du maler)</translation>
     </message>
 </context>
 <context>
@@ -4591,6 +4714,91 @@ OpenGL: %3</translation>
     <message>
         <source>Delete Labels</source>
         <translation>Slett etikettene</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::BrushBar</name>
+    <message>
+        <source>Brush</source>
+        <translation>Pensel</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Størrelse</translation>
+    </message>
+    <message>
+        <source>Radius of the brush ([ and ])</source>
+        <translation>Penselens radius ([ og ])</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Mykhet</translation>
+    </message>
+    <message>
+        <source>How much weaker the brush is towards its rim</source>
+        <translation>Hvor mye svakere penselen er mot kanten</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Styrke</translation>
+    </message>
+    <message>
+        <source>How much a stroke paints in its middle</source>
+        <translation>Hvor mye et strøk maler i midten</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Visk ut</translation>
+    </message>
+    <message>
+        <source>Take away instead (Ctrl while you paint)</source>
+        <translation>Ta bort i stedet (Ctrl mens du maler)</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Tøm</translation>
+    </message>
+    <message>
+        <source>Take away all that is painted on the selected</source>
+        <translation>Ta bort alt som er malt på det valgte</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Ferdig</translation>
+    </message>
+    <message>
+        <source>Put the brush away (Esc)</source>
+        <translation>Legg penselen bort (Esc)</translation>
+    </message>
+    <message>
+        <source>Clear Paint</source>
+        <translation>Tøm malingen</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Click on what you want to paint on</source>
+        <translation>Klikk på det du vil male på</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures</source>
+        <translation>
+            <numerusform>%n struktur</numerusform>
+            <numerusform>%n strukturer</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::BrushTool</name>
+    <message>
+        <source>Erase on %1</source>
+        <translation>Visk ut på %1</translation>
+    </message>
+    <message>
+        <source>Paint on %1</source>
+        <translation>Mal på %1</translation>
     </message>
 </context>
 <context>
@@ -5134,6 +5342,10 @@ OpenGL: %3</translation>
             <numerusform>%n for hånd: tilbake til fokus</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Nearness to a place</source>
+        <translation>Nærhet til et sted</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::GammaCurve</name>
@@ -5181,10 +5393,6 @@ OpenGL: %3</translation>
         <translation>Flere</translation>
     </message>
     <message>
-        <source>Cavities: how much of its own sky the surface hides, 0 to 1. Curvature: 1 on a ball, negative in hollows. Distance: millimetres from another structure</source>
-        <translation>Hulrom: hvor mye av sin egen himmel flaten skjuler, 0 til 1. Krumning: 1 på en kule, negativ i fordypninger. Avstand: millimeter fra en annen struktur</translation>
-    </message>
-    <message>
         <source>Distance from</source>
         <translation>Avstand fra</translation>
     </message>
@@ -5202,6 +5410,22 @@ OpenGL: %3</translation>
             <numerusform>%n element</numerusform>
             <numerusform>%n elementer</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Paint…</source>
+        <translation>Mal …</translation>
+    </message>
+    <message>
+        <source>By painting</source>
+        <translation>Etter maling</translation>
+    </message>
+    <message>
+        <source>Cavities: how much of its own sky the surface hides, 0 to 1. Curvature: 1 on a ball, negative in hollows. Distance: millimetres from another structure. Painting: what you paint in the picture, 0 to 1</source>
+        <translation>Hulrom: hvor mye av sin egen himmel flaten skjuler, 0 til 1. Krumning: 1 på en kule, negativ i fordypninger. Avstand: millimeter fra en annen struktur. Maling: det du maler i bildet, 0 til 1</translation>
+    </message>
+    <message>
+        <source>Paint in the picture with a brush</source>
+        <translation>Mal i bildet med en pensel</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +6121,56 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::NearRow</name>
+    <message>
+        <source>By Nearness</source>
+        <translation>Etter nærhet</translation>
+    </message>
+    <message>
+        <source>Near a Place</source>
+        <translation>Nær et sted</translation>
+    </message>
+    <message>
+        <source>The selected shaded, everything else the less detailed the farther away it is</source>
+        <translation>Det valgte skyggelagt, alt annet mindre detaljert jo lenger unna det er</translation>
+    </message>
+    <message>
+        <source>Click in the picture to set the place, and drag it; with Shift in depth</source>
+        <translation>Klikk i bildet for å sette stedet, og dra det; med Shift i dybden</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Rekkevidde</translation>
+    </message>
+    <message>
+        <source>From what distance on there are only silhouettes</source>
+        <translation>Fra hvilken avstand det bare er silhuetter</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::NearTool</name>
+    <message>
+        <source>Focus by Nearness</source>
+        <translation>Fokus etter nærhet</translation>
+    </message>
+    <message>
+        <source>Reach of Nearness</source>
+        <translation>Nærhetens rekkevidde</translation>
+    </message>
+    <message>
+        <source>Nearness to a Place</source>
+        <translation>Nærhet til et sted</translation>
+    </message>
+    <message>
+        <source>Move the Place</source>
+        <translation>Flytt stedet</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::NumberLimits</name>
     <message>
         <source>Numbers from %1 to %2 can be set here</source>
@@ -6113,6 +6387,123 @@ OpenGL: %3</translation>
     <message>
         <source>Fewer triangles</source>
         <translation>Færre trekanter</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PocketsPanel</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 for %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n residues at its wall: %1</source>
+        <translation>
+            <numerusform>%n rest langs veggen: %1</numerusform>
+            <numerusform>%n rester langs veggen: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pocket</source>
+        <translation>Lomme</translation>
+    </message>
+    <message>
+        <source>Volume Å³</source>
+        <translation>Volum Å³</translation>
+    </message>
+    <message>
+        <source>Mouth Å²</source>
+        <translation>Munning Å²</translation>
+    </message>
+    <message>
+        <source>Burial</source>
+        <translation>Innesluttet</translation>
+    </message>
+    <message>
+        <source>The room that the small probe can fill</source>
+        <translation>Rommet som den lille kulen kan fylle</translation>
+    </message>
+    <message>
+        <source>The surface across which the pocket is open; 0: it is closed</source>
+        <translation>Flaten som lommen er åpen over; 0: den er lukket</translation>
+    </message>
+    <message>
+        <source>The share of directions in which atoms lie within 10 Å</source>
+        <translation>Andelen retninger der atomer ligger innenfor 10 Å</translation>
+    </message>
+    <message>
+        <source>Its number, and what lies in it</source>
+        <translation>Nummeret og hva som ligger i den</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Pockets</source>
+        <translation>Lommer</translation>
+    </message>
+    <message>
+        <source>Click a pocket to put it in focus, with what lies in it</source>
+        <translation>Klikk på en lomme for å sette den i fokus, med det som ligger i den</translation>
+    </message>
+    <message>
+        <source>Radius of the ball that goes into pockets; water has 1.4 Å</source>
+        <translation>Radius til kulen som går inn i lommer; vann har 1,4 Å</translation>
+    </message>
+    <message>
+        <source>Radius of the ball that stays out: with a larger one, shallower and wider pockets count</source>
+        <translation>Radius til kulen som blir utenfor: med en større teller også grunnere og videre lommer</translation>
+    </message>
+    <message>
+        <source> Å³</source>
+        <translation> Å³</translation>
+    </message>
+    <message>
+        <source>Smaller pockets are left out</source>
+        <translation>Mindre lommer utelates</translation>
+    </message>
+    <message>
+        <source>&amp;Probe radius</source>
+        <translation>&amp;Kuleradius</translation>
+    </message>
+    <message>
+        <source>&amp;Large probe</source>
+        <translation>&amp;Stor kule</translation>
+    </message>
+    <message>
+        <source>&amp;Smallest</source>
+        <translation>&amp;Minste</translation>
+    </message>
+    <message>
+        <source> Å</source>
+        <translation> Å</translation>
+    </message>
+    <message>
+        <source>Looking for pockets …</source>
+        <translation>Leter etter lommer …</translation>
+    </message>
+    <message>
+        <source>Open a protein from a PDB or mmCIF file to see its pockets here.</source>
+        <translation>Åpne et protein fra en PDB- eller mmCIF-fil for å se lommene her.</translation>
+    </message>
+    <message>
+        <source>Nothing was looked for. Change a radius to start.</source>
+        <translation>Det ble ikke lett. Endre en radius for å begynne.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pockets</source>
+        <translation>
+            <numerusform>%n lomme</numerusform>
+            <numerusform>%n lommer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pocket %1 in Focus</source>
+        <translation>Lomme %1 i fokus</translation>
     </message>
 </context>
 <context>

@@ -1239,6 +1239,30 @@
         <source>Take fewer pixels to the inch, smaller cells or fewer models</source>
         <translation>Neem minder pixels per inch, kleinere vakken of minder modellen</translation>
     </message>
+    <message>
+        <source>its atoms lie too far apart for a lattice between them</source>
+        <translation>de atomen liggen te ver uit elkaar voor een rooster ertussen</translation>
+    </message>
+    <message>
+        <source>it has more than %1 atoms</source>
+        <translation>het heeft meer dan %1 atomen</translation>
+    </message>
+    <message>
+        <source>Find the pockets of fewer chains at a time</source>
+        <translation>Zoek de holten van minder ketens tegelijk</translation>
+    </message>
+    <message>
+        <source>its atoms lie closer together than those of matter do</source>
+        <translation>de atomen liggen dichter bij elkaar dan die van materie</translation>
+    </message>
+    <message>
+        <source>Repair the file</source>
+        <translation>Herstel het bestand</translation>
+    </message>
+    <message>
+        <source>the large probe must be larger than the small one</source>
+        <translation>de grote bol moet groter zijn dan de kleine</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -1723,6 +1747,14 @@
     <message>
         <source>Callouts explain; only labels name what a card can ask for</source>
         <translation>Bijschriften leggen uit; alleen labels noemen waar een kaart naar kan vragen</translation>
+    </message>
+    <message>
+        <source>Γ over s&amp;urfaces</source>
+        <translation>Γ over opper&amp;vlakken</translation>
+    </message>
+    <message>
+        <source>By what Γ varies, and how the drawing changes along it</source>
+        <translation>Waarnaar Γ varieert, en hoe de tekening daarlangs verandert</translation>
     </message>
 </context>
 <context>
@@ -4327,10 +4359,6 @@
         <translation>ConFIS</translation>
     </message>
     <message>
-        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum, or lines that these are compared with</source>
-        <translation>Wat de vorm binnen de contouren tekent: suggestieve contouren en arcering, of korte stroomlijnen langs contouren en waar de kromming een extremum heeft, of lijnen waarmee deze worden vergeleken</translation>
-    </message>
-    <message>
         <source>Apparent ridges</source>
         <translation>Schijnbare richels</translation>
     </message>
@@ -4421,6 +4449,101 @@
     <message>
         <source>See what is selected, or all, drawn by several line techniques side by side, and save that as a sheet</source>
         <translation>Wat is gekozen, of alles, in verschillende lijntechnieken naast elkaar zien en als blad bewaren</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures are drawn without noise, which is made of pixels: %1.</source>
+        <translation>
+            <numerusform>%n structuur is zonder ruis getekend, die uit pixels bestaat: %1.</numerusform>
+            <numerusform>%n structuren zijn zonder ruis getekend, die uit pixels bestaat: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export a picture, or take streamline hatching.</source>
+        <translation>Exporteer een afbeelding of neem stroomlijnarcering.</translation>
+    </message>
+    <message>
+        <source>What draws the form within contours: suggestive contours and hatching, or short streamlines along contours and where the curvature has an extremum, or lines, streamlines and noise that these are compared with</source>
+        <translation>Wat de vorm binnen de contouren tekent: suggestieve contouren en arcering, korte stroomlijnen langs contouren en waar de kromming een extremum heeft, of lijnen, stroomlijnen en ruis waarmee deze worden vergeleken</translation>
+    </message>
+    <message>
+        <source>Streamline hatching</source>
+        <translation>Stroomlijnarcering</translation>
+    </message>
+    <message>
+        <source>Noise LIC</source>
+        <translation>Ruis-LIC</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Schilderen</translation>
+    </message>
+    <message>
+        <source>Focus &amp;by Nearness</source>
+        <translation>Focus naar nabijheid</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>The selected shaded, everything else the less detailed the farther away it is</source>
+        <translation>Het geselecteerde met schaduw, al het andere minder uitgewerkt naarmate het verder weg is</translation>
+    </message>
+    <message>
+        <source>Nearness to a Place</source>
+        <translation>Nabijheid van een plaats</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>Click in the picture to set the place, and drag it; with Shift in depth</source>
+        <translation>Klik in het beeld om de plaats te zetten, en versleep haar; met Shift in de diepte</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Penseel</translation>
+    </message>
+    <message>
+        <source>Shift+B</source>
+        <translation>Shift+B</translation>
+    </message>
+    <message>
+        <source>Paint on the selected structures where more is to be told than elsewhere</source>
+        <translation>Schilder op de geselecteerde structuren waar meer te vertellen is dan elders</translation>
+    </message>
+    <message>
+        <source>S&amp;maller Brush</source>
+        <translation>&amp;Kleiner penseel</translation>
+    </message>
+    <message>
+        <source>[</source>
+        <translation>[</translation>
+    </message>
+    <message>
+        <source>Paint with a smaller brush</source>
+        <translation>Schilder met een kleiner penseel</translation>
+    </message>
+    <message>
+        <source>&amp;Larger Brush</source>
+        <translation>&amp;Groter penseel</translation>
+    </message>
+    <message>
+        <source>]</source>
+        <translation>]</translation>
+    </message>
+    <message>
+        <source>Paint with a larger brush</source>
+        <translation>Schilder met een groter penseel</translation>
+    </message>
+    <message>
+        <source>&amp;Erase with the Brush</source>
+        <translation>&amp;Wissen met het penseel</translation>
+    </message>
+    <message>
+        <source>Take away what is painted (Ctrl while you paint)</source>
+        <translation>Neem weg wat geschilderd is (Ctrl tijdens het schilderen)</translation>
     </message>
 </context>
 <context>
@@ -4591,6 +4714,91 @@ OpenGL: %3</translation>
     <message>
         <source>Delete Labels</source>
         <translation>Labels verwijderen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::BrushBar</name>
+    <message>
+        <source>Brush</source>
+        <translation>Penseel</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>Radius of the brush ([ and ])</source>
+        <translation>Straal van het penseel ([ en ])</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Zachtheid</translation>
+    </message>
+    <message>
+        <source>How much weaker the brush is towards its rim</source>
+        <translation>Hoeveel zwakker het penseel naar de rand toe is</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Sterkte</translation>
+    </message>
+    <message>
+        <source>How much a stroke paints in its middle</source>
+        <translation>Hoeveel een streek in het midden schildert</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Wissen</translation>
+    </message>
+    <message>
+        <source>Take away instead (Ctrl while you paint)</source>
+        <translation>In plaats daarvan wegnemen (Ctrl tijdens het schilderen)</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leegmaken</translation>
+    </message>
+    <message>
+        <source>Take away all that is painted on the selected</source>
+        <translation>Neem alles weg wat op het geselecteerde geschilderd is</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Klaar</translation>
+    </message>
+    <message>
+        <source>Put the brush away (Esc)</source>
+        <translation>Leg het penseel weg (Esc)</translation>
+    </message>
+    <message>
+        <source>Clear Paint</source>
+        <translation>Schildering leegmaken</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Click on what you want to paint on</source>
+        <translation>Klik op wat je wilt beschilderen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures</source>
+        <translation>
+            <numerusform>%n structuur</numerusform>
+            <numerusform>%n structuren</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::BrushTool</name>
+    <message>
+        <source>Erase on %1</source>
+        <translation>Wissen op %1</translation>
+    </message>
+    <message>
+        <source>Paint on %1</source>
+        <translation>Schilderen op %1</translation>
     </message>
 </context>
 <context>
@@ -5134,6 +5342,10 @@ OpenGL: %3</translation>
             <numerusform>%n met de hand: terug naar de focus</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Nearness to a place</source>
+        <translation>Nabijheid van een plaats</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::GammaCurve</name>
@@ -5181,10 +5393,6 @@ OpenGL: %3</translation>
         <translation>Meerdere</translation>
     </message>
     <message>
-        <source>Cavities: how much of its own sky the surface hides, 0 to 1. Curvature: 1 on a ball, negative in hollows. Distance: millimetres from another structure</source>
-        <translation>Holten: hoeveel van zijn eigen hemel het oppervlak verbergt, 0 tot 1. Kromming: 1 op een bol, negatief in kuilen. Afstand: millimeters van een andere structuur</translation>
-    </message>
-    <message>
         <source>Distance from</source>
         <translation>Afstand van</translation>
     </message>
@@ -5202,6 +5410,22 @@ OpenGL: %3</translation>
             <numerusform>%n onderdeel</numerusform>
             <numerusform>%n onderdelen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Paint…</source>
+        <translation>Schilderen…</translation>
+    </message>
+    <message>
+        <source>By painting</source>
+        <translation>Naar schildering</translation>
+    </message>
+    <message>
+        <source>Cavities: how much of its own sky the surface hides, 0 to 1. Curvature: 1 on a ball, negative in hollows. Distance: millimetres from another structure. Painting: what you paint in the picture, 0 to 1</source>
+        <translation>Holten: hoeveel van zijn eigen hemel het oppervlak verbergt, 0 tot 1. Kromming: 1 op een bol, negatief in kuilen. Afstand: millimeters van een andere structuur. Schildering: wat je in het beeld schildert, 0 tot 1</translation>
+    </message>
+    <message>
+        <source>Paint in the picture with a brush</source>
+        <translation>Schilder in het beeld met een penseel</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +6121,56 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::NearRow</name>
+    <message>
+        <source>By Nearness</source>
+        <translation>Naar nabijheid</translation>
+    </message>
+    <message>
+        <source>Near a Place</source>
+        <translation>Bij een plaats</translation>
+    </message>
+    <message>
+        <source>The selected shaded, everything else the less detailed the farther away it is</source>
+        <translation>Het geselecteerde met schaduw, al het andere minder uitgewerkt naarmate het verder weg is</translation>
+    </message>
+    <message>
+        <source>Click in the picture to set the place, and drag it; with Shift in depth</source>
+        <translation>Klik in het beeld om de plaats te zetten, en versleep haar; met Shift in de diepte</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Bereik</translation>
+    </message>
+    <message>
+        <source>From what distance on there are only silhouettes</source>
+        <translation>Vanaf welke afstand er alleen silhouetten zijn</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::NearTool</name>
+    <message>
+        <source>Focus by Nearness</source>
+        <translation>Focus naar nabijheid</translation>
+    </message>
+    <message>
+        <source>Reach of Nearness</source>
+        <translation>Bereik van nabijheid</translation>
+    </message>
+    <message>
+        <source>Nearness to a Place</source>
+        <translation>Nabijheid van een plaats</translation>
+    </message>
+    <message>
+        <source>Move the Place</source>
+        <translation>Plaats verschuiven</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::NumberLimits</name>
     <message>
         <source>Numbers from %1 to %2 can be set here</source>
@@ -6113,6 +6387,123 @@ OpenGL: %3</translation>
     <message>
         <source>Fewer triangles</source>
         <translation>Minder driehoeken</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PocketsPanel</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 van %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n residues at its wall: %1</source>
+        <translation>
+            <numerusform>%n residu aan de wand: %1</numerusform>
+            <numerusform>%n residuen aan de wand: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pocket</source>
+        <translation>Holte</translation>
+    </message>
+    <message>
+        <source>Volume Å³</source>
+        <translation>Volume Å³</translation>
+    </message>
+    <message>
+        <source>Mouth Å²</source>
+        <translation>Monding Å²</translation>
+    </message>
+    <message>
+        <source>Burial</source>
+        <translation>Ingeslotenheid</translation>
+    </message>
+    <message>
+        <source>The room that the small probe can fill</source>
+        <translation>De ruimte die de kleine bol kan vullen</translation>
+    </message>
+    <message>
+        <source>The surface across which the pocket is open; 0: it is closed</source>
+        <translation>Het oppervlak waarover de holte open is; 0: ze is gesloten</translation>
+    </message>
+    <message>
+        <source>The share of directions in which atoms lie within 10 Å</source>
+        <translation>Het aandeel van de richtingen waarin atomen binnen 10 Å liggen</translation>
+    </message>
+    <message>
+        <source>Its number, and what lies in it</source>
+        <translation>Het nummer en wat erin ligt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Pockets</source>
+        <translation>Holten</translation>
+    </message>
+    <message>
+        <source>Click a pocket to put it in focus, with what lies in it</source>
+        <translation>Klik op een holte om die in focus te zetten, met wat erin ligt</translation>
+    </message>
+    <message>
+        <source>Radius of the ball that goes into pockets; water has 1.4 Å</source>
+        <translation>Straal van de bol die in holten gaat; water heeft 1,4 Å</translation>
+    </message>
+    <message>
+        <source>Radius of the ball that stays out: with a larger one, shallower and wider pockets count</source>
+        <translation>Straal van de bol die buiten blijft: met een grotere tellen ook ondiepere en wijdere holten</translation>
+    </message>
+    <message>
+        <source> Å³</source>
+        <translation> Å³</translation>
+    </message>
+    <message>
+        <source>Smaller pockets are left out</source>
+        <translation>Kleinere holten worden weggelaten</translation>
+    </message>
+    <message>
+        <source>&amp;Probe radius</source>
+        <translation>&amp;Bolstraal</translation>
+    </message>
+    <message>
+        <source>&amp;Large probe</source>
+        <translation>&amp;Grote bol</translation>
+    </message>
+    <message>
+        <source>&amp;Smallest</source>
+        <translation>&amp;Kleinste</translation>
+    </message>
+    <message>
+        <source> Å</source>
+        <translation> Å</translation>
+    </message>
+    <message>
+        <source>Looking for pockets …</source>
+        <translation>Holten worden gezocht …</translation>
+    </message>
+    <message>
+        <source>Open a protein from a PDB or mmCIF file to see its pockets here.</source>
+        <translation>Open een eiwit uit een PDB- of mmCIF-bestand om hier de holten te zien.</translation>
+    </message>
+    <message>
+        <source>Nothing was looked for. Change a radius to start.</source>
+        <translation>Er is niet gezocht. Wijzig een straal om te beginnen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pockets</source>
+        <translation>
+            <numerusform>%n holte</numerusform>
+            <numerusform>%n holten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pocket %1 in Focus</source>
+        <translation>Holte %1 in focus</translation>
     </message>
 </context>
 <context>
