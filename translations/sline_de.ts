@@ -4545,6 +4545,14 @@
         <source>Take away what is painted (Ctrl while you paint)</source>
         <translation>Gemaltes wegnehmen (Strg beim Malen)</translation>
     </message>
+    <message>
+        <source>the distance between lines in full shade, 1/720 of the picture&apos;s height</source>
+        <translation>der Abstand der Linien im vollen Schatten, 1/720 der Bildhöhe</translation>
+    </message>
+    <message>
+        <source>the shade must be above, 0 in the light to 1</source>
+        <translation>der Schatten muss darüber liegen, 0 im Licht bis 1</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

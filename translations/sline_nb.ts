@@ -4545,6 +4545,14 @@
         <source>Take away what is painted (Ctrl while you paint)</source>
         <translation>Ta bort det som er malt (Ctrl mens du maler)</translation>
     </message>
+    <message>
+        <source>the distance between lines in full shade, 1/720 of the picture&apos;s height</source>
+        <translation>avstanden mellom linjene i full skygge, 1/720 av bildets høyde</translation>
+    </message>
+    <message>
+        <source>the shade must be above, 0 in the light to 1</source>
+        <translation>skyggen må ligge over, 0 i lyset til 1</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -4545,6 +4545,14 @@
         <source>Take away what is painted (Ctrl while you paint)</source>
         <translation>Neem weg wat geschilderd is (Ctrl tijdens het schilderen)</translation>
     </message>
+    <message>
+        <source>the distance between lines in full shade, 1/720 of the picture&apos;s height</source>
+        <translation>de afstand tussen lijnen in de volle schaduw, 1/720 van de hoogte van het beeld</translation>
+    </message>
+    <message>
+        <source>the shade must be above, 0 in the light to 1</source>
+        <translation>de schaduw moet erboven liggen, 0 in het licht tot 1</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

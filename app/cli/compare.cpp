@@ -44,12 +44,16 @@ Result<std::vector<model::Technique>> parseTechniques(const std::vector<std::str
   for (const std::string& name : names)
     if (name == allTechniques) {
       for (const render::TechniqueFacts& facts : render::techniqueList())
-        techniques.push_back(facts.technique);
+        if (facts.drawsLines())
+          techniques.push_back(facts.technique);
     } else {
       const Result<std::size_t> place =
           parseName(model::namesOf(model::Technique()), "technique", name);
       if (!place.ok())
         return place.error();
+      if (!render::techniqueList()[*place].drawsLines())
+        return Error{.reason = name + " is made of pixels, and the sheet compares lines",
+                     .remedy = "Leave it out; sline render draws it"};
       techniques.push_back(model::Technique(*place));
     }
   return techniques;

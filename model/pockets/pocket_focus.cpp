@@ -126,8 +126,9 @@ Style lookAtWall(NodeId room) {
   look.opacity = Opacity::clamped(1.0f);
   // Where Γ falls off, hatching would be a fringe of ticks.
   look.hatchDensity = HatchDensity::clamped(0.0f);
-  look.gammaMap = GammaMap{
-      GammaScalar::distance, {room}, {{0.0f, wallRise}, {wallWidth, wallRise}, {wallEnd, 0.0f}}};
+  look.gammaMap = GammaMap{.scalar = GammaScalar::distance,
+                           .targets = {room},
+                           .curve = {{0.0f, wallRise}, {wallWidth, wallRise}, {wallEnd, 0.0f}}};
   return look;
 }
 

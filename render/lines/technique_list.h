@@ -37,6 +37,8 @@ struct TechniqueFacts {
   Gamma whole;  ///< the least Γ at which all of its lines have entered
   std::vector<TechniqueThreshold> thresholds;
 
+  /// Tells whether it draws lines; noise is made of pixels.
+  bool drawsLines() const { return !thresholds.empty(); }
   /// Returns "Judd et al. 2007".
   std::string citation() const;
 };

@@ -90,20 +90,34 @@ class CompareTest : public QObject {
 
 void CompareTest::sheetHasRowsAndColumns() {
   const Sheet sheet = readSheet(compared({m_ring, m_ball, "--view", "superior"}));
-  QCOMPARE(sheet.cells.size(), 16);
+  QCOMPARE(sheet.cells.size(), 18);
   QCOMPARE(sheet.cells.first(), QString("cell-1-1"));
-  QCOMPARE(sheet.cells.last(), QString("cell-2-8"));
+  QCOMPARE(sheet.cells.last(), QString("cell-2-9"));
   QVERIFY(sheet.titles.contains("ball, ConFIS"));
-  for (const char* text :
-       {"Suggestive contours", "DeCarlo et al. 2003", "ConFIS", "Lawonn et al. 2013",
-        "Apparent ridges", "Judd et al. 2007", "Ridges and valleys", "Ohtake et al. 2004",
-        "Photic extremum lines", "Xie et al. 2007", "Laplacian lines", "Zhang et al. 2011",
-        "Demarcating curves", "Kolomenkin et al. 2008", "Highlight lines",
-        "DeCarlo, Rusinkiewicz 2007", "ring", "ball"})
+  for (const char* text : {"Suggestive contours",
+                           "DeCarlo et al. 2003",
+                           "ConFIS",
+                           "Lawonn et al. 2013",
+                           "Apparent ridges",
+                           "Judd et al. 2007",
+                           "Ridges and valleys",
+                           "Ohtake et al. 2004",
+                           "Photic extremum lines",
+                           "Xie et al. 2007",
+                           "Laplacian lines",
+                           "Zhang et al. 2011",
+                           "Demarcating curves",
+                           "Kolomenkin et al. 2008",
+                           "Highlight lines",
+                           "DeCarlo, Rusinkiewicz 2007",
+                           "Streamline hatching",
+                           "Zander et al. 2004",
+                           "ring",
+                           "ball"})
     QVERIFY2(sheet.texts.contains(text), text);
   // Each cell has its figures: thresholds, time and length per area.
   static const QRegularExpression figures("^[a-z_]+ [0-9.]+.*[0-9.]+ ms · [0-9.]+ mm⁻¹$");
-  QCOMPARE(sheet.texts.filter(figures).size(), 16);
+  QCOMPARE(sheet.texts.filter(figures).size(), 18);
   // The ring's Laplacian line lies where theory has it; the ball has none but its contour.
   QVERIFY(sheet.layers.contains("Laplacian lines"));
   QCOMPARE(sheet.layers.filter("Contours").size(), 16);
@@ -182,6 +196,7 @@ void CompareTest::wrongUse_data() {
     QTest::newRow(name) << flags << code << QByteArray(said);
   };
   const QString svg = m_folder.filePath("no.svg");
+  row("a technique of pixels", {m_ring, "-o", svg, "--techniques", "noise_lic"}, 2, "pixels");
   row("unknown technique", {m_ring, "-o", svg, "--techniques", "sline,fur"}, 2, "apparent_ridges");
   row("unknown threshold", {m_ring, "-o", svg, "--line-threshold", "fur=1"}, 2, "laplacian.slope");
   row("bad threshold", {m_ring, "-o", svg, "--line-threshold", "laplacian=-1"}, 2, "0 to 1000");

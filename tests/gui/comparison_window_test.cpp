@@ -83,14 +83,14 @@ class ComparisonWindowTest : public QObject {
     ComparisonDesk desk;
     ComparisonDialog& dialog = desk.open();
     std::vector<QImage> before = pictures(dialog);
-    QCOMPARE(before.size(), std::size_t(8));
+    QCOMPARE(before.size(), std::size_t(9));
     for (const QImage& image : before)
       QVERIFY(!image.isNull() && image.size() == before.front().size());
     const auto allTurned = [&] {
       if (!desk.drawn(dialog))
         return false;
       const std::vector<QImage> now = pictures(dialog);
-      const bool all = different(before, now) == 8;
+      const bool all = different(before, now) == 9;
       before = now;
       return all;
     };
@@ -195,7 +195,7 @@ class ComparisonWindowTest : public QObject {
     QFile file(svg);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray text = file.readAll();
-    QVERIFY(text.contains("cell-1-8") && text.contains("Lawonn et al. 2013"));
+    QVERIFY(text.contains("cell-1-9") && text.contains("Lawonn et al. 2013"));
     dialog.save(desk.folder.filePath(QStringLiteral("sheet.gif")));
     QVERIFY(part<QLabel>(dialog, "comparisonTold").text().contains(QStringLiteral("svg")));
     // Who closes the window at once gets the sheet all the same, and waits for nothing.

@@ -76,6 +76,8 @@ QWidget* ComparisonDialog::makeGrid() {
   layout->setHorizontalSpacing(12);
   layout->setVerticalSpacing(10);
   for (const render::TechniqueFacts& facts : render::techniqueList()) {
+    if (!facts.drawsLines())
+      continue;
     auto* cell = new ComparisonCell(facts.technique);
     cell->showThresholds(m_thresholds);
     connect(&cell->picture(), &ComparisonPicture::turned, this, &ComparisonDialog::turn);

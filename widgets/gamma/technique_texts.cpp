@@ -20,6 +20,8 @@ namespace {
     QT_TRANSLATE_NOOP("sline::widgets", "Laplacian lines"),
     QT_TRANSLATE_NOOP("sline::widgets", "Demarcating curves"),
     QT_TRANSLATE_NOOP("sline::widgets", "Highlight lines"),
+    QT_TRANSLATE_NOOP("sline::widgets", "Streamline hatching"),
+    QT_TRANSLATE_NOOP("sline::widgets", "Noise LIC"),
     QT_TRANSLATE_NOOP("sline::widgets", "Dκr·F² must be above"),
     QT_TRANSLATE_NOOP("sline::widgets", "acos(nv) must be above, radians"),
     QT_TRANSLATE_NOOP("sline::widgets", "T/F_c, the thickness of the contour's margin"),
@@ -32,7 +34,10 @@ namespace {
     QT_TRANSLATE_NOOP("sline::widgets", "|∇f|·F must be above"),
     QT_TRANSLATE_NOOP("sline::widgets", "C(g,g,g)·F² must be above"),
     QT_TRANSLATE_NOOP("sline::widgets", "−Dκr·F² must be above"),
-    QT_TRANSLATE_NOOP("sline::widgets", "κ1²·F² must be above")};
+    QT_TRANSLATE_NOOP("sline::widgets", "κ1²·F² must be above"),
+    QT_TRANSLATE_NOOP("sline::widgets",
+                      "the distance between lines in full shade, 1/720 of the picture's height"),
+    QT_TRANSLATE_NOOP("sline::widgets", "the shade must be above, 0 in the light to 1")};
 
 }  // namespace
 
