@@ -19,6 +19,7 @@
 #include "render/picture/picture.h"
 #include "render/vectors/vector_drawing.h"
 #include "tests/bench/gamma_drag.h"
+#include "tests/bench/known_lines.h"
 #include "tests/bench/large_tree.h"
 #include "tests/bench/leaders.h"
 #include "tests/bench/measure.h"
@@ -44,6 +45,7 @@ struct Options {
   float meshingMm = 0.0f;
   int structures = 0;
   int turning = 0;
+  bool knownLines = false;
   bool curves = false;
   bool opening = false;
   bool occlusion = false;
@@ -433,6 +435,9 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--structures", options.structures,
                  "Without INPUT: ask a tree of so many structures for their styles and bounds")
       ->check(CLI::Range(1, 1'000'000));
+  app.add_flag("--known-lines", options.knownLines,
+               "Without INPUT: recall and precision of each technique on a surface of which all "
+               "lines are known");
   app.add_option("--steady-lines", options.turning,
                  "Instead: turn by so many steps of half a degree and say what lines pop")
       ->check(CLI::Range(1, 720));
@@ -467,6 +472,10 @@ int main(int argc, char** argv) {
   }
   if (options.structures > 0) {
     std::cout << bench::measureTree(options.structures);
+    return 0;
+  }
+  if (options.knownLines) {
+    std::cout << bench::measureKnownLines();
     return 0;
   }
   if (options.inputs.empty()) {
