@@ -4,9 +4,11 @@
 #   make_plates.sh SLINE [ANATOMY]
 # SLINE is the built program. ANATOMY is a folder with anatomy that others publish (plates.md says
 # where), as files, folders or links; what is missing there is not drawn anew:
-#   trachea.glb heart.glb pelvis  Human Reference Atlas: trachea, heart, folder of a male pelvis
+#   trachea.glb bronchus.glb heart.glb pelvis
+#                                 Human Reference Atlas: trachea, main bronchi, heart, folder of a
+#                                 male pelvis
 #   abdomen                       abdominal atlas: folder with its scene, as atlas.mrml, and meshes
-#   bodyparts                     BodyParts3D: folder of a pelvis
+#   bodyparts liver_vessels       BodyParts3D: folders of a pelvis and of a liver with its vessels
 #   labels.nii.gz                 labels of a CT by TotalSegmentator, with labels_names.tsv
 #   kinase.pdb                    entry 2SRC of the Protein Data Bank
 set -euo pipefail
@@ -106,6 +108,27 @@ if [ -e "$anatomy/bodyparts" ]; then
   done
   oiiotool "${cells[@]}" --mosaic 4x2 -o "$scratch/techniques.png"
   keep "$scratch/techniques.png" techniques.png
+fi
+
+confis() { # NAME FLAGS...: one of three side by side
+  local name=$1
+  shift
+  "$sline" render "$@" -o "$scratch/confis_$name.png" --look plain --gamma 3 --technique confis \
+    --size 400x400
+}
+if [ -e "$anatomy/trachea.glb" ] && [ -e "$anatomy/bronchus.glb" ] && [ -e "$anatomy/bodyparts" ]; then
+  confis trachea "$anatomy/trachea.glb" --camera trachea_camera.json --fill veil
+  confis bronchi "$anatomy/bronchus.glb" --view anterior --fill paper
+  confis hip "$anatomy/bodyparts" --only "right hip bone" --view right --fill paper
+  oiiotool "$scratch/confis_trachea.png" "$scratch/confis_bronchi.png" "$scratch/confis_hip.png" \
+    --mosaic 3x1 -o "$scratch/confis.png"
+  keep "$scratch/confis.png" confis.png
+fi
+if [ -e "$anatomy/liver_vessels" ]; then
+  "$sline" render "$anatomy/liver_vessels" -o "$scratch/confis_vessels.png" --look plain \
+    --only Veins --only "Portal system" --view anterior --gamma 3 --technique confis --fill paper \
+    --ink-colour Veins=#1f468f --size 700x560
+  keep "$scratch/confis_vessels.png" confis_vessels.png
 fi
 
 liver=$(find -L "$anatomy" -path '*abdomen*' -name '*_liver.vtk' 2>/dev/null | head -n 1 || true)
