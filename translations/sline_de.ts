@@ -4478,12 +4478,12 @@
         <translation>Malen</translation>
     </message>
     <message>
-        <source>Focus &amp;by Nearness</source>
+        <source>Focus by Nearness</source>
         <translation>Fokus nach Nähe</translation>
     </message>
     <message>
         <source>Shift+F</source>
-        <translation>Umschalt+F</translation>
+        <translation>Shift+F</translation>
     </message>
     <message>
         <source>The selected shaded, everything else the less detailed the farther away it is</source>
@@ -4495,7 +4495,7 @@
     </message>
     <message>
         <source>Ctrl+Shift+F</source>
-        <translation>Strg+Umschalt+F</translation>
+        <translation>Ctrl+Shift+F</translation>
     </message>
     <message>
         <source>Click in the picture to set the place, and drag it; with Shift in depth</source>
@@ -4507,7 +4507,7 @@
     </message>
     <message>
         <source>Shift+B</source>
-        <translation>Umschalt+B</translation>
+        <translation>Shift+B</translation>
     </message>
     <message>
         <source>Paint on the selected structures where more is to be told than elsewhere</source>
@@ -4889,7 +4889,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
+        <translation>%1 gesichert</translation>
     </message>
 </context>
 <context>

@@ -4478,7 +4478,7 @@
         <translation>Male</translation>
     </message>
     <message>
-        <source>Focus &amp;by Nearness</source>
+        <source>Focus by Nearness</source>
         <translation>Fokus etter nærhet</translation>
     </message>
     <message>
@@ -6401,7 +6401,7 @@ OpenGL: %3</translation>
     <name>sline::widgets::PocketsPanel</name>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 for %2</translation>
+        <translation>%1 av %2</translation>
     </message>
     <message>
         <source>%1 %</source>

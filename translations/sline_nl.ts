@@ -4478,7 +4478,7 @@
         <translation>Schilderen</translation>
     </message>
     <message>
-        <source>Focus &amp;by Nearness</source>
+        <source>Focus by Nearness</source>
         <translation>Focus naar nabijheid</translation>
     </message>
     <message>
@@ -4889,7 +4889,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation>%1 opgeslagen</translation>
+        <translation>%1 bewaard</translation>
     </message>
 </context>
 <context>

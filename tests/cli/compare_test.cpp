@@ -120,7 +120,7 @@ void CompareTest::sheetHasRowsAndColumns() {
   QCOMPARE(sheet.texts.filter(figures).size(), 18);
   // The ring's Laplacian line lies where theory has it; the ball has none but its contour.
   QVERIFY(sheet.layers.contains("Laplacian lines"));
-  QCOMPARE(sheet.layers.filter("Contours").size(), 16);
+  QCOMPARE(sheet.layers.filter("Contours").size(), 18);
   const Sheet ball = readSheet(compared({m_ball, "--techniques", "laplacian"}));
   QVERIFY(!ball.layers.contains("Laplacian lines"));
   QVERIFY(ball.texts.filter("0.000 mm⁻¹").size() == 1);

@@ -137,7 +137,7 @@ std::vector<ActionRow> lookRows() {
 
 /// Rows of what is done by hand in the picture: near to what everything is, and what is painted.
 std::vector<ActionRow> handRows() {
-  return {{QStringLiteral("focusNear"), tr("Focus &by Nearness"), key(tr("Shift+F")),
+  return {{QStringLiteral("focusNear"), tr("Focus by Nearness"), key(tr("Shift+F")),
            tr("The selected shaded, everything else the less detailed the farther away it is")},
           {QStringLiteral("focusPlace"), tr("Nearness to a Place"), key(tr("Ctrl+Shift+F")),
            tr("Click in the picture to set the place, and drag it; with Shift in depth")},
