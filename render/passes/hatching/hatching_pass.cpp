@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/passes/hatching/hatching_pass.h"
 
+#include <cstdint>
+#include <span>
+
 #include "render/passes/shader_files.h"
 
 namespace sline::render::passes {
@@ -42,6 +45,54 @@ gpu::ProgramRecipe searchRecipe() {
 
 }  // namespace
 
+void setSlot(const gpu::Program& program, const gpu::Texture& surfaceDepths,
+             const SurfaceView& view, const SurfaceDraw& surface) {
+  program.set("viewProjection", view.viewProjection);
+  program.set("pictureSize", view.pictureSize);
+  program.set("layer", glm::vec4(float(surface.layer.x), float(surface.layer.y),
+                                 float(surface.layer.width), float(surface.layer.height)));
+  program.set("eye", view.eye);
+  program.set("shapeScale", shapeScale);
+  program.set("surfaceDepth", surfaceDepths);
+  program.set("toAtlas", glm::ivec2(surface.slot.x, surface.slot.y));
+  program.set("twoSided", surface.fill.twoSided ? 1 : 0);
+}
+
+void drawSlot(gpu::Device& device, const HatchingFields& to, const gpu::Program& program,
+              const SurfaceDraw& surface) {
+  const PixelRect here{0, 0, surface.slot.width, surface.slot.height};
+  device.clear(to.target, {.depth = 1.0f, .area = here});
+  const gpu::DrawState state{
+      .viewport = here, .scissor = here, .depth = gpu::DepthTest::less, .writeDepth = true};
+  if (surface.visible.empty()) {
+    device.triangles({to.target, program, surface.surface.geometry(), state}, surface.ranges);
+    return;
+  }
+  surface.surface.showOnly(surface.visible);
+  const gpu::DrawRange all{0, std::uint32_t(surface.visible.size())};
+  device.triangles({to.target, program, surface.surface.visibleGeometry(), state},
+                   std::span(&all, 1));
+}
+
+void drawWalk(gpu::Device& device, const gpu::Target& target, const HatchingFields& from,
+              const SlotWalk& walk) {
+  const PixelRect& slot = walk.slot;
+  walk.program.set("fields", from.fields);
+  walk.program.set("depths", from.depths);
+  walk.program.set("origin", glm::ivec2(slot.x, slot.y));
+  walk.program.set("extent", glm::ivec2(slot.width, slot.height));
+  walk.program.set("projection", walk.projection);
+  walk.program.set("longest", walk.longest);
+  walk.program.set("stride", walk.stride);
+  walk.program.set("contourJump", walk.contourJump);
+  const gpu::DrawState state{.viewport = slot,
+                             .scissor = slot,
+                             .depth = gpu::DepthTest::always,
+                             .writeDepth = true,
+                             .blend = gpu::Blend::maximum};
+  device.quads({target, walk.program, walk.rectangle, state}, 1);
+}
+
 HatchingPass::HatchingPass() : m_rectangle({}, nullptr, "rectangle") {}
 
 Result<std::unique_ptr<HatchingPass>> HatchingPass::create(gpu::Dialect dialect) {
@@ -60,51 +111,24 @@ Result<std::unique_ptr<HatchingPass>> HatchingPass::create(gpu::Dialect dialect)
 void HatchingPass::drawFields(gpu::Device& device, const HatchingFields& to,
                               const gpu::Texture& surfaceDepths, const SurfaceView& view,
                               const HatchingDraw& draw) const {
-  const SurfaceDraw& surface = draw.surface;
-  const PixelRect here{0, 0, surface.slot.width, surface.slot.height};
-  device.clear(to.target, {.depth = 1.0f, .area = here});
-  m_field->set("viewProjection", view.viewProjection);
-  m_field->set("pictureSize", view.pictureSize);
-  m_field->set("layer", glm::vec4(float(surface.layer.x), float(surface.layer.y),
-                                  float(surface.layer.width), float(surface.layer.height)));
-  m_field->set("eye", view.eye);
-  m_field->set("shapeScale", shapeScale);
-  m_field->set("filigree", surface.fill.filigree);
+  const float filigree = draw.surface.fill.filigree;
+  setSlot(*m_field, surfaceDepths, view, draw.surface);
+  m_field->set("filigree", filigree);
   m_field->set("grid", glm::vec4(draw.gridCorner, draw.cell));
-  m_field->set("surfaceDepth", surfaceDepths);
-  m_field->set("toAtlas", glm::ivec2(surface.slot.x, surface.slot.y));
-  m_field->set("weight",
-               glm::vec3(draw.feature / surface.fill.filigree, draw.threshold, draw.opacity));
-  m_field->set("twoSided", surface.fill.twoSided ? 1 : 0);
-  const gpu::DrawState state{
-      .viewport = here, .scissor = here, .depth = gpu::DepthTest::less, .writeDepth = true};
-  if (surface.visible.empty()) {
-    device.triangles({to.target, *m_field, surface.surface.geometry(), state}, surface.ranges);
-    return;
-  }
-  surface.surface.showOnly(surface.visible);
-  const gpu::DrawRange all{0, std::uint32_t(surface.visible.size())};
-  device.triangles({to.target, *m_field, surface.surface.visibleGeometry(), state},
-                   std::span(&all, 1));
+  m_field->set("weight", glm::vec3(draw.feature / filigree, draw.threshold, draw.opacity));
+  drawSlot(device, to, *m_field, draw.surface);
 }
 
 void HatchingPass::search(gpu::Device& device, const gpu::Target& target,
                           const HatchingFields& from, const HatchingDraw& draw) const {
-  const PixelRect& slot = draw.surface.slot;
-  m_search->set("fields", from.fields);
-  m_search->set("depths", from.depths);
-  m_search->set("origin", glm::ivec2(slot.x, slot.y));
-  m_search->set("extent", glm::ivec2(slot.width, slot.height));
-  m_search->set("projection", draw.projection);
-  m_search->set("longest", longestSearch);
-  m_search->set("stride", draw.stride);
-  m_search->set("contourJump", draw.contourJump);
-  const gpu::DrawState state{.viewport = slot,
-                             .scissor = slot,
-                             .depth = gpu::DepthTest::always,
-                             .writeDepth = true,
-                             .blend = gpu::Blend::maximum};
-  device.quads({target, *m_search, m_rectangle, state}, 1);
+  drawWalk(device, target, from,
+           {.program = *m_search,
+            .rectangle = m_rectangle,
+            .slot = draw.surface.slot,
+            .projection = draw.projection,
+            .longest = longestSearch,
+            .stride = draw.stride,
+            .contourJump = draw.contourJump});
 }
 
 }  // namespace sline::render::passes

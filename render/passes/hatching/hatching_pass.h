@@ -32,6 +32,28 @@ struct HatchingFields {
   const gpu::Target& target;
 };
 
+/// Sets what the programs that draw a surface's fields into its slot have in common.
+void setSlot(const gpu::Program& program, const gpu::Texture& surfaceDepths,
+             const SurfaceView& view, const SurfaceDraw& surface);
+/// Draws the fields of the surface's visible part with a program that is set.
+void drawSlot(gpu::Device& device, const HatchingFields& to, const gpu::Program& program,
+              const SurfaceDraw& surface);
+
+/// Says how each pixel of a slot walks along the directions of its fields.
+struct SlotWalk {
+  const gpu::Program& program;
+  const gpu::Geometry& rectangle;
+  PixelRect slot;
+  glm::vec4 projection{0.0f};  ///< as in HatchingDraw
+  int longest = 1;             ///< steps each way
+  float stride = 1.0f;         ///< px between steps
+  float contourJump = 1.0f;    ///< as in HatchingDraw
+};
+/// Lets all pixels of the slot walk. The target gets the ink coverage, joined by maximum, and the
+/// layer's depth.
+void drawWalk(gpu::Device& device, const gpu::Target& target, const HatchingFields& from,
+              const SlotWalk& walk);
+
 class HatchingPass {
  public:
   /// The number of strides that the search goes each way.
