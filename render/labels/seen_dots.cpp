@@ -189,13 +189,15 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
   };
   std::optional<glm::ivec2> best = all.best(clear);
   const std::optional<glm::ivec2> hidden = best ? std::nullopt : hiddenCell(all);
-  // Where a sliver is all there is, its outline is everywhere and seen a little.
+  // Where a sliver is all there is, its outline is everywhere and seen a little. What others
+  // outshine in the whole of every dot is not seen.
   constexpr float little = 0.15f;
+  constexpr float least = 0.1f;  // of a dot
   if (hidden && all.inked[all.index(hidden->x, hidden->y)] &&
       sharesAt(all.layer, layer, hidden->x, hidden->y).traces > little)
     best = all.best([&](int x, int y) -> std::optional<float> {
       const Dots::Disc dot = all.disc(x, y, all.radius);
-      return dot.traces > 0.0f ? std::optional(dot.own + dot.traces - dot.others) : std::nullopt;
+      return dot.own > least ? std::optional(dot.own + dot.traces - dot.others) : std::nullopt;
     });
   // Ink lies outside the surface: the place on it is beside the dot.
   const auto on = best ? all.layer.coveredNear(best->x, best->y, 4) : std::nullopt;
