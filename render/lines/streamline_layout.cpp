@@ -45,6 +45,7 @@ std::uint32_t scrambled(std::uint32_t x) {
 }
 
 using Line = std::vector<TracedPoint>;
+using ShapeEntries = std::array<float, 6>;  // of S·F_c
 
 float offChord(const Line& line, std::size_t i, std::size_t from, std::size_t to) {
   const glm::dvec3 chord = line[to].place - line[from].place;
@@ -184,8 +185,9 @@ class StreamlineLayout::Builder {
                       .length = float(line.back().way)};
     model::Box box;
     glm::vec3 normals(0.0f);
+    m_bends.resize(kept.size());
     for (std::size_t k = 0; k < kept.size(); ++k) {
-      StreamlinePoint point = pointOf(line[kept[k]], line.back().way);
+      StreamlinePoint point = pointOf(line[kept[k]], line.back().way, m_bends[k]);
       // What was left out on the way to the middle between two points belongs to the nearer one.
       const std::size_t low = k > 0 ? (kept[k - 1] + kept[k]) / 2 + 1 : 0;
       const std::size_t high = k + 1 < kept.size() ? (kept[k] + kept[k + 1]) / 2 : kept[k];
@@ -202,10 +204,20 @@ class StreamlineLayout::Builder {
     stored.bounds = {box.centre(), 0.5f * glm::length(box.size())};
     stored.axis = normals / std::max(glm::length(normals), 1e-20f);
     for (std::size_t i = stored.first; i < m_layout.m_points.size(); ++i)
-      stored.spread = std::max(
-          stored.spread, std::acos(std::clamp(glm::dot(stored.axis, normalOf(m_layout.m_points[i])),
-                                              -1.0f, 1.0f)));
+      stored.within =
+          std::min(stored.within, glm::dot(stored.axis, normalOf(m_layout.m_points[i])));
+    keepBends(stored);
     m_layout.m_lines.push_back(stored);
+  }
+
+  void keepBends(Streamline& stored) {
+    for (const ShapeEntries& bend : m_bends)
+      for (const float entry : bend)
+        stored.bend = std::max(stored.bend, std::abs(entry));
+    const float steps = bendSteps / std::max(stored.bend, 1e-20f);
+    for (std::size_t k = 0; k < m_bends.size(); ++k)
+      for (std::size_t i = 0; i < m_bends[k].size(); ++i)
+        m_layout.m_points[stored.first + k].s[i] = std::int16_t(std::lround(steps * m_bends[k][i]));
   }
 
   /// Returns the largest |κ|·F_c at the triangle's corners.
@@ -218,11 +230,12 @@ class StreamlineLayout::Builder {
     return largest * m_surface.filigreeSize;
   }
 
-  StreamlinePoint pointOf(const TracedPoint& at, double length) const {
+  /// Returns all of a point but S·F_c, which goes to `s`.
+  StreamlinePoint pointOf(const TracedPoint& at, double length, ShapeEntries& s) const {
     const model::Triangle& t = m_surface.mesh->triangles()[at.triangle];
     const std::array<double, 3> share = barycentric(at.at);
     glm::vec3 normal(0.0f);
-    std::array<float, 6> s{};
+    s = {};
     for (std::size_t i = 0; i < 3; ++i) {
       const float weight = float(share[i]);
       const glm::vec3& n = m_surface.normals[t[i]];
@@ -240,8 +253,6 @@ class StreamlineLayout::Builder {
     StreamlinePoint point{.position = glm::vec3(at.place), .triangle = at.triangle};
     normal /= std::max(glm::length(normal), 1e-20f);
     point.normal = glm::packSnorm3x10_1x2(glm::vec4(normal, 0.0f));
-    for (std::size_t i = 0; i < s.size(); ++i)
-      point.s[i] = glm::packHalf1x16(std::clamp(s[i], -6e4f, 6e4f));
     point.way = std::uint16_t(std::lround(double(waySteps) * std::min(at.way / length, 1.0)));
     return point;
   }
@@ -255,6 +266,7 @@ class StreamlineLayout::Builder {
   std::vector<float> m_features;
   StreamlineRoom m_room;
   std::vector<std::uint32_t> m_order;
+  std::vector<ShapeEntries> m_bends;  ///< of the line that is being kept
 };
 
 StreamlineLayout::StreamlineLayout(const model::Surface& surface,

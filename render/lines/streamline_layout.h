@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cstdint>
-#include <glm/gtc/packing.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -22,20 +21,27 @@ namespace sline::render {
 
 inline constexpr float waySteps = 65535.0f;
 inline constexpr float featureSteps = 32.0f;
+inline constexpr float bendSteps = 32767.0f;  ///< of the largest entry of S·F_c in a line
 
 /// A point of a line with what a view needs to know there, in 36 bytes.
 struct StreamlinePoint {
   glm::vec3 position{0.0f};  ///< on the surface, patient frame, mm
   std::uint32_t triangle = 0;
-  std::uint32_t normal = 0;          ///< unit, outwards: glm::packSnorm3x10_1x2
-  std::array<std::uint16_t, 6> s{};  ///< S·F_c in space (xx, xy, xz, yy, yz, zz), halves
-  std::uint16_t way = 0;             ///< from the line's first end, in `waySteps` of its length
+  std::uint32_t normal = 0;         ///< unit, outwards: glm::packSnorm3x10_1x2
+  std::array<std::int16_t, 6> s{};  ///< S·F_c in space (xx, xy, xz, yy, yz, zz), in `bendSteps`
+  std::uint16_t way = 0;            ///< from the line's first end, in `waySteps` of its length
   std::uint8_t feature = 0;  ///< |H|·F_c where H has an extremum, in `featureSteps` of 1; else 0
 };
 
+/// Returns a component (0 … 2) of a normal that glm::packSnorm3x10_1x2 has packed. Several are
+/// unpacked at once where a loop does so.
+inline float normalComponent(std::uint32_t packed, int component) {
+  return float(std::int32_t(packed << (22 - 10 * component)) >> 22) * (1.0f / 511.0f);
+}
 /// Returns a point's unit normal, outwards.
 inline glm::vec3 normalOf(const StreamlinePoint& point) {
-  return glm::vec3(glm::unpackSnorm3x10_1x2(point.normal));
+  return {normalComponent(point.normal, 0), normalComponent(point.normal, 1),
+          normalComponent(point.normal, 2)};
 }
 
 struct Streamline {
@@ -46,8 +52,9 @@ struct Streamline {
   float length = 0.0f;    ///< mm
   model::Sphere bounds;
   glm::vec3 axis{0.0f};   ///< unit, the mean direction of its normals
-  float spread = 0.0f;    ///< the largest angle between the axis and a normal, radians
+  float within = 1.0f;    ///< the cosine of the largest angle between the axis and a normal
   float steepest = 0.0f;  ///< the largest |κ|·F_c
+  float bend = 0.0f;      ///< the largest entry of S·F_c, 1/mm·F_c, which points hold in steps
   float feature = 0.0f;   ///< the largest |H|·F_c of an extremum
 };
 
