@@ -4891,6 +4891,14 @@ OpenGL: %3</translation>
         <source>Saved %1</source>
         <translation>%1 er lagret</translation>
     </message>
+    <message>
+        <source>Ro&amp;w for each</source>
+        <translation>&amp;Rad for hver</translation>
+    </message>
+    <message>
+        <source>Shows what was selected one below the other, else all of it together</source>
+        <translation>Viser det valgte under hverandre, ellers alt sammen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ControlsDialog</name>

@@ -4891,6 +4891,14 @@ OpenGL: %3</translation>
         <source>Saved %1</source>
         <translation>%1 bewaard</translation>
     </message>
+    <message>
+        <source>Ro&amp;w for each</source>
+        <translation>&amp;Rij voor elk</translation>
+    </message>
+    <message>
+        <source>Shows what was selected one below the other, else all of it together</source>
+        <translation>Toont het gekozene onder elkaar, anders alles samen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ControlsDialog</name>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the comparison of techniques by hand: one camera for all, thresholds, the sheet.
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
@@ -23,8 +24,8 @@ namespace sline::test {
 
 namespace {
 
-using widgets::ComparisonCell;
 using widgets::ComparisonDialog;
+using widgets::ComparisonPicture;
 
 struct ComparisonDesk : WindowFixture {
   ComparisonDesk() {
@@ -52,8 +53,8 @@ struct ComparisonDesk : WindowFixture {
 
 std::vector<QImage> pictures(ComparisonDialog& dialog) {
   std::vector<QImage> all;
-  for (ComparisonCell* cell : dialog.findChildren<ComparisonCell*>())
-    all.push_back(cell->picture().image());
+  for (const ComparisonPicture* picture : dialog.findChildren<ComparisonPicture*>())
+    all.push_back(picture->image());
   return all;
 }
 
@@ -153,6 +154,44 @@ class ComparisonWindowTest : public QObject {
     QVERIFY(different(before, pictures(dialog)) > 0);
     QCOMPARE(dialog.order().models.size(), std::size_t(2));
     QVERIFY(QString::fromStdString(dialog.order().models.back().note).startsWith("staircase"));
+  }
+
+  /// Of several that are selected each has a row, all turned alike and framed by themselves.
+  void eachHasItsRow() {
+    ComparisonDesk desk;
+    const auto& nodes = desk.session.scene().nodes();
+    desk.session.select({nodes[0].id, nodes[1].id});
+    ComparisonDialog& dialog = desk.open();
+    QCOMPARE(pictures(dialog).size(), std::size_t(18));
+    auto models = dialog.order().models;
+    QCOMPARE(models.size(), std::size_t(2));
+    QCOMPARE(models[1].name, std::string("ball"));
+    const auto direction = [](const model::Camera& camera) {
+      return glm::normalize(camera.eye - camera.target);
+    };
+    const auto distance = [](const model::Camera& camera) {
+      return glm::distance(camera.eye, camera.target);
+    };
+    const float ratio = distance(models[0].camera) / distance(models[1].camera);
+    QVERIFY(ratio > 3.0f);
+    QVERIFY(glm::distance(models[1].camera.target, glm::vec3(0, 0, 60)) < 1.0f);
+    // The ball's picture turns the ring, too.
+    const std::vector<QImage> before = pictures(dialog);
+    auto* ball = dialog.findChildren<ComparisonPicture*>(QStringLiteral("compared_laplacian"))[1];
+    QTest::keyClick(ball, Qt::Key_Left);
+    QTest::keyClick(ball, Qt::Key_Plus);
+    QVERIFY(desk.drawn(dialog));
+    models = dialog.order().models;
+    QVERIFY(glm::distance(direction(models[0].camera), direction(models[1].camera)) < 1e-4f);
+    QVERIFY(std::abs(distance(models[0].camera) / distance(models[1].camera) / ratio - 1.0f) <
+            1e-3f);
+    QVERIFY(different(before, pictures(dialog)) >= 9);
+    // Together they are one model.
+    part<QCheckBox>(dialog, "comparedApart").click();
+    QVERIFY(desk.drawn(dialog));
+    QCOMPARE(pictures(dialog).size(), std::size_t(9));
+    QCOMPARE(dialog.order().models.size(), std::size_t(1));
+    QCOMPARE(dialog.order().models.front().scene.nodes().size(), std::size_t(2));
   }
 
   /// The panel has the thresholds of the selection's technique.

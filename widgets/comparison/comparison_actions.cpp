@@ -17,20 +17,36 @@ namespace sline::widgets {
 
 namespace {
 
-/// Returns the visible structures at or below the ids, or all of them where none of those is.
+/// Returns the visible structures at or below the ids.
 model::Scene comparedPart(const model::Scene& scene, const NodeIds& ids) {
   model::Scene part;
-  model::Scene all;
-  for (const model::VisibleStructure& structure : model::visibleStructures(scene)) {
-    const model::Node node{.name = structure.node->name,
-                           .mesh = structure.node->mesh,
-                           .provenance = structure.node->provenance};
-    all.append(node);
+  for (const model::VisibleStructure& structure : model::visibleStructures(scene))
     if (std::any_of(ids.begin(), ids.end(),
                     [&](model::NodeId id) { return scene.isBelow(structure.node->id, id); }))
-      part.append(node);
+      part.append({.name = structure.node->name,
+                   .mesh = structure.node->mesh,
+                   .provenance = structure.node->provenance});
+  return part;
+}
+
+/// Returns what of the selection is seen, each with all below it, as rows; none where that is one
+/// or too many.
+std::vector<ComparisonRows::Model> apart(const model::Scene& scene, const NodeIds& ids,
+                                         const DisplayNames& names) {
+  std::vector<ComparisonRows::Model> rows;
+  for (const model::NodeId id : ids) {
+    const bool within = std::any_of(ids.begin(), ids.end(), [&](model::NodeId other) {
+      return other != id && scene.isBelow(id, other);
+    });
+    if (within)
+      continue;
+    model::Scene part = comparedPart(scene, {id});
+    if (!part.nodes().empty())
+      rows.push_back({names.shown(scene.find(id)->name).toStdString(), std::move(part)});
   }
-  return part.nodes().empty() ? all : part;
+  return rows.size() > 1 && rows.size() <= ComparisonRows::most
+             ? rows
+             : std::vector<ComparisonRows::Model>{};
 }
 
 }  // namespace
@@ -66,18 +82,21 @@ void ComparisonActions::showDialog() {
     m_dialog->raise();
     return m_dialog->activateWindow();
   }
-  model::Scene part = comparedPart(m_session.sceneBeforePreview(), m_session.selection());
+  const model::Scene scene = m_session.sceneBeforePreview();
+  model::Scene part = comparedPart(scene, m_session.selection());
+  if (part.nodes().empty())
+    part = comparedPart(scene, {model::rootId});
   if (part.nodes().empty())
     return;
-  const std::string& only = part.nodes().front().name;
+  const QString name = part.nodes().size() == 1 ? m_session.names().shown(part.nodes().front().name)
+                                                : QFileInfo(m_session.title()).completeBaseName();
   const std::filesystem::path& file = m_session.file().path;
-  m_dialog = new ComparisonDialog(
-      {.name = part.nodes().size() == 1 ? m_session.names().shown(only)
-                                        : QFileInfo(m_session.title()).completeBaseName(),
-       .scene = std::move(part),
-       .camera = m_viewport.camera(),
-       .folder = file.empty() ? QDir::homePath() : textOf(file.parent_path())},
-      m_viewport, m_queue, &m_window);
+  m_dialog =
+      new ComparisonDialog({.whole = {name.toStdString(), std::move(part)},
+                            .apart = apart(scene, m_session.selection(), m_session.names()),
+                            .camera = m_viewport.camera(),
+                            .folder = file.empty() ? QDir::homePath() : textOf(file.parent_path())},
+                           m_viewport, m_queue, &m_window);
   m_dialog->setAttribute(Qt::WA_DeleteOnClose);
   m_dialog->open();
 }

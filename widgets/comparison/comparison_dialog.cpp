@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/comparison/comparison_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -10,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -31,8 +33,9 @@ constexpr int comparedSamples = 2;
 constexpr double comparedPen = 1.2;  ///< pixels of the window
 constexpr float sheetPen = 0.18f;    ///< mm, of `comparedScene`
 constexpr float sheetDpi = 300.0f;
-constexpr int mostCells = 64;
+constexpr int mostPlaces = 256;
 constexpr int soon = 15;  ///< milliseconds
+constexpr double roomOfScreen = 0.92;
 
 }  // namespace
 
@@ -42,27 +45,29 @@ ComparisonDialog::ComparisonDialog(Subject subject, Viewport& viewport, Backgrou
       m_subject(std::move(subject)),
       m_viewport(&viewport),
       m_queue(queue),
+      m_rows({m_subject.whole}, m_subject.camera),
+      m_scroll(new QScrollArea),
+      m_apart(new QCheckBox(tr("Ro&w for each"))),
       m_surface(new QComboBox),
       m_told(new QLabel),
       m_save(new QPushButton(tr("&Save Sheet…"))) {
   setObjectName(QStringLiteral("comparisonDialog"));
   setWindowTitle(tr("Compare Techniques"));
-  m_model = {.name = m_subject.name.toStdString(),
-             .note = {},
-             .scene = m_subject.scene,
-             .camera = model::fittedToVisible(m_subject.scene, m_subject.camera, 1.0f)};
-  m_shown = m_model;
-  m_camera = m_model.camera;
-  m_pivot = m_subject.scene.visibleBounds().centre();
+  m_scroll->setObjectName(QStringLiteral("comparisonGrid"));
+  m_scroll->setWidgetResizable(true);
+  m_scroll->setFrameShape(QFrame::NoFrame);
+  m_scroll->setFocusPolicy(Qt::NoFocus);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(makeGrid(), 1);
+  layout->addWidget(m_scroll, 1);
   layout->addWidget(makeBottom());
   m_soon.setSingleShot(true);
   m_soon.setInterval(soon);
   connect(&m_soon, &QTimer::timeout, this, &ComparisonDialog::ask);
   connect(&viewport, &Viewport::previewed, this, &ComparisonDialog::took);
-  turn(m_camera);
-  resize(1080, 700);
+  makeRows();
+  // All columns side by side want the screen's width.
+  const QSize usual(1080, 700);
+  resize(m_apart->isChecked() ? usual.expandedTo(screen()->availableSize() * roomOfScreen) : usual);
 }
 
 ComparisonDialog::~ComparisonDialog() {
@@ -70,38 +75,64 @@ ComparisonDialog::~ComparisonDialog() {
     m_viewport->askPreviews({.previews = {}, .asker = PreviewsOf::compared});
 }
 
+void ComparisonDialog::makeRows() {
+  m_rows = ComparisonRows(m_apart->isChecked() ? m_subject.apart : std::vector{m_subject.whole},
+                          m_subject.camera);
+  m_columns.clear();
+  m_places.clear();
+  m_next = 0;
+  m_made = m_round + 1;
+  m_scroll->setWidget(makeGrid());
+  roughen();
+}
+
 QWidget* ComparisonDialog::makeGrid() {
+  QStringList names;
+  for (std::size_t row = 0; row < m_rows.count(); ++row)
+    names.append(QString::fromStdString(m_rows.shown(row).name));
   auto* grid = new QWidget;
   auto* layout = new QGridLayout(grid);
-  layout->setHorizontalSpacing(12);
+  layout->setHorizontalSpacing(names.size() > 1 ? 6 : 12);
   layout->setVerticalSpacing(10);
+  int room = 0;
   for (const render::TechniqueFacts& facts : render::techniqueList()) {
     if (!facts.drawsLines())
       continue;
-    auto* cell = new ComparisonCell(facts.technique);
-    cell->showThresholds(m_thresholds);
-    connect(&cell->picture(), &ComparisonPicture::turned, this, &ComparisonDialog::turn);
-    connect(cell, &ComparisonCell::thresholdChanged, this, &ComparisonDialog::setThreshold);
-    const int place = int(m_cells.size());
-    layout->addWidget(cell, place / columns, place % columns);
-    m_cells.push_back(cell);
+    auto* column = new ComparisonColumn(facts.technique, names);
+    column->showThresholds(m_thresholds);
+    connect(column, &ComparisonColumn::thresholdChanged, this, &ComparisonDialog::setThreshold);
+    for (std::size_t row = 0; row < m_rows.count(); ++row) {
+      ComparisonPicture* picture = column->pictures()[row];
+      connect(picture, &ComparisonPicture::turned, this, [this, row](const model::Camera& camera) {
+        m_rows.turn(row, camera);
+        change();
+      });
+      m_places.push_back({.picture = picture, .technique = facts.technique, .row = row});
+    }
+    room = std::max(room, column->below().sizeHint().height());
+    m_columns.push_back(column);
   }
-  m_took.assign(m_cells.size(), -1);
-  for (int column = 0; column < columns; ++column)
-    layout->setColumnStretch(column, 1);
-  auto* scroll = new QScrollArea;
-  scroll->setObjectName(QStringLiteral("comparisonGrid"));
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidget(grid);
-  return scroll;
+  // Several models stand one below the other in all columns, so these stand side by side.
+  const int across = names.size() > 1 ? int(m_columns.size()) : columns;
+  for (int place = 0; place < int(m_columns.size()); ++place) {
+    ComparisonColumn* column = m_columns[std::size_t(place)];
+    if (names.size() > 1)
+      column->below().setMinimumHeight(room);
+    layout->addWidget(column, place / across, place % across);
+    layout->setColumnStretch(place % across, 1);
+  }
+  return grid;
 }
 
 QWidget* ComparisonDialog::makeBottom() {
   auto* bottom = new QWidget;
   auto* layout = new QHBoxLayout(bottom);
   layout->setContentsMargins(0, 0, 0, 0);
+  m_apart->setObjectName(QStringLiteral("comparedApart"));
+  m_apart->setToolTip(tr("Shows what was selected one below the other, else all of it together"));
+  m_apart->setVisible(!m_subject.apart.empty());
+  m_apart->setChecked(!m_subject.apart.empty());
+  connect(m_apart, &QCheckBox::toggled, this, &ComparisonDialog::makeRows);
   auto* label = new QLabel(tr("Su&rface:"));
   label->setBuddy(m_surface);
   m_surface->setObjectName(QStringLiteral("comparedSurface"));
@@ -125,6 +156,7 @@ QWidget* ComparisonDialog::makeBottom() {
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   for (QPushButton* button : {reset, m_save, close})
     button->setAutoDefault(false);
+  layout->addWidget(m_apart);
   layout->addWidget(label);
   layout->addWidget(m_surface);
   layout->addWidget(reset);
@@ -134,41 +166,36 @@ QWidget* ComparisonDialog::makeBottom() {
   return bottom;
 }
 
-void ComparisonDialog::turn(const model::Camera& camera) {
-  m_camera = camera;
-  for (ComparisonCell* cell : m_cells)
-    cell->picture().setCamera(camera, m_pivot);
+void ComparisonDialog::change() {
+  for (const Place& place : m_places)
+    place.picture->setCamera(m_rows.shown(place.row).camera, m_rows.pivot(place.row));
   ++m_round;
   m_soon.start();
 }
 
 void ComparisonDialog::setThreshold(const QString& name, double value) {
   m_thresholds.set(name.toStdString(), float(value));
-  ++m_round;
-  m_soon.start();
+  change();
 }
 
 void ComparisonDialog::resetThresholds() {
   m_thresholds = {};
-  for (ComparisonCell* cell : m_cells)
-    cell->showThresholds(m_thresholds);
-  ++m_round;
-  m_soon.start();
+  for (ComparisonColumn* column : m_columns)
+    column->showThresholds(m_thresholds);
+  change();
 }
 
 void ComparisonDialog::roughen() {
-  m_shown = m_model;
-  if (const int kind = m_surface->currentIndex() - 1; kind >= 0)
-    m_shown = render::roughened(m_model,
-                                {render::NoiseKind(kind), render::usualNoise[std::size_t(kind)]});
-  ++m_round;
-  m_soon.start();
+  const int kind = m_surface->currentIndex() - 1;
+  m_rows.roughen(kind < 0 ? std::nullopt
+                          : std::optional(render::Noise{render::NoiseKind(kind),
+                                                        render::usualNoise[std::size_t(kind)]}));
+  change();
 }
 
 void ComparisonDialog::resizeEvent(QResizeEvent* event) {
   QDialog::resizeEvent(event);
-  ++m_round;
-  m_soon.start();
+  change();
 }
 
 void ComparisonDialog::showEvent(QShowEvent* event) {
@@ -177,28 +204,29 @@ void ComparisonDialog::showEvent(QShowEvent* event) {
 }
 
 void ComparisonDialog::ask() {
-  if (!m_viewport || m_cells.empty() || !isVisible())
+  if (!m_viewport || m_places.empty() || !isVisible())
     return;
   PreviewRequest request{.previews = {}, .asker = PreviewsOf::compared};
   const double ratio = devicePixelRatioF();
   // Only pictures of one size can be compared.
-  int room = m_cells.front()->picture().room();
-  for (ComparisonCell* cell : m_cells)
-    room = std::min(room, cell->picture().room());
-  for (ComparisonCell* cell : m_cells)
-    cell->picture().setSide(room);
+  int room = m_places.front().picture->room();
+  for (const Place& place : m_places)
+    room = std::min(room, place.picture->room());
+  for (const Place& place : m_places)
+    place.picture->setSide(room);
   const int side = int(room * ratio) * comparedSamples;
-  for (std::size_t i = 0; i < m_cells.size(); ++i) {
-    const std::size_t place = (m_next + i) % m_cells.size();
-    if (m_took[place] == m_round)
+  // A picture that high in millimetres has the pen of a sheet where the window has its own.
+  const float mm = sheetPen * float(side) / float(comparedPen * ratio * comparedSamples);
+  for (std::size_t i = 0; i < m_places.size(); ++i) {
+    const std::size_t at = (m_next + i) % m_places.size();
+    const Place& place = m_places[at];
+    if (place.took == m_round)
       continue;
-    // A picture that high in millimetres has the pen of a sheet where the window has its own.
-    const float mm = sheetPen * float(side) / float(comparedPen * ratio * comparedSamples);
+    const render::ComparedModel& shown = m_rows.shown(place.row);
     request.previews.push_back(
-        {.id = m_round * mostCells + int(place),
-         .scene =
-             render::comparedScene(m_shown.scene, m_cells[place]->technique(), m_thresholds, mm),
-         .camera = m_camera,
+        {.id = m_round * mostPlaces + int(at),
+         .scene = render::comparedScene(shown.scene, place.technique, m_thresholds, mm),
+         .camera = shown.camera,
          .settings = {.width = side,
                       .height = side,
                       .environment = {.background = render::Background::white, .light = {}}},
@@ -210,28 +238,26 @@ void ComparisonDialog::ask() {
 void ComparisonDialog::took(PreviewsOf asker, int id, const QImage& image) {
   if (asker != PreviewsOf::compared)
     return;
-  const std::size_t place = std::size_t(id % mostCells);
-  if (place >= m_cells.size() || id / mostCells < m_took[place])
+  const std::size_t at = std::size_t(id % mostPlaces);
+  const int round = id / mostPlaces;
+  if (at >= m_places.size() || round < m_made || round < m_places[at].took)
     return;
-  m_took[place] = id / mostCells;
-  m_next = place + 1;
-  m_cells[place]->picture().setImage(image);
+  m_places[at].took = round;
+  m_next = at + 1;
+  m_places[at].picture->setImage(image);
 }
 
 bool ComparisonDialog::upToDate() const {
-  return std::all_of(m_took.begin(), m_took.end(), [this](int round) { return round == m_round; });
+  return std::all_of(m_places.begin(), m_places.end(),
+                     [this](const Place& place) { return place.took == m_round; });
 }
 
 render::ComparisonOrder ComparisonDialog::order() const {
   render::ComparisonOrder order;
   order.thresholds = m_thresholds;
-  order.models.push_back(m_model);
-  if (m_surface->currentIndex() > 0)
-    order.models.push_back(m_shown);
-  for (render::ComparedModel& model : order.models)
-    model.camera = m_camera;
-  for (const ComparisonCell* cell : m_cells)
-    order.techniques.push_back(cell->technique());
+  order.models = m_rows.sheet();
+  for (const ComparisonColumn* column : m_columns)
+    order.techniques.push_back(column->technique());
   return order;
 }
 

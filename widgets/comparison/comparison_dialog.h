@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows a model by all techniques side by side, with one camera for all, and saves that as a sheet.
+// Shows models by all techniques side by side, with one camera for all, and saves that as a sheet.
 #pragma once
 
 #include <QDialog>
@@ -9,13 +9,16 @@
 
 #include "render/export/comparison/comparison.h"
 #include "render/export/comparison/comparison_sheet.h"
-#include "widgets/comparison/comparison_cell.h"
+#include "widgets/comparison/comparison_column.h"
+#include "widgets/comparison/comparison_rows.h"
 #include "widgets/session/background_queue.h"
 #include "widgets/viewport/viewport.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 
 namespace sline::widgets {
 
@@ -23,10 +26,10 @@ class ComparisonDialog : public QDialog {
   Q_OBJECT
  public:
   struct Subject {
-    QString name;
-    model::Scene scene;    ///< its visible structures are compared
-    model::Camera camera;  ///< whose direction is looked from
-    QString folder;        ///< where sheets are saved at first
+    ComparisonRows::Model whole;               ///< all that is compared
+    std::vector<ComparisonRows::Model> apart;  ///< and its parts, if there are several
+    model::Camera camera;                      ///< whose direction is looked from
+    QString folder;                            ///< where sheets are saved at first
   };
   /// The viewport's renderer draws the pictures. The queue draws sheets, also after the dialog has
   /// closed; it must outlive the dialog.
@@ -34,7 +37,8 @@ class ComparisonDialog : public QDialog {
                    QWidget* parent = nullptr);
   ~ComparisonDialog() override;
 
-  const model::Camera& camera() const { return m_camera; }
+  /// Returns the first row's camera.
+  const model::Camera& camera() const { return m_rows.shown(0).camera; }
   /// Returns what a sheet is made of: the model and, if its surface is roughened, that too.
   render::ComparisonOrder order() const;
   /// Writes the sheet in the background.
@@ -47,9 +51,10 @@ class ComparisonDialog : public QDialog {
   void showEvent(QShowEvent* event) override;
 
  private:
+  void makeRows();
   QWidget* makeGrid();
   QWidget* makeBottom();
-  void turn(const model::Camera& camera);
+  void change();
   void setThreshold(const QString& name, double value);
   void resetThresholds();
   void roughen();
@@ -63,19 +68,26 @@ class ComparisonDialog : public QDialog {
   Subject m_subject;
   QPointer<Viewport> m_viewport;
   BackgroundQueue& m_queue;
-  render::ComparedModel m_model;  ///< as it is
-  render::ComparedModel m_shown;  ///< the same or roughened
-  model::Camera m_camera;
-  glm::vec3 m_pivot{0.0f};
+  ComparisonRows m_rows;
   model::ThresholdValues m_thresholds;
-  std::vector<ComparisonCell*> m_cells;
-  std::vector<int> m_took;  ///< the round of each cell's picture
+  std::vector<ComparisonColumn*> m_columns;
+  /// A picture, what it shows and the round in which it was drawn.
+  struct Place {
+    ComparisonPicture* picture;
+    model::Technique technique;
+    std::size_t row;
+    int took = -1;
+  };
+  std::vector<Place> m_places;
+  QScrollArea* m_scroll;
+  QCheckBox* m_apart;
   QComboBox* m_surface;
   QLabel* m_told;
   QPushButton* m_save;
   QTimer m_soon;           ///< gathers changes that come at once
   int m_round = 0;         ///< counts what was asked for
-  std::size_t m_next = 0;  ///< the cell that is drawn first, so that each gets its turn
+  int m_made = 0;          ///< the first round of the pictures that there are
+  std::size_t m_next = 0;  ///< the picture that is drawn first, so that each gets its turn
 };
 
 }  // namespace sline::widgets

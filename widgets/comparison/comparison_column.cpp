@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/comparison/comparison_cell.h"
+#include "widgets/comparison/comparison_column.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -24,6 +24,7 @@ constexpr float zoomByKey = 1.2f;
 constexpr float zoomByNotch = 1.15f;
 constexpr double unitsOfNotch = 120.0;
 constexpr int leastSide = 110;
+constexpr int margin = 4;
 
 std::optional<CameraDrag::Kind> dragOf(const QMouseEvent& event) {
   if (event.button() == Qt::MiddleButton ||
@@ -36,7 +37,8 @@ std::optional<CameraDrag::Kind> dragOf(const QMouseEvent& event) {
 
 }  // namespace
 
-ComparisonPicture::ComparisonPicture(QWidget* parent) : QWidget(parent) {
+ComparisonPicture::ComparisonPicture(QString caption, QWidget* parent)
+    : QWidget(parent), m_caption(std::move(caption)) {
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(leastSide, leastSide);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -77,6 +79,12 @@ void ComparisonPicture::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   if (!m_image.isNull())
     painter.drawImage(square(), m_image);
+  if (!m_caption.isEmpty()) {
+    const QRect line = rect().adjusted(margin, margin, -margin, -margin);
+    painter.setPen(Qt::black);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignTop,
+                     fontMetrics().elidedText(m_caption, Qt::ElideRight, line.width()));
+  }
   painter.setPen(QPen(palette().color(hasFocus() ? QPalette::Highlight : QPalette::Mid),
                       hasFocus() ? 2.0 : 1.0));
   painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
@@ -123,12 +131,11 @@ void ComparisonPicture::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-ComparisonCell::ComparisonCell(model::Technique technique, QWidget* parent)
-    : QWidget(parent), m_technique(technique), m_picture(new ComparisonPicture) {
+ComparisonColumn::ComparisonColumn(model::Technique technique, const QStringList& models,
+                                   QWidget* parent)
+    : QWidget(parent), m_technique(technique), m_below(new QWidget) {
   const render::TechniqueFacts& facts = render::factsOf(technique);
   const QString id = QString::fromUtf8(facts.id.data(), qsizetype(facts.id.size()));
-  m_picture->setObjectName(QStringLiteral("compared_") + id);
-  m_picture->setAccessibleName(linesName(technique));
   auto* head = new QLabel(linesName(technique));
   QFont bold = head->font();
   bold.setBold(true);
@@ -138,17 +145,34 @@ ComparisonCell::ComparisonCell(model::Technique technique, QWidget* parent)
   for (QLabel* label : {head, source}) {
     label->setTextFormat(Qt::PlainText);
     label->setMinimumWidth(1);
+    label->setToolTip(label->text().toHtmlEscaped());
   }
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
   layout->addWidget(head);
   layout->addWidget(source);
-  layout->addWidget(m_picture, 1);
-  for (const render::TechniqueThreshold& threshold : facts.thresholds) {
+  for (const QString& model : models) {
+    const bool single = models.size() == 1;
+    auto* picture = new ComparisonPicture(single ? QString() : model);
+    picture->setObjectName(QStringLiteral("compared_") + id);
+    picture->setAccessibleName(single ? linesName(technique)
+                                      : linesName(technique) + QStringLiteral(": ") + model);
+    layout->addWidget(picture, 1);
+    m_pictures.push_back(picture);
+  }
+  layout->addWidget(m_below);
+  addThresholds();
+}
+
+void ComparisonColumn::addThresholds() {
+  auto* layout = new QVBoxLayout(m_below);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  for (const render::TechniqueThreshold& threshold : render::factsOf(m_technique).thresholds) {
     auto* box = new QDoubleSpinBox;
     box->setObjectName(QString::fromStdString(threshold.name));
-    box->setAccessibleName(linesName(technique) + QStringLiteral(": ") +
+    box->setAccessibleName(linesName(m_technique) + QStringLiteral(": ") +
                            QString::fromUtf8(threshold.id));
     box->setAccessibleDescription(thresholdMeaning(threshold.meaning));
     box->setToolTip(thresholdMeaning(threshold.meaning));
@@ -166,9 +190,10 @@ ComparisonCell::ComparisonCell(model::Technique technique, QWidget* parent)
             [this, name = box->objectName()](double value) { emit thresholdChanged(name, value); });
     m_boxes.push_back(box);
   }
+  layout->addStretch(1);
 }
 
-void ComparisonCell::showThresholds(const model::ThresholdValues& values) {
+void ComparisonColumn::showThresholds(const model::ThresholdValues& values) {
   const auto& thresholds = render::factsOf(m_technique).thresholds;
   for (std::size_t i = 0; i < m_boxes.size(); ++i) {
     const QSignalBlocker quiet(m_boxes[i]);
@@ -178,4 +203,4 @@ void ComparisonCell::showThresholds(const model::ThresholdValues& values) {
 
 }  // namespace sline::widgets
 
-#include "moc_comparison_cell.cpp"
+#include "moc_comparison_column.cpp"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows a model by one technique, with its thresholds below. The picture turns under the mouse and
-// the arrow keys; who owns it turns all.
+// Shows models by one technique, one below the other, with its thresholds below. Pictures turn
+// under the mouse and the arrow keys; who owns them turns all.
 #pragma once
 
 #include <QDoubleSpinBox>
 #include <QImage>
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -17,7 +18,8 @@ namespace sline::widgets {
 class ComparisonPicture : public QWidget {
   Q_OBJECT
  public:
-  explicit ComparisonPicture(QWidget* parent = nullptr);
+  /// The caption is the model's name, where there are several.
+  explicit ComparisonPicture(QString caption, QWidget* parent = nullptr);
 
   void setCamera(const model::Camera& camera, const glm::vec3& pivot);
   void setImage(const QImage& image);
@@ -44,6 +46,7 @@ class ComparisonPicture : public QWidget {
   /// Returns the place within the square.
   glm::vec2 within(const QPointF& at) const;
 
+  QString m_caption;
   QImage m_image;
   int m_side = 16;
   model::Camera m_camera;
@@ -51,21 +54,29 @@ class ComparisonPicture : public QWidget {
   std::optional<CameraDrag> m_drag;
 };
 
-class ComparisonCell : public QWidget {
+class ComparisonColumn : public QWidget {
   Q_OBJECT
  public:
-  explicit ComparisonCell(model::Technique technique, QWidget* parent = nullptr);
+  /// Makes a picture for each model; a single one needs no name.
+  ComparisonColumn(model::Technique technique, const QStringList& models,
+                   QWidget* parent = nullptr);
 
-  ComparisonPicture& picture() { return *m_picture; }
+  /// Returns the pictures, of each model one.
+  const std::vector<ComparisonPicture*>& pictures() const { return m_pictures; }
   model::Technique technique() const { return m_technique; }
   void showThresholds(const model::ThresholdValues& values);
+  /// Returns what lies below the pictures, so that all columns leave as much room for it.
+  QWidget& below() const { return *m_below; }
 
  signals:
   void thresholdChanged(const QString& name, double value);
 
  private:
+  void addThresholds();
+
   model::Technique m_technique;
-  ComparisonPicture* m_picture;
+  std::vector<ComparisonPicture*> m_pictures;
+  QWidget* m_below;
   std::vector<QDoubleSpinBox*> m_boxes;  ///< by the technique's thresholds
 };
 
