@@ -34,6 +34,7 @@ struct SeenMap::Dots {
   std::vector<Shows> shows;  ///< what one sees in the cell
   std::vector<bool> traces;  ///< something of the structure may be seen
   std::vector<bool> inked;   ///< its outline runs there, seen or not
+  std::vector<bool> rivals;  ///< another's line would be seen there, were the structure's own away
   float radius = 1.0f;       ///< cells
 
   struct Disc {
@@ -41,6 +42,7 @@ struct SeenMap::Dots {
     float others = 0.0f;
     float traces = 0.0f;
     float inked = 0.0f;
+    float rivals = 0.0f;
   };
   std::size_t index(int x, int y) const {
     return std::size_t(y - top) * std::size_t(columns) + std::size_t(x - left);
@@ -78,8 +80,10 @@ struct SeenMap::Dots {
         disc.others += shows[i] == Shows::others ? 1.0f : 0.0f;
         disc.traces += traces[i] ? 1.0f : 0.0f;
         disc.inked += inked[i] ? 1.0f : 0.0f;
+        disc.rivals += rivals[i] ? 1.0f : 0.0f;
       }
-    return {disc.own / all, disc.others / all, disc.traces / all, disc.inked / all};
+    return {disc.own / all, disc.others / all, disc.traces / all, disc.inked / all,
+            disc.rivals / all};
   }
 };
 
@@ -93,18 +97,22 @@ SeenMap::Dots SeenMap::dots(std::uint32_t layer) const {
             .shows = {},
             .traces = {},
             .inked = {},
+            .rivals = {},
             .radius = dotRadius / m_grid.side};
   const std::size_t cells = std::size_t(own.columns()) * std::size_t(own.rows());
   dots.shows.assign(cells, Dots::Shows::ground);
   dots.traces.assign(cells, false);
   dots.inked.assign(cells, false);
+  dots.rivals.assign(cells, false);
   constexpr float trace = 0.03f;
+  constexpr float rivalling = 0.3f;
   for (int y = own.top(); y < own.top() + own.rows(); ++y)
     for (int x = own.left(); x < own.left() + own.columns(); ++x) {
       const Shares shares = sharesAt(own, layer, x, y);
       const std::size_t i = dots.index(x, y);
       dots.traces[i] = shares.traces > trace;
       dots.inked[i] = own.at(x, y).ink > trace;
+      dots.rivals[i] = shares.rivals > rivalling;
       if (shares.own > faintest && shares.own >= clearlyMore * shares.others)
         dots.shows[i] = Dots::Shows::own;
       else if (shares.others > faintest)
@@ -116,7 +124,9 @@ SeenMap::Dots SeenMap::dots(std::uint32_t layer) const {
 SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int x, int y) const {
   Shares shares;
   float left = 1.0f;
-  float clear = 1.0f;  // the chance that no line on a surface before it covers it
+  float without = 1.0f;  // what is left where the structure itself is not reckoned with
+  float bare = 1.0f;     // the chance that no line on another surface is there
+  float clear = 1.0f;    // the chance that no line on a surface before it covers it
   const auto pass = [&](const SeenLayer& of, const SeenCell& cell, float ink, float bent) {
     const SeenFill fill = of.fillOf(cell, bent);
     const float share = left * (ink + (1.0f - ink) * fill.colour);
@@ -139,6 +149,10 @@ SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int
     }
     const SeenLayer& other = m_layers[one.layer];
     const SeenCell& cell = other.at(x, y);
+    shares.rivals = std::max(shares.rivals, without * cell.ink);
+    if (cell.what == SeenCell::What::surface)
+      bare *= 1.0f - without * other.look().lines();
+    without *= (1.0f - other.fillOf(cell).cover) * (1.0f - cell.ink);
     if (!passed && cell.what == SeenCell::What::surface)
       clear *= 1.0f - strokesHere * left * other.look().lines();
     const float strokes =
@@ -150,6 +164,7 @@ SeenMap::Shares SeenMap::sharesAt(const SeenLayer& own, std::uint32_t layer, int
   if (!passed)
     shares.own = clear * pass(own, mine, mine.ink, 0.0f);
   shares.traces = std::max(shares.traces, shares.own);
+  shares.rivals = std::max(shares.rivals, 1.0f - bare);
   return shares;
 }
 
@@ -169,6 +184,7 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
   constexpr float much = 0.5f;
   constexpr float enough = 0.3f;
   constexpr float calm = 0.1f;
+  constexpr float tangled = 0.3f;
   constexpr float leads = 1.5f;  // where lines of two run together, either may be the one on top
   const float dear = near ? 0.03f : 0.002f;  // a way of one cell
   const float wide = all.radius + smoothed;
@@ -184,7 +200,7 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
     // A narrow strip is surest away from its ends.
     const float along = all.disc(x, y, 3.0f * all.radius).own;
     const float far = was ? glm::length(m_grid.middle(x, y) - *was) / m_grid.side : 0.0f;
-    return dot.own + 0.3f * (around.own + along) - 0.6f * around.others -
+    return dot.own + 0.3f * (around.own + along - dot.rivals) - 0.6f * around.others -
            dear * std::min(far, 100.0f);
   };
   std::optional<glm::ivec2> best = all.best(clear);
@@ -204,6 +220,8 @@ std::optional<SeenPlace> SeenMap::dotPlace(std::uint32_t layer,
   if (on) {
     SeenPlace place = placeAt(all.layer, on->x, on->y, false);
     place.place = m_grid.middle(best->x, best->y);
+    const Dots::Disc dot = all.disc(best->x, best->y, all.radius);
+    place.sure = dot.own >= much && dot.rivals <= tangled;
     return place;
   }
   const std::optional<glm::ivec2> place = hidden ? hidden : hiddenCell(all);

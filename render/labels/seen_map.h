@@ -20,6 +20,9 @@ struct SeenPlace {
   model::Anchor anchor;   ///< on the structure, or on a cut face, which is a point in space
   glm::vec2 place{0.0f};  ///< millimetres of the output
   bool hidden = false;    ///< the structure is not what one sees there
+  /// The place is the structure's beyond doubt: it is no sliver, and no tangle of several lines, of
+  /// which one cannot say in general which is on top.
+  bool sure = true;
 };
 
 class SeenMap {
@@ -83,6 +86,7 @@ class SeenMap {
     float own = 0.0f;
     float others = 0.0f;
     float traces = 0.0f;  ///< of it, if it is in front of what it touches
+    float rivals = 0.0f;  ///< the chance of another's line, if the structure were away
   };
   Shares sharesAt(const SeenLayer& own, std::uint32_t layer, int x, int y) const;
   /// Returns where a dot lies on the structure's own ink and colour; else, where it shows nowhere,

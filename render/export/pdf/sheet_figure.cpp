@@ -37,7 +37,8 @@ std::vector<Candidate> candidates(const ExportOrder& order) {
     if (node.isGroup())
       continue;
     const std::optional<SeenPlace> place = map.find(node.id);
-    if (!place || place->hidden)
+    // One asks of no sliver and no tangle what it is.
+    if (!place || place->hidden || !place->sure)
       continue;
     Candidate one;
     one.label = SeenMap::labelAt(node.id, *place);
