@@ -34,14 +34,7 @@ constexpr float variancePerStep = 0.43f;
 std::vector<glm::vec3> evenNormals(std::span<const glm::vec3> positions,
                                    std::span<const Triangle> triangles, const VertexRings& rings) {
   std::vector<glm::vec3> normals = areaNormals(positions, triangles);
-  std::vector<float> one(normals.size());
-  for (int axis = 0; axis < 3; ++axis) {
-    for (std::size_t v = 0; v < one.size(); ++v)
-      one[v] = normals[v][axis];
-    averageOverRings(one, rings, normalSteps);
-    for (std::size_t v = 0; v < one.size(); ++v)
-      normals[v][axis] = one[v];
-  }
+  averageOverRings(normals, rings, normalSteps);
   for (glm::vec3& n : normals) {
     const float length = glm::length(n);
     n = length > 0.0f ? n / length : glm::vec3(0.0f);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec4.hpp>
 #include <numbers>
 
 #include "model/base/parallel.h"
@@ -70,40 +71,67 @@ std::vector<double> sincCoefficients(const SincFilter& filter) {
 
 namespace {
 
+// Vectors of four are read and added in one go, those of three are not.
+std::vector<glm::vec4> widened(std::span<const glm::vec3> positions) {
+  std::vector<glm::vec4> wide(positions.size());
+  for (std::size_t i = 0; i < wide.size(); ++i)
+    wide[i] = glm::vec4(positions[i], 0.0f);
+  return wide;
+}
+
+std::vector<glm::vec3> narrowed(std::span<const glm::vec4> wide) {
+  return {wide.begin(), wide.end()};
+}
+
+glm::vec4 ringMean(const std::vector<glm::vec4>& x, std::span<const std::uint32_t> ring) {
+  glm::vec4 total(0.0f);
+  for (const std::uint32_t other : ring)
+    total += x[other];
+  return total / float(ring.size());
+}
+
 /// Returns the sum of the polynomials of those coefficients, applied to the positions.
 std::vector<glm::vec3> filtered(std::span<const glm::vec3> positions, const VertexRings& rings,
                                 const std::vector<double>& c) {
   const std::size_t count = positions.size();
   // The recurrence is x_0 = x; x_1 = x − K·x/2; x_{n+1} = (2 − K)·x_n − x_{n−1} with K = 1 − mean
   // over the ring.
-  std::vector<glm::vec3> before(positions.begin(), positions.end());
-  std::vector<glm::vec3> now(count);
-  std::vector<glm::vec3> sum(count);
-  const auto ringMean = [&](const std::vector<glm::vec3>& x, std::size_t v) {
-    glm::vec3 total(0.0f);
-    const auto ring = rings[v];
-    for (const std::uint32_t other : ring)
-      total += x[other];
-    return total / float(ring.size());
-  };
+  std::vector<glm::vec4> before = widened(positions);
+  std::vector<glm::vec4> now(count);
+  std::vector<glm::vec4> sum(count);
   const auto isFixed = [&](std::size_t v) { return rings.onBorder(v) || rings[v].empty(); };
   parallelFor(count, grain, [&](std::size_t v) {
-    now[v] = isFixed(v) ? before[v] : 0.5f * (before[v] + ringMean(before, v));
+    now[v] = isFixed(v) ? before[v] : 0.5f * (before[v] + ringMean(before, rings[v]));
     sum[v] = float(c[0]) * before[v] + float(c[1]) * now[v];
   });
   for (std::size_t n = 2; n < c.size(); ++n) {
     const float weight = float(c[n]);
     parallelFor(count, grain, [&](std::size_t v) {
-      const glm::vec3 next = isFixed(v) ? positions[v] : now[v] + ringMean(now, v) - before[v];
+      const glm::vec4 next = isFixed(v) ? now[v] : now[v] + ringMean(now, rings[v]) - before[v];
       before[v] = next;
       sum[v] += weight * next;
     });
     std::swap(before, now);
   }
+  std::vector<glm::vec3> result = narrowed(sum);
   for (std::size_t v = 0; v < count; ++v)
     if (isFixed(v))
-      sum[v] = positions[v];
-  return sum;
+      result[v] = positions[v];
+  return result;
+}
+
+template <class Value>
+void averaged(std::vector<Value>& values, const VertexRings& rings, int times) {
+  std::vector<Value> next(values.size());
+  for (int i = 0; i < times; ++i) {
+    parallelFor(values.size(), grain, [&](std::size_t v) {
+      Value total = values[v];
+      for (const std::uint32_t other : rings[v])
+        total += values[other];
+      next[v] = total / float(1 + rings[v].size());
+    });
+    std::swap(values, next);
+  }
 }
 
 }  // namespace
@@ -141,16 +169,13 @@ std::vector<glm::vec3> gaussian(std::span<const glm::vec3> positions, const Vert
 }
 
 void averageOverRings(std::vector<float>& values, const VertexRings& rings, int times) {
-  std::vector<float> next(values.size());
-  for (int i = 0; i < times; ++i) {
-    parallelFor(values.size(), grain, [&](std::size_t v) {
-      float total = values[v];
-      for (const std::uint32_t other : rings[v])
-        total += values[other];
-      next[v] = total / float(1 + rings[v].size());
-    });
-    std::swap(values, next);
-  }
+  averaged(values, rings, times);
+}
+
+void averageOverRings(std::vector<glm::vec3>& values, const VertexRings& rings, int times) {
+  std::vector<glm::vec4> wide = widened(values);
+  averaged(wide, rings, times);
+  values = narrowed(wide);
 }
 
 }  // namespace sline::model

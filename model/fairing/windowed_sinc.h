@@ -38,5 +38,6 @@ std::vector<double> gaussianCoefficients(float deviation);
 
 /// Replaces each value by the mean over its ring and itself, that many times (borders too).
 void averageOverRings(std::vector<float>& values, const VertexRings& rings, int times);
+void averageOverRings(std::vector<glm::vec3>& values, const VertexRings& rings, int times);
 
 }  // namespace sline::model
