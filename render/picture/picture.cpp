@@ -70,7 +70,9 @@ struct Picture::Data {
 std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
     const model::Scene& scene, const Output& output) {
   std::vector<PreparedStructure> visible;
-  for (const model::VisibleStructure& structure : model::visibleStructures(scene)) {
+  const std::vector<model::VisibleStructure> structures = model::visibleStructures(scene);
+  surfaces.prepareSmall(structures, output.unwanted);
+  for (const model::VisibleStructure& structure : structures) {
     if (output.unwanted && *output.unwanted)
       return std::nullopt;
     const model::Node& node = *structure.node;

@@ -5,10 +5,16 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <set>
+#include <vector>
+
+#include "model/base/parallel.h"
 
 namespace sline::render {
 
 namespace {
+
+/// Meshes of fewer triangles are prepared several at a time.
+constexpr std::size_t smallMesh = 200'000;
 
 std::unique_ptr<passes::SurfaceGeometry> upload(const model::Surface& surface) {
   const auto positions = surface.mesh->positions();
@@ -53,12 +59,38 @@ void CachedSurface::needWhole() {
   geometry->addWhole(indices);
 }
 
+void SurfaceCache::prepareSmall(std::span<const model::VisibleStructure> structures,
+                                const std::atomic<bool>* unwanted) {
+  struct Missing {
+    CachedSurface* cached;
+    const model::Node* node;
+  };
+  std::map<model::MeshPtr, Missing> missing;
+  for (const model::VisibleStructure& structure : structures) {
+    const model::Node& node = *structure.node;
+    CachedSurface& cached = m_surfaces[node.mesh];
+    if (!cached.surface && node.mesh->triangleCount() < smallMesh)
+      missing.try_emplace(node.mesh, Missing{&cached, &node});
+  }
+  std::vector<Missing> each;
+  for (const auto& entry : missing)
+    each.push_back(entry.second);
+  // The largest first, so that none is left alone at the end.
+  std::sort(each.begin(), each.end(), [](const Missing& a, const Missing& b) {
+    return a.node->mesh->triangleCount() > b.node->mesh->triangleCount();
+  });
+  parallelFor(each.size(), 1, [&](std::size_t i) {
+    if (!unwanted || !*unwanted)
+      each[i].cached->take(each[i].node->mesh, each[i].node->provenance);
+  });
+}
+
 CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, const model::Provenance& provenance) {
   CachedSurface& cached = m_surfaces[mesh];
-  if (!cached.surface) {
+  if (!cached.surface)
     cached.take(mesh, provenance);
+  if (!cached.geometry)
     cached.geometry = upload(*cached.surface);
-  }
   return cached;
 }
 

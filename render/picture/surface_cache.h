@@ -2,12 +2,14 @@
 // Keeps what is computed and uploaded once per mesh, as long as some structure shows it.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <span>
 
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
+#include "model/scene/visible_structures.h"
 #include "render/passes/surface_geometry.h"
 #include "render/strokes/gamma_offsets.h"
 #include "render/strokes/prepared_surface.h"
@@ -30,8 +32,12 @@ struct CachedSurface : PreparedSurface {
 
 class SurfaceCache {
  public:
-  /// Prepares one mesh at a time, so that intermediate memory is needed once; parts that exist
-  /// already stay as they are.
+  /// Prepares the small ones of the structures' meshes, several at a time; stops early where
+  /// `unwanted` is set. Large ones wait for `at`, which takes one at a time, so that their
+  /// intermediate memory is needed once.
+  void prepareSmall(std::span<const model::VisibleStructure> structures,
+                    const std::atomic<bool>* unwanted);
+  /// Returns what is kept of the mesh, prepared; parts that exist already stay as they are.
   CachedSurface& at(const model::MeshPtr& mesh, const model::Provenance& provenance);
   /// Forgets all meshes but these.
   void keepOnly(std::span<const model::MeshPtr> meshes);
