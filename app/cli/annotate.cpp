@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/cli/command.h"
+#include "app/cli/files/language_tag.h"
 #include "app/cli/files/names.h"
 #include "app/cli/flags/picture_flags.h"
 #include "model/anatomy/anatomical_names.h"
@@ -61,27 +62,6 @@ Result<glm::vec3> parsePoint(std::string_view text) {
 
 bool isBlank(const std::string& text) {
   return text.find_first_not_of(" \t\r\n") == std::string::npos;
-}
-
-/// Tells whether the text names a language as BCP 47 does: "de", "nb", "zh-Hant", "de-AT-1996".
-bool isLanguageTag(std::string_view tag) {
-  constexpr std::size_t longest = 35;
-  constexpr std::size_t longestPart = 8;
-  if (tag.size() > longest)
-    return false;
-  std::size_t begin = 0;
-  for (bool first = true; begin <= tag.size(); first = false) {
-    const std::size_t end = std::min(tag.find('-', begin), tag.size());
-    const std::string_view part = tag.substr(begin, end - begin);
-    const auto fits = [first](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (!first && c >= '0' && c <= '9');
-    };
-    if (part.size() < (first ? 2u : 1u) || part.size() > longestPart ||
-        !std::all_of(part.begin(), part.end(), fits))
-      return false;
-    begin = end + 1;
-  }
-  return true;
 }
 
 /// Returns the texts by language; the map is the annotation's as a whole.

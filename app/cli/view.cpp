@@ -8,6 +8,7 @@
 #include "app/cli/files/names.h"
 #include "app/cli/files/thumbnail.h"
 #include "app/cli/flags/picture_options.h"
+#include "app/cli/view_words.h"
 #include "model/edit/views.h"
 #include "model/scene/markup.h"
 #include "model/scene_file/camera_json.h"
@@ -22,12 +23,14 @@ struct ViewFlags {
   std::string output;
   std::string add;
   std::string update;
+  std::string tell;
   std::string rename;
   std::string remove;
   std::string move;
   bool list = false;
   bool json = false;
   std::string labels;
+  ViewWordFlags words;
   PictureFlags picture;
 };
 
@@ -112,6 +115,10 @@ Result<model::View> viewFromFlags(const model::Scene& scene, const ViewFlags& fl
   model::View view = model::viewOf(*cut, *camera, name);
   if (const Status chosen = chooseLabels(scene, flags.labels, view); !chosen.ok())
     return chosen.error();
+  const Result<model::ViewWords> words = withWordFlags({}, flags.words);
+  if (!words.ok())
+    return words.error();
+  view.words = *words;
   return view;
 }
 
@@ -135,6 +142,17 @@ Outcome addNamedView(const model::Scene& scene, const ViewFlags& flags) {
   return model::withView(scene, *view);
 }
 
+/// Changes what is said with a view.
+Outcome tellOfView(const model::Scene& scene, const ViewFlags& flags, const std::string& name) {
+  const Result<std::size_t> place = indexOfView(scene, name);
+  if (!place.ok())
+    return place.error();
+  const auto words = withWordFlags(scene.views()[*place].words, flags.words);
+  if (!words.ok())
+    return words.error();
+  return model::withViewWords(scene, *place, *words);
+}
+
 Outcome updateNamedView(const model::Scene& scene, const ViewFlags& flags) {
   const Result<std::size_t> place = indexOfView(scene, flags.update);
   if (!place.ok())
@@ -142,7 +160,13 @@ Outcome updateNamedView(const model::Scene& scene, const ViewFlags& flags) {
   const Result<model::View> view = viewFromFlags(scene, flags, flags.update);
   if (!view.ok())
     return view.error();
-  return model::withViewUpdated(scene, *place, *view);
+  model::Edited updated = model::withViewUpdated(scene, *place, *view);
+  if (!flags.words.any())
+    return updated;
+  Outcome told = tellOfView(updated.scene, flags, flags.update);
+  if (told.ok())
+    told->changed = told->changed || updated.changed;
+  return told;
 }
 
 /// Renames a saved view. Names may have an '=' in them: of the places where the text could be cut,
@@ -195,6 +219,8 @@ Outcome removeView(const model::Scene& scene, const std::string& name) {
 Outcome applyEdit(const model::Scene& scene, const ViewFlags& flags) {
   if (!flags.update.empty())
     return updateNamedView(scene, flags);
+  if (!flags.tell.empty())
+    return tellOfView(scene, flags, flags.tell);
   if (!flags.rename.empty())
     return renameView(scene, flags.rename);
   if (!flags.remove.empty())
@@ -215,6 +241,7 @@ Json jsonView(const model::Scene& scene, const model::View& view) {
       json["labels"].push_back(id.value);
   }
   json["absent"] = model::absentFrom(scene, view);
+  json.update(jsonWords(view.words));
   return json;
 }
 
@@ -295,6 +322,8 @@ void declareWork(CLI::App& command, ViewFlags& flags) {
   work->add_option("--add", flags.add, "Saves a view by that name, after those there are")
       ->type_name("NAME");
   work->add_option("--update", flags.update, "Saves that view anew")->type_name("NAME");
+  work->add_option("--tell", flags.tell, "Changes what is said with that view, and nothing else")
+      ->type_name("NAME");
   work->add_option("--rename", flags.rename, "Gives a view another name")->type_name("OLD=NEW");
   work->add_option("--remove", flags.remove, "Takes a view out of the scene")->type_name("NAME");
   work->add_option("--move", flags.move, "Puts a view elsewhere in the tour; 1 is the first")
@@ -331,11 +360,18 @@ void declareView(CLI::App& command, ViewFlags& flags) {
                   "Which annotations the view shows: all, none, or their numbers (1,4); else those "
                   "that the scene shows")
       ->type_name("all|none|IDS");
+  for (CLI::Option* option : addViewWordOptions(command, flags.words)) {
+    option->group("What is said with it");
+    for (const char* other : {"--rename", "--remove", "--move", "--list"})
+      option->excludes(command.get_option(other));
+  }
   command.footer(
       "A view holds camera, visibility, gamma, colours, sections and which labels are shown; what\n"
       "the flags say is said of the view, and the scene itself stays as it looks. Views are shown\n"
       "by `sline render SCENE --view NAME`, in the window and, in their order, as a tour.\n\n"
       "  sline view pelvis.sline --add \"Pelvic floor\" --from inferior --gamma bladder=4\n"
+      "  sline view pelvis.sline --tell \"Pelvic floor\" --text \"Seen **from below**\" "
+      "--text de=\"Von **unten**\"\n"
       "  sline view pelvis.sline --move \"Pelvic floor=1\"\n"
       "  sline view pelvis.sline --list --json");
 }

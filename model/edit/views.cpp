@@ -135,6 +135,7 @@ Edited withViewUpdated(const Scene& scene, std::size_t index, const View& seen) 
   std::vector<View> views = scene.views();
   View updated = seen;
   updated.name = std::move(views[index].name);
+  updated.words = std::move(views[index].words);
   updated.unread = std::move(views[index].unread);
   views[index] = std::move(updated);
   return withViews(scene, std::move(views));
@@ -145,6 +146,15 @@ Edited withViewRenamed(const Scene& scene, std::size_t index, const std::string&
     return {scene, false};
   std::vector<View> views = scene.views();
   views[index].name = freeViewName(scene, name, index);
+  return withViews(scene, std::move(views));
+}
+
+Edited withViewWords(const Scene& scene, std::size_t index, const ViewWords& words) {
+  if (index >= scene.views().size() ||
+      (words.seconds && !viewSecondsLimits.contain(*words.seconds)))
+    return {scene, false};
+  std::vector<View> views = scene.views();
+  views[index].words = words;
   return withViews(scene, std::move(views));
 }
 

@@ -44,10 +44,13 @@ Edited withViews(const Scene& scene, std::vector<View> views);
 /// Adds the view at the end, by a free name. Without a name, or with a faulty camera, nothing
 /// changes.
 Edited withView(const Scene& scene, View view);
-/// Makes the view show what `seen` does; it keeps its name and the unread keys of its file.
+/// Makes the view show what `seen` does; it keeps its name, its words and the unread keys of its
+/// file.
 Edited withViewUpdated(const Scene& scene, std::size_t index, const View& seen);
 /// Renames the view to a free name; an empty name changes nothing.
 Edited withViewRenamed(const Scene& scene, std::size_t index, const std::string& name);
+/// Says that with the view; a time without sense changes nothing.
+Edited withViewWords(const Scene& scene, std::size_t index, const ViewWords& words);
 /// Moves the view to index `to`; an index beyond the end means the end.
 Edited withViewMoved(const Scene& scene, std::size_t index, std::size_t to);
 Edited withoutView(const Scene& scene, std::size_t index);

@@ -37,6 +37,11 @@ void forEachBelow(const std::vector<Node>& nodes, NodeId id, const Visit& visit)
 
 }  // namespace
 
+const std::string& titleIn(const View& view, const std::string& language) {
+  const std::string& title = view.words.title.in(language);
+  return title.empty() ? view.name : title;
+}
+
 const Node* Scene::find(NodeId id) const {
   const auto place = placeBefore(id.value);
   return place == m_places.end() || place->id != id.value ? nullptr : &m_nodes[place->index];

@@ -25,6 +25,7 @@
 #include "model/scene/scan.h"
 #include "model/scene/section.h"
 #include "model/scene/style.h"
+#include "model/scene/wording.h"
 
 namespace sline::model {
 
@@ -84,6 +85,16 @@ struct Node {
   bool operator==(const Node&) const = default;
 };
 
+/// What is said where a saved view is shown.
+struct ViewWords {
+  Wording title;                 ///< without one, the view's name is its title
+  Wording text;                  ///< to be read with the picture, marked up as in markup.h
+  Wording notes;                 ///< for who presents it, plain
+  std::optional<float> seconds;  ///< how long it is shown; absent: as long as others
+  bool operator==(const ViewWords&) const = default;
+};
+inline constexpr Limits<float> viewSecondsLimits{0.1f, 3600.0f};
+
 /// A saved view leaves what it does not mention as the scene has it.
 struct View {
   std::string name;
@@ -92,9 +103,12 @@ struct View {
   std::optional<std::vector<Look>> looks;                ///< at most one for each node
   std::optional<std::vector<AnnotationId>> annotations;  ///< those shown; all others are hidden
   std::optional<Focus> focus;                            ///< without targets: nothing is in focus
-  std::string unread;                                    ///< like Node::unread
+  ViewWords words;
+  std::string unread;  ///< like Node::unread
   bool operator==(const View&) const = default;
 };
+/// Returns what a view is called where it is shown, in the language.
+const std::string& titleIn(const View& view, const std::string& language);
 
 /// A scene lists its nodes in tree order: a parent before its children, siblings in their order on
 /// screen.

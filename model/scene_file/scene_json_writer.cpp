@@ -163,6 +163,23 @@ Ordered focusOf(const Focus& focus) {
   return json;
 }
 
+Ordered wordingOf(const Wording& wording) {
+  Ordered json = {{"text", wording.text}};
+  if (!wording.texts.empty())
+    json["texts"] = wording.texts;
+  return json;
+}
+
+void addWords(Ordered& json, const ViewWords& words) {
+  for (const auto& [key, wording] :
+       {std::pair("title", &words.title), std::pair("text", &words.text),
+        std::pair("notes", &words.notes)})
+    if (!wording->empty())
+      json[key] = wordingOf(*wording);
+  if (words.seconds)
+    json["seconds"] = jsonNumber(*words.seconds);
+}
+
 Ordered viewOf(const View& view) {
   Ordered json = {{"name", view.name}, {"camera", cameraJson(view.camera)}};
   if (view.sections)
@@ -176,6 +193,7 @@ Ordered viewOf(const View& view) {
   }
   if (view.focus)
     json["focus"] = focusOf(*view.focus);
+  addWords(json, view.words);
   addUnread(json, view.unread);
   return json;
 }

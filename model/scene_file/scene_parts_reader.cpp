@@ -29,6 +29,28 @@ Anchor anchorFrom(JsonObject& object) {
   return point;
 }
 
+std::map<std::string, std::string> textsFrom(const JsonValue& value) {
+  const JsonObject languages(value);  // notes a fault where it is not an object
+  std::map<std::string, std::string> texts;
+  for (const auto& [language, text] : value.json().items())
+    texts[language] = JsonValue(text, value, std::string_view(language)).text();
+  return texts;
+}
+
+Wording wordingFrom(JsonObject& object, std::string_view key) {
+  Wording wording;
+  const auto value = object.take(key);
+  if (!value)
+    return wording;
+  JsonObject inner(*value);
+  if (const auto text = inner.take("text"))
+    wording.text = text->text();
+  if (const auto texts = inner.take("texts"))
+    wording.texts = textsFrom(*texts);
+  object.giveBack(key, inner.rest());
+  return wording;
+}
+
 }  // namespace
 
 Section SceneJsonReader::section(const JsonValue& value) const {
@@ -82,11 +104,8 @@ Annotation SceneJsonReader::annotation(const JsonValue& value) const {
     place("to");
   if (const auto text = object.take("text"))
     annotation.text = text->text();
-  if (const auto texts = object.take("texts")) {
-    const JsonObject languages(*texts);  // notes a fault where it is not an object
-    for (const auto& [language, text] : texts->json().items())
-      annotation.texts[language] = JsonValue(text, *texts, std::string_view(language)).text();
-  }
+  if (const auto texts = object.take("texts"))
+    annotation.texts = textsFrom(*texts);
   if (const auto colour = object.take("colour"))
     annotation.colour = colour->colour();
   if (const auto visible = object.take("visible"))
@@ -221,6 +240,14 @@ View SceneJsonReader::view(const JsonValue& value) const {
     });
   if (const auto focused = object.take("focus"))
     view.focus = focus(*focused);
+  view.words = {.title = wordingFrom(object, "title"),
+                .text = wordingFrom(object, "text"),
+                .notes = wordingFrom(object, "notes")};
+  if (const auto seconds = object.take("seconds")) {
+    view.words.seconds = seconds->number();
+    if (!viewSecondsLimits.contain(*view.words.seconds))
+      seconds->fail("a time from 0.1 to 3600 seconds is expected here");
+  }
   view.unread = object.unread();
   return view;
 }

@@ -32,6 +32,7 @@ class ViewCommandTest : public QObject {
   void theSceneStaysAsItLooks();
   void labels();
   void updated();
+  void words();
   void renamed_data();
   void renamed();
   void movedAndRemoved();
@@ -154,6 +155,32 @@ void ViewCommandTest::updated() {
   QCOMPARE(view({"--update", "none"}).code, 2);
 }
 
+/// Words come with a view or later, language by language; what is said again stands, what is said
+/// without words goes, and updating the view leaves all of them.
+void ViewCommandTest::words() {
+  QCOMPARE(view({"--add", "Front", "--title", "The pelvis", "--text", "Seen *from the front*",
+                 "--text", "de=Von *vorn*", "--notes", "a=b is no language", "--seconds", "7.5"})
+               .code,
+           0);
+  QCOMPARE(view({"--tell", "Front", "--title", "la=Pelvis", "--text", "de=Von **vorn**"}).code, 0);
+  QCOMPARE(view({"--update", "Front", "--from", "left"}).code, 0);
+  model::ViewWords words = scene().views().front().words;
+  QCOMPARE(words.title.in("en"), std::string("The pelvis"));
+  QCOMPARE(words.title.in("la"), std::string("Pelvis"));
+  QCOMPARE(words.text.in("de"), std::string("Von **vorn**"));
+  QCOMPARE(words.text.in("nl"), std::string("Seen *from the front*"));
+  QCOMPARE(words.notes.text, std::string("a=b is no language"));
+  QCOMPARE(words.seconds, std::optional(7.5f));
+  const QJsonObject told = listed().first().toObject();
+  QCOMPARE(told["title"][""].toString(), QString("The pelvis"));
+  QCOMPARE(told["text"]["de"].toString(), QString("Von **vorn**"));
+  QCOMPARE(told["seconds"].toDouble(), 7.5);
+  QCOMPARE(view({"--tell", "Front", "--title", "", "--title", "la=", "--seconds", "0"}).code, 0);
+  words = scene().views().front().words;
+  QVERIFY(words.title.empty() && !words.seconds && !words.text.empty());
+  QCOMPARE(model::titleIn(scene().views().front(), "la"), std::string("Front"));
+}
+
 void ViewCommandTest::renamed_data() {
   QTest::addColumn<QString>("text");
   QTest::addColumn<int>("code");
@@ -214,6 +241,11 @@ void ViewCommandTest::wrongUse_data() {
                                 << 2;
   QTest::newRow("no such camera") << QStringList{"--add", "x", "--camera", "none.json"} << 2;
   QTest::newRow("json of nothing") << QStringList{"--remove", "V", "--json"} << 2;
+  QTest::newRow("words in vain") << QStringList{"--remove", "V", "--title", "x"} << 2;
+  QTest::newRow("words twice") << QStringList{"--tell", "V", "--text", "de=a", "--text", "de=b"}
+                               << 2;
+  QTest::newRow("no time") << QStringList{"--tell", "V", "--seconds", "-1"} << 2;
+  QTest::newRow("tells nobody") << QStringList{"--tell", "none", "--title", "x"} << 2;
   QTest::newRow("list into a file") << QStringList{"--list", "-o", "x.sline"} << 2;
   QTest::newRow("into a mesh") << QStringList{"--remove", "V", "-o", "x.ply"} << 2;
   QTest::newRow("no folder") << QStringList{"--remove", "V", "-o", "/nowhere/x.sline"} << 1;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "model/edit/views.h"
@@ -12,14 +13,23 @@ namespace sline::render {
 
 namespace {
 
-Error tooLongRests(const FilmOptions& options) {
+Error tooLongRests(double rests, double seconds) {
   const auto tenths = [](double value) {
     std::string text = std::to_string(std::lround(10.0 * value));
     return text.insert(text.size() > 1 ? text.size() - 1 : 0, text.size() > 1 ? "." : "0.");
   };
-  return {.reason = "rests of " + tenths(*options.hold) +
-                    " seconds leave no time to move in a film of " + tenths(options.seconds),
+  return {.reason = "rests of " + tenths(rests) + " seconds leave no time to move in a film of " +
+                    tenths(seconds),
           .remedy = "Make the rests shorter or the film longer"};
+}
+
+/// Returns how long the film rests at each view, seconds: as the view says, else as all others.
+std::vector<double> restsOf(const std::vector<model::View>& views, const FilmOptions& options) {
+  const double usual = options.hold.value_or(0.4 * options.seconds / double(views.size()));
+  std::vector<double> rests;
+  for (const model::View& view : views)
+    rests.push_back(view.words.seconds ? double(*view.words.seconds) : usual);
+  return rests;
 }
 
 Status checked(const FilmOptions& options, const glm::ivec2& size) {
@@ -80,15 +90,19 @@ Result<Film::Tour> Film::tourOf(const ExportOrder& order) {
                                : "the scene has one saved view alone: there is no way to go",
                  .remedy = "Save views, or make a turntable"};
   const FilmOptions& options = order.of<FilmOptions>();
-  const auto count = double(views.size());
+  const std::vector<double> rests = restsOf(views, options);
+  const double resting = std::accumulate(rests.begin(), rests.end(), 0.0);
   Tour tour;
-  tour.hold = options.hold.value_or(0.4 * options.seconds / count);
-  tour.way = (options.seconds - count * tour.hold) / (count - 1.0);
-  if (tour.way <= 0.0 || tour.hold < 0.0)
-    return tooLongRests(options);
+  tour.way = (options.seconds - resting) / (double(views.size()) - 1.0);
+  if (tour.way <= 0.0 || options.hold.value_or(0.0) < 0.0)
+    return tooLongRests(options.hold.value_or(resting), options.seconds);
   model::Scene before = model::withViewApplied(order.scene, views.front()).scene;
   tour.first = {before, views.front().camera, views.front().name};
+  double leaves = 0.0;
   for (std::size_t i = 1; i < views.size(); ++i) {
+    leaves += rests[i - 1];
+    tour.leaves.push_back(leaves);
+    leaves += tour.way;
     model::Scene next = model::withViewApplied(order.scene, views[i]).scene;
     tour.legs.push_back({model::SceneBlend(before, next),
                          model::CameraFlight(views[i - 1].camera, views[i].camera),
@@ -104,7 +118,7 @@ Result<Film::Sweep> Film::sweepOf(const ExportOrder& order) {
   if (options.hold)
     sweep.hold = *options.hold / options.seconds;
   if (sweep.hold < 0.0 || sweep.hold >= 0.5)
-    return tooLongRests(options);
+    return tooLongRests(*options.hold, options.seconds);
   std::set<model::NodeId> swept;
   for (const model::NodeId id : options.swept)
     swept.merge([&] {
@@ -129,11 +143,11 @@ FilmFrame Film::at(int frame) const {
 }
 
 FilmFrame Film::atTime(const Tour& tour, double seconds) const {
-  if (seconds <= tour.hold)
+  if (seconds <= tour.leaves.front())
     return tour.first;
-  const double cycle = tour.hold + tour.way;
-  const auto leg = std::min(std::size_t((seconds - tour.hold) / cycle), tour.legs.size() - 1);
-  const double part = std::clamp((seconds - tour.hold - double(leg) * cycle) / tour.way, 0.0, 1.0);
+  const auto after = std::upper_bound(tour.leaves.begin(), tour.leaves.end(), seconds);
+  const auto leg = std::size_t(after - tour.leaves.begin()) - 1;
+  const double part = std::clamp((seconds - tour.leaves[leg]) / tour.way, 0.0, 1.0);
   // Where a way begins, the one before has ended, exactly at its view.
   const bool arrived = part <= 0.0 && leg > 0;
   const Leg& now = tour.legs[arrived ? leg - 1 : leg];

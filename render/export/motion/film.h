@@ -49,8 +49,8 @@ class Film {
   };
   struct Tour {
     std::vector<Leg> legs;
-    double hold = 0.0;  ///< seconds at each view
-    double way = 0.0;   ///< seconds between two views
+    std::vector<double> leaves;  ///< when each leg begins, seconds
+    double way = 0.0;            ///< seconds between two views
     FilmFrame first;
   };
   struct Sweep {

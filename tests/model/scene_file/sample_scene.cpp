@@ -109,7 +109,12 @@ Scene sampleScene() {
   focus.nearness = FocusNearness{.place = glm::vec3(1.5f, -2.0f, 0.1f), .falloffMm = 45.5f};
   focus.given.push_back({.node = one, .style = {.gamma = Gamma::clamped(4.5f)}});
   scene.setFocus(focus);
-  scene.setViews({{.name = "Overview", .camera = camera},
+  scene.setViews({{.name = "Overview",
+                   .camera = camera,
+                   .words = {.title = {"The pelvis", {{"de", "Das Becken"}}},
+                             .text = {"Seen *from the front*", {{"de", "Von *vorn*"}}},
+                             .notes = {"Begin with the bones", {}},
+                             .seconds = 7.5f}},
                   {.name = "Cut", .sections = std::vector<Section>{half}},
                   {.name = "Whole", .sections = std::vector<Section>{}},
                   {.name = "Bare",

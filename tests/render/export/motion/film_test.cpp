@@ -99,6 +99,23 @@ class FilmTest : public QObject {
     QVERIFY(film.at(0).viewName.empty());
   }
 
+  /// A view that says how long it is shown is shown so long, others as the film rests.
+  void viewsRestAsLongAsTheySay() {
+    render::ExportOrder order = tourOrder();
+    std::vector<model::View> views = order.scene.views();
+    views[1].words.seconds = 4.0f;
+    order.scene.setViews(views);
+    const Film film = std::move(Film::create(order)).value();
+    QVERIFY(!film.at(20).moving && film.at(25).moving);
+    for (int frame = 30; frame <= 70; ++frame)
+      QVERIFY(film.at(frame).camera == views[1].camera && film.at(frame).viewName == "Side");
+    QVERIFY(film.at(75).moving && !film.at(80).moving);
+    QVERIFY(film.at(99).camera == views[2].camera);
+    views[0].words.seconds = 6.0f;
+    order.scene.setViews(views);
+    QVERIFY(!Film::create(order).ok());
+  }
+
   void nothingLeavesThePicture() {
     for (const auto projection :
          {model::Projection::perspective, model::Projection::orthographic}) {
