@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "model/base/parallel.h"
 
 namespace sline::model {
 
 namespace {
+using Matrix = std::array<float, 6>;
+
 struct Source {
   const Mesh& mesh;
-  std::span<const glm::vec3> normals;
-  const Curvature& curvature;
+  std::span<const SurfaceVertex> vertices;
 };
 
 glm::vec3 faceNormal(const Mesh& mesh, std::uint32_t face) {
@@ -24,25 +26,27 @@ glm::vec3 faceNormal(const Mesh& mesh, std::uint32_t face) {
   return length > 0.0f ? area / length : glm::vec3(0.0f);
 }
 
-void bound(Cluster& cluster, const Source& source, std::span<const std::uint32_t> vertices,
-           std::span<const std::uint32_t> faces) {
+/// Returns whether κr may vanish somewhere in the triangle, from some eye.
+bool mayBend(std::span<const SurfaceVertex> vertices, const Triangle& t) {
+  const glm::vec2& a = vertices[t[0]].k;
+  const glm::vec2& b = vertices[t[1]].k;
+  const glm::vec2& c = vertices[t[2]].k;
+  return !(std::min({a.x, a.y, b.x, b.y, c.x, c.y}) > 0.0f) &&
+         !(std::max({a.x, a.y, b.x, b.y, c.x, c.y}) < 0.0f);
+}
+
+void boundShape(Cluster& cluster, const Source& source, std::span<const std::uint32_t> vertices,
+                std::span<const std::uint32_t> faces) {
   Box box;
   glm::vec3 sum(0.0f);
-  float lowest = std::numeric_limits<float>::infinity();
-  float highest = -lowest;
   for (const std::uint32_t v : vertices) {
-    box.add(source.mesh.positions()[v]);
-    sum += source.normals[v];
-    const glm::vec2 k = source.curvature.k[v];
-    lowest = std::min({lowest, k.x, k.y});
-    highest = std::max({highest, k.x, k.y});
+    box.add(source.vertices[v].position);
+    sum += source.vertices[v].normal;
   }
-  cluster.lowestCurvature = lowest;
-  cluster.highestCurvature = highest;
   cluster.bounds.centre = box.centre();
   float squared = 0.0f;
   for (const std::uint32_t v : vertices) {
-    const glm::vec3 d = source.mesh.positions()[v] - cluster.bounds.centre;
+    const glm::vec3 d = source.vertices[v].position - cluster.bounds.centre;
     squared = std::max(squared, glm::dot(d, d));
   }
   cluster.bounds.radius = std::sqrt(squared) * 1.0001f;
@@ -56,108 +60,202 @@ void bound(Cluster& cluster, const Source& source, std::span<const std::uint32_t
       cosine = std::min(cosine, glm::dot(cluster.coneAxis, n));
   };
   for (const std::uint32_t v : vertices)
-    include(source.normals[v]);
+    include(source.vertices[v].normal);
   for (const std::uint32_t f : faces)
     include(faceNormal(source.mesh, f));
   cluster.coneCosine = cosine;
 }
 
-/// Numbers the vertices of one cluster after another by remembering which cluster used a vertex
-/// last, and its number there.
+Matrix shapeOperator(const SurfaceVertex& v) {
+  const glm::vec3 e1 = v.e1;
+  const glm::vec3 e2 = glm::cross(v.normal, e1);
+  const glm::vec3 a = v.k.x * e1;
+  const glm::vec3 b = v.k.y * e2;
+  return {a.x * e1.x + b.x * e2.x, a.x * e1.y + b.x * e2.y, a.x * e1.z + b.x * e2.z,
+          a.y * e1.y + b.y * e2.y, a.y * e1.z + b.y * e2.z, a.z * e1.z + b.z * e2.z};
+}
+
+float norm(const Matrix& m) {
+  return std::sqrt(m[0] * m[0] + m[3] * m[3] + m[5] * m[5] +
+                   2.0f * (m[1] * m[1] + m[2] * m[2] + m[4] * m[4]));
+}
+
+/// Returns what stands for the nearest whole number of steps.
+std::uint8_t sampleOf(float difference, float perStep) {
+  const float steps =
+      std::clamp(std::round(difference * perStep), -Clusters::mostSteps, Clusters::mostSteps);
+  return std::uint8_t(Clusters::mostSteps + steps);
+}
+
+/// Bounds the shape operators of these vertices, whose positions are bounded, and appends their
+/// samples.
+TensorBounds boundTensors(const Source& source, const Sphere& places,
+                          std::span<const std::uint32_t> vertices,
+                          std::vector<std::uint8_t>& samples) {
+  TensorBounds bounds;
+  if (vertices.empty())
+    return bounds;
+  std::array<Matrix, Clusters::maximumVertices> s;
+  Matrix low;
+  low.fill(std::numeric_limits<float>::infinity());
+  Matrix high;
+  high.fill(-std::numeric_limits<float>::infinity());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const SurfaceVertex& v = source.vertices[vertices[i]];
+    bounds.largest = std::max({bounds.largest, std::abs(v.k.x), std::abs(v.k.y)});
+    s[i] = shapeOperator(v);
+    for (std::size_t c = 0; c < 6; ++c) {
+      low[c] = std::min(low[c], s[i][c]);
+      high[c] = std::max(high[c], s[i][c]);
+    }
+  }
+  float reach = 0.0f;
+  for (std::size_t c = 0; c < 6; ++c) {
+    bounds.middle[c] = 0.5f * (low[c] + high[c]);
+    reach = std::max(reach, 0.5f * (high[c] - low[c]));
+  }
+  bounds.step = reach / Clusters::mostSteps;
+  const float perStep = reach > 0.0f ? Clusters::mostSteps / reach : 0.0f;
+  const float perPlace = places.radius > 0.0f ? Clusters::mostSteps / places.radius : 0.0f;
+  const std::size_t count = vertices.size();
+  const std::size_t first = samples.size();
+  samples.resize(first + Clusters::sampleRows * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::vec3 place = source.vertices[vertices[i]].position - places.centre;
+    for (std::size_t c = 0; c < 3; ++c)
+      samples[first + c * count + i] = sampleOf(place[glm::length_t(c)], perPlace);
+    Matrix difference;
+    for (std::size_t c = 0; c < 6; ++c) {
+      difference[c] = s[i][c] - bounds.middle[c];
+      samples[first + (3 + c) * count + i] = sampleOf(difference[c], perStep);
+    }
+    bounds.spread = std::max(bounds.spread, norm(difference));
+  }
+  return bounds;
+}
+
+/// Numbers the vertices of one cluster in the order in which its triangles use them.
 class LocalNumbers {
  public:
-  explicit LocalNumbers(std::size_t vertexCount) : m_seen(vertexCount, {0, 0}) {}
-  void startCluster() { ++m_cluster; }
-  /// Returns the vertex's number in this cluster; a new vertex is appended to `vertices`.
-  std::uint32_t number(std::uint32_t vertex, std::vector<std::uint32_t>& vertices,
-                       std::size_t first) {
-    Seen& seen = m_seen[vertex];
-    if (seen.cluster != m_cluster) {
-      seen = {m_cluster, std::uint32_t(vertices.size() - first)};
+  void start() { m_slots.fill(empty); }
+  /// Returns the vertex's number; a new vertex is appended to `vertices`, which begin at `first`.
+  std::uint8_t number(std::uint32_t vertex, std::vector<std::uint32_t>& vertices,
+                      std::size_t first) {
+    std::size_t slot = vertex * 2654435769u >> (32 - bits);
+    while (m_slots[slot] != empty && vertices[first + m_slots[slot]] != vertex)
+      slot = (slot + 1) & (m_slots.size() - 1);
+    if (m_slots[slot] == empty) {
+      m_slots[slot] = std::uint8_t(vertices.size() - first);
       vertices.push_back(vertex);
     }
-    return seen.number;
+    return m_slots[slot];
   }
 
  private:
-  struct Seen {
-    std::uint32_t cluster;
-    std::uint32_t number;
-  };
-  std::vector<Seen> m_seen;
-  std::uint32_t m_cluster = 0;
+  static constexpr int bits = 9;
+  static constexpr std::uint8_t empty = 255;
+  static_assert(Clusters::maximumVertices < empty);
+  std::array<std::uint8_t, 1 << bits> m_slots{};
 };
 
-/// Appends clusters of the faces in order; a cluster that would use too many vertices ends early.
-void cut(Clusters& clusters, const Mesh& mesh) {
-  LocalNumbers numbers(mesh.vertexCount());
-  const std::size_t count = clusters.triangles.size();
-  clusters.localTriangles.reserve(count);
-  clusters.vertices.reserve(mesh.vertexCount() + mesh.vertexCount() / 2);
-  std::size_t slot = 0;
-  while (slot < count) {
-    Cluster cluster{.firstTriangle = std::uint32_t(slot),
-                    .firstVertex = std::uint32_t(clusters.vertices.size())};
-    numbers.startCluster();
-    const std::size_t end = std::min<std::size_t>(count, slot + Clusters::maximumTriangles);
-    while (slot < end &&
-           clusters.vertices.size() - cluster.firstVertex + 3 <= Clusters::maximumVertices) {
-      std::array<std::uint8_t, 3> local{};
-      for (std::size_t c = 0; c < 3; ++c)
-        local[c] = std::uint8_t(numbers.number(mesh.triangles()[clusters.triangles[slot]][c],
-                                               clusters.vertices, cluster.firstVertex));
-      clusters.localTriangles.push_back(local);
-      ++slot;
-    }
-    cluster.triangleCount = std::uint32_t(slot) - cluster.firstTriangle;
-    cluster.vertexCount = std::uint32_t(clusters.vertices.size()) - cluster.firstVertex;
-    clusters.items.push_back(cluster);
-  }
-}
+/// Makes a stretch of clusters; their vertices and samples are counted from its own first ones.
+class Stretch {
+ public:
+  Stretch(const Source& source, Clusters& clusters) : m_source(source), m_clusters(clusters) {}
 
-/// Copies the values that views read into cluster order.
-ClusterVertices gathered(const Source& source, const std::vector<std::uint32_t>& vertices) {
-  ClusterVertices fields;
-  for (auto* group : {&fields.position, &fields.normal})
-    for (std::vector<float>& field : *group)
-      field.resize(vertices.size());
-  for (std::vector<float>& field : fields.s)
-    field.resize(vertices.size());
-  parallelFor(vertices.size(), 8192, [&](std::size_t i) {
-    const std::uint32_t v = vertices[i];
-    const glm::vec3 n = source.normals[v];
-    const glm::vec3 e1 = source.curvature.e1[v];
-    const glm::vec3 e2 = glm::cross(n, e1);
-    const glm::vec3 a = source.curvature.k[v].x * e1;
-    const glm::vec3 b = source.curvature.k[v].y * e2;
-    for (glm::length_t c = 0; c < 3; ++c) {
-      fields.position[std::size_t(c)][i] = source.mesh.positions()[v][c];
-      fields.normal[std::size_t(c)][i] = n[c];
+  void make(Cluster& cluster) {
+    moveCandidatesFirst(cluster);
+    cluster.firstVertex = std::uint32_t(vertices.size());
+    cluster.firstSample = std::uint32_t(samples.size());
+    m_numbers.start();
+    for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
+      const std::uint32_t slot = cluster.firstTriangle + i;
+      const Triangle& t = m_source.mesh.triangles()[m_clusters.triangles[slot]];
+      for (std::size_t c = 0; c < 3; ++c)
+        m_clusters.localTriangles[slot][c] = m_numbers.number(t[c], vertices, cluster.firstVertex);
+      if (i + 1 == cluster.candidateTriangles)
+        cluster.candidateVertices = std::uint32_t(vertices.size()) - cluster.firstVertex;
     }
-    fields.s[0][i] = a.x * e1.x + b.x * e2.x;
-    fields.s[1][i] = a.x * e1.y + b.x * e2.y;
-    fields.s[2][i] = a.x * e1.z + b.x * e2.z;
-    fields.s[3][i] = a.y * e1.y + b.y * e2.y;
-    fields.s[4][i] = a.y * e1.z + b.y * e2.z;
-    fields.s[5][i] = a.z * e1.z + b.z * e2.z;
-  });
-  return fields;
-}
+    cluster.vertexCount = std::uint32_t(vertices.size()) - cluster.firstVertex;
+    const std::span<const std::uint32_t> own(vertices.data() + cluster.firstVertex,
+                                             cluster.vertexCount);
+    boundShape(cluster, m_source, own, facesOf(cluster));
+    cluster.tensorBounds =
+        boundTensors(m_source, cluster.bounds, own.first(cluster.candidateVertices), samples);
+  }
+
+  std::vector<std::uint32_t> vertices;
+  std::vector<std::uint8_t> samples;
+
+ private:
+  std::span<std::uint32_t> facesOf(const Cluster& cluster) {
+    return {m_clusters.triangles.data() + cluster.firstTriangle, cluster.triangleCount};
+  }
+
+  void moveCandidatesFirst(Cluster& cluster) {
+    std::array<std::uint32_t, Clusters::maximumTriangles> others;
+    std::size_t count = 0;
+    const std::span<std::uint32_t> faces = facesOf(cluster);
+    for (const std::uint32_t f : faces)
+      if (mayBend(m_source.vertices, m_source.mesh.triangles()[f]))
+        faces[cluster.candidateTriangles++] = f;
+      else
+        others[count++] = f;
+    std::copy_n(others.begin(), count, faces.begin() + cluster.candidateTriangles);
+  }
+
+  const Source& m_source;
+  Clusters& m_clusters;
+  LocalNumbers m_numbers;
+};
+
+constexpr std::size_t clustersPerStretch = 256;
 }  // namespace
 
 Clusters buildClusters(const Mesh& mesh, std::vector<std::uint32_t> order,
-                       std::span<const glm::vec3> normals, const Curvature& curvature) {
-  const Source source{mesh, normals, curvature};
+                       std::span<const SurfaceVertex> vertices) {
+  const Source source{mesh, vertices};
   Clusters clusters;
   clusters.triangles = std::move(order);
-  cut(clusters, mesh);
-  clusters.vertices.shrink_to_fit();
-  parallelFor(clusters.items.size(), 32, [&](std::size_t i) {
-    Cluster& c = clusters.items[i];
-    bound(c, source, {clusters.vertices.data() + c.firstVertex, c.vertexCount},
-          {clusters.triangles.data() + c.firstTriangle, c.triangleCount});
+  const std::size_t count = clusters.triangles.size();
+  clusters.localTriangles.resize(count);
+  constexpr std::size_t most = Clusters::maximumTriangles;
+  clusters.items.resize((count + most - 1) / most);
+  const std::size_t stretchCount =
+      (clusters.items.size() + clustersPerStretch - 1) / clustersPerStretch;
+  std::vector<Stretch> stretches(stretchCount, Stretch(source, clusters));
+  const auto forEachOf = [&](std::size_t stretch, const auto& body) {
+    const std::size_t end = std::min(clusters.items.size(), (stretch + 1) * clustersPerStretch);
+    for (std::size_t i = stretch * clustersPerStretch; i < end; ++i)
+      body(clusters.items[i], i);
+  };
+  parallelFor(stretches.size(), 1, [&](std::size_t s) {
+    forEachOf(s, [&](Cluster& cluster, std::size_t i) {
+      cluster.firstTriangle = std::uint32_t(i * most);
+      cluster.triangleCount = std::uint32_t(std::min(most, count - i * most));
+      stretches[s].make(cluster);
+    });
   });
-  clusters.fields = gathered(source, clusters.vertices);
+  std::size_t vertexCount = 0;
+  std::size_t sampleCount = 0;
+  for (const Stretch& stretch : stretches) {
+    vertexCount += stretch.vertices.size();
+    sampleCount += stretch.samples.size();
+  }
+  clusters.vertices.reserve(vertexCount);
+  clusters.samples.reserve(sampleCount);
+  for (std::size_t s = 0; s < stretches.size(); ++s) {
+    forEachOf(s, [&](Cluster& cluster, std::size_t) {
+      cluster.firstVertex += std::uint32_t(clusters.vertices.size());
+      cluster.firstSample += std::uint32_t(clusters.samples.size());
+    });
+    clusters.vertices.insert(clusters.vertices.end(), stretches[s].vertices.begin(),
+                             stretches[s].vertices.end());
+    clusters.samples.insert(clusters.samples.end(), stretches[s].samples.begin(),
+                            stretches[s].samples.end());
+    stretches[s].vertices = {};
+    stretches[s].samples = {};
+  }
   return clusters;
 }
 

@@ -1,55 +1,65 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts a surface into runs of neighbouring triangles with bounds on position, normal and curvature,
-// so that a view can skip most of the surface without looking at its triangles (METHOD §10).
+// Cuts a surface into runs of neighbouring triangles that face alike, with bounds on position,
+// normal and curvature, so that a view can skip most of the surface without looking at its
+// triangles (METHOD §10).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "model/geometry/curvature.h"
 #include "model/geometry/mesh.h"
+#include "model/geometry/surface_vertices.h"
 
 namespace sline::model {
+
+/// Bounds the shape operators of some vertices: symmetric matrices in space (xx, xy, xz, yy, yz,
+/// zz; 1/mm). Since S·n = 0, κr·|w|² = dᵀ·S·d / |d|² for any vector d to the eye.
+struct TensorBounds {
+  std::array<float, 6> middle{};
+  float spread = 0.0f;   ///< no S differs from the middle by more (Frobenius norm)
+  float largest = 0.0f;  ///< largest |κ|
+  float step = 0.0f;     ///< of Clusters::samples
+};
 
 struct Cluster {
   std::uint32_t firstTriangle = 0;  ///< index into Clusters::triangles
   std::uint32_t triangleCount = 0;
   std::uint32_t firstVertex = 0;  ///< index into Clusters::vertices
   std::uint32_t vertexCount = 0;
+  /// The first of its triangles, and of its vertices those that they use: the triangles whose
+  /// corners are neither all convex nor all concave. In others κr has one sign from every eye.
+  std::uint32_t candidateTriangles = 0;
+  std::uint32_t candidateVertices = 0;
+  std::uint32_t firstSample = 0;  ///< index into Clusters::samples
   Sphere bounds;
-  glm::vec3 coneAxis{0.0f};      ///< mean direction of its normals
-  float coneCosine = -1.0f;      ///< smallest cosine between the axis and any vertex or face normal
-  float lowestCurvature = 0.0f;  ///< of both principal curvatures over its vertices
-  float highestCurvature = 0.0f;
-};
-
-/// Holds the values that line extraction reads for every vertex of a cluster in every view, copied
-/// into cluster order as a structure of arrays (index: Clusters::vertices), so that the loop over
-/// them runs on whole vector registers without gathering. `s` is the shape operator as a symmetric
-/// matrix in space (xx, xy, xz, yy, yz, zz; 1/mm): since S·n = 0, κr·|w|² = dᵀ·S·d / |d|² for any
-/// vector d to the eye.
-struct ClusterVertices {
-  std::array<std::vector<float>, 3> position;
-  std::array<std::vector<float>, 3> normal;
-  std::array<std::vector<float>, 6> s;
+  glm::vec3 coneAxis{0.0f};   ///< mean direction of its normals
+  float coneCosine = -1.0f;   ///< smallest cosine between the axis and any vertex or face normal
+  TensorBounds tensorBounds;  ///< of its candidate vertices
 };
 
 struct Clusters {
-  static constexpr std::uint32_t maximumTriangles = 128;
-  static constexpr std::uint32_t maximumVertices = 255;
+  static constexpr std::uint32_t maximumTriangles = 64;
+  static constexpr std::uint32_t maximumVertices = 3 * maximumTriangles;
 
   std::vector<Cluster> items;
-  std::vector<std::uint32_t> triangles;  ///< the mesh's triangle in each slot, in spatial order
+  std::vector<std::uint32_t> triangles;  ///< the mesh's triangle in each slot, cluster by cluster
   std::vector<std::uint32_t> vertices;   ///< the mesh's vertices of each cluster, each once
   /// For each slot, the indices into its cluster's vertices.
   std::vector<std::array<std::uint8_t, 3>> localTriangles;
-  ClusterVertices fields;
+  static constexpr std::size_t sampleRows = 9;
+  static constexpr float mostSteps = 127.0f;  ///< also the number that stands for none
+  /// For each cluster nine rows of a number for each of its candidate vertices, from which signs of
+  /// κr are found without looking at the mesh: how its position differs from the centre of the
+  /// bounds, in steps of radius / 127, and S from the middle, in steps of the tensor bounds. Both
+  /// are rounded to the nearest step.
+  std::vector<std::uint8_t> samples;
 };
 
-/// Cuts `order` (see spatialOrder) into clusters; normals and curvature are per vertex of the mesh.
+/// Cuts `order` (see clusterOrder) into clusters; `vertices` are those of the mesh.
 Clusters buildClusters(const Mesh& mesh, std::vector<std::uint32_t> order,
-                       std::span<const glm::vec3> normals, const Curvature& curvature);
+                       std::span<const SurfaceVertex> vertices);
 
 /// Says how a cluster faces a viewpoint, as far as its bounds alone tell.
 enum class Facing { front, back, mixed };

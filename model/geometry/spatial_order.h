@@ -9,7 +9,8 @@
 namespace sline::model {
 
 /// Returns the triangles of the mesh along a Z-order curve through their centroids: neighbours in
-/// the list are neighbours in space. Clusters and the bounding-volume hierarchy both cut this list.
+/// the list are neighbours in space. The bounding-volume hierarchy cuts this list, and so do
+/// clusters, which order its stretches once more (cluster_order.h).
 std::vector<std::uint32_t> spatialOrder(const Mesh& mesh);
 
 }  // namespace sline::model

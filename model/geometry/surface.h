@@ -4,18 +4,23 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "model/geometry/clusters.h"
 #include "model/geometry/curvature.h"
 #include "model/geometry/mesh.h"
+#include "model/geometry/surface_vertices.h"
 
 namespace sline::model {
 
 struct Surface {
+  Surface() = default;
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
   MeshPtr mesh;
-  std::vector<glm::vec3> normals;  ///< unit vectors pointing outward; one per vertex
-  Curvature curvature;
+  SurfaceVertices vertices;
+  NormalColumn normals;        ///< of the vertices
+  CurvatureColumns curvature;  ///< of the vertices
   Clusters clusters;
   Sphere boundingSphere;
   float featureSize = 0.0f;   ///< F: radius of the bounding sphere, mm

@@ -27,14 +27,13 @@ CoarseDepth::CoarseDepth(const model::Surface& surface, const model::Camera& cam
   m_columns = m_rows = int(2.0f * radius / m_side) + 1;
   m_nearest.assign(std::size_t(m_columns) * std::size_t(m_rows), nothing);
   const model::EyePoint eye = eyeOf(camera);
-  const model::ClusterVertices& in = surface.clusters.fields;
+  const auto positions = surface.mesh->positions();
   for (const model::Cluster& cluster : surface.clusters.items) {
     if (model::facing(cluster, eye) == model::Facing::back)
       continue;
     for (std::uint32_t i = cluster.firstVertex; i < cluster.firstVertex + cluster.vertexCount;
          ++i) {
-      const ViewScale::Point seen =
-          m_scale.project({in.position[0][i], in.position[1][i], in.position[2][i]});
+      const ViewScale::Point seen = m_scale.project(positions[surface.clusters.vertices[i]]);
       const std::ptrdiff_t c = seen.perMm > 0.0f ? cell(seen.at) : -1;
       if (c >= 0)
         m_nearest[std::size_t(c)] = std::min(m_nearest[std::size_t(c)], seen.distanceMm);

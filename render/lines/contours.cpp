@@ -15,10 +15,9 @@ namespace {
 /// Returns whether nv falls towards the eye within the triangle: κr < 0 as this very line sees it,
 /// without the noise of the estimated tensor.
 bool risesAwayFromEye(const ClusterWalk& walk, const ClusterWalk::Local& local) {
-  const auto positions = walk.surface().mesh->positions();
-  const glm::vec3 p = positions[walk.vertex(local[0])];
-  const glm::vec3 e1 = positions[walk.vertex(local[1])] - p;
-  const glm::vec3 e2 = positions[walk.vertex(local[2])] - p;
+  const glm::vec3 p = walk.shapeAt(local[0]).position;
+  const glm::vec3 e1 = walk.shapeAt(local[1]).position - p;
+  const glm::vec3 e2 = walk.shapeAt(local[2]).position - p;
   const glm::vec3 normal = glm::cross(e1, e2);
   const float nv0 = walk.nvAt(local[0]);
   const float d1 = walk.nvAt(local[1]) - nv0;
@@ -30,31 +29,33 @@ bool risesAwayFromEye(const ClusterWalk& walk, const ClusterWalk::Local& local) 
 
 }  // namespace
 
-bool contoursMayPass(const model::Cluster&, model::Facing facing) {
+bool contoursMayPass(const model::Cluster&, model::Facing facing, const model::EyePoint&) {
   return facing == model::Facing::mixed;
 }
 
-void extractContours(const ClusterWalk& walk, const LineRequest&, std::vector<Segment>& segments) {
+void extractContours(const ClusterWalk& walk, const LineRequest& request,
+                     std::vector<Segment>& segments) {
+  Signs signs;
+  if (!signs.take(walk.facing()))
+    return;
   const auto nvAt = [&walk](std::uint8_t vertex) { return walk.nvAt(vertex); };
-  for (std::uint32_t i = 0; i < walk.cluster().triangleCount; ++i) {
-    const ClusterWalk::Local& local = walk.local(i);
-    const std::size_t odd = ClusterWalk::oddCorner(local, walk.facing());
-    if (odd == 3)
+  for (const Signs::Crossed& crossed : signs.crossed(walk.locals(walk.cluster().triangleCount))) {
+    const ClusterWalk::Local& local = walk.local(crossed.triangle);
+    const bool concave = risesAwayFromEye(walk, local);
+    if (concave && !request.hiddenContours)
       continue;
-    const std::array<Crossing, 2> c = walk.ends(local, odd, nvAt);
+    const std::array<Crossing, 2> c = walk.ends(local, crossed.odd, nvAt);
     segments.push_back({.a = c[0].position,
                         .b = c[1].position,
                         .normalA = glm::normalize(c[0].normal),
                         .normalB = glm::normalize(c[1].normal),
-                        .triangle = walk.triangle(i),
-                        .concave = risesAwayFromEye(walk, local)});
+                        .triangle = walk.triangle(crossed.triangle),
+                        .concave = concave});
   }
 }
 
 void rankContours(std::vector<Segment>& contours, const model::Surface& surface,
                   const model::Camera& camera, float t) {
-  if (!needsTwoSides(surface, camera))
-    std::erase_if(contours, [](const Segment& s) { return s.concave; });
   if (!(t > 0.0f && t < 1.0f))
     return;
   const ViewScale scale(camera);

@@ -6,13 +6,13 @@
 
 namespace sline::render {
 
-bool contoursMayPass(const model::Cluster& cluster, model::Facing facing);
+bool contoursMayPass(const model::Cluster& cluster, model::Facing facing,
+                     const model::EyePoint& eye);
 void extractContours(const ClusterWalk& walk, const LineRequest& request,
                      std::vector<Segment>& segments);
 
 /// Makes contours enter by depth, the nearest first. Only those count that the surface's own mask
-/// surrounds and that the surface does not seem to hide, judged coarsely. On a surface with an
-/// outside only, contours that it always hides are removed.
+/// surrounds and that the surface does not seem to hide, judged coarsely.
 void rankContours(std::vector<Segment>& contours, const model::Surface& surface,
                   const model::Camera& camera, float t);
 

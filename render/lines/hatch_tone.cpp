@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "render/lines/view_fields.h"
 
@@ -33,27 +34,22 @@ float endOfShadow(float tone) {
 
 /// Computes the field by METHOD §3: k = S w + (nv/d)·w. Seen from behind, n and S change sign and w
 /// does not, so k turns.
-HatchField fieldAt(const model::ClusterVertices& in, std::size_t i, const HatchView& view,
-                   float filigreeSize) {
-  const glm::vec3 p{in.position[0][i], in.position[1][i], in.position[2][i]};
-  const glm::vec3 n{in.normal[0][i], in.normal[1][i], in.normal[2][i]};
-  const glm::vec3 toEye = view.eye.atInfinity ? view.eye.value : view.eye.value - p;
+HatchField fieldAt(const model::Surface& surface, std::uint32_t vertex, const HatchView& view) {
+  const model::SurfaceVertex& at = surface.vertices[vertex];
+  const glm::vec3& n = at.normal;
+  const glm::vec3 toEye = vectorTo(view.eye, at.position);
   const float distance = glm::length(toEye);
   const glm::vec3 v = toEye / std::max(distance, 1e-20f);
   const float nv = glm::dot(n, v);
-  const glm::vec3 w = v - nv * n;
-  glm::vec3 k{in.s[0][i] * w.x + in.s[1][i] * w.y + in.s[2][i] * w.z,
-              in.s[1][i] * w.x + in.s[3][i] * w.y + in.s[4][i] * w.z,
-              in.s[2][i] * w.x + in.s[4][i] * w.y + in.s[5][i] * w.z};
-  if (!view.eye.atInfinity)
-    k += nv / distance * w;
+  const glm::vec3 k = lightGradient(
+      n, at.e1, at.k, v, view.eye.atInfinity ? std::numeric_limits<float>::infinity() : distance);
   const float side = view.twoSided && nv < 0.0f ? -1.0f : 1.0f;
   const float facing = side * nv;
   const float lit = std::clamp(
       (side * glm::dot(n, view.light) - wholeShadow) / (endOfShadow(view.tone) - wholeShadow), 0.0f,
       1.0f);
   const float shadow = 1.0f - lit * lit * (3.0f - 2.0f * lit);
-  return {.weight = std::max(-side * glm::dot(k, v) * filigreeSize, shadowWeight * shadow),
+  return {.weight = std::max(-side * glm::dot(k, v) * surface.filigreeSize, shadowWeight * shadow),
           .angle = facing > 0.0f ? quarterTurns(std::min(facing, 1.0f)) : 1.0f - facing};
 }
 constexpr std::size_t tableSize = 64;
@@ -83,10 +79,10 @@ HatchFields::HatchFields(const model::Surface& surface, const HatchView& view)
     bool hatched = false;
     // Clusters share vertices at their seams and write the same value to the same place.
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
-      const std::size_t slot = cluster.firstVertex + i;
-      const HatchField field = fieldAt(clusters.fields, slot, view, surface.filigreeSize);
+      const std::uint32_t vertex = clusters.vertices[cluster.firstVertex + i];
+      const HatchField field = fieldAt(surface, vertex, view);
       hatched |= field.weight > 0.0f && field.angle < 1.0f;
-      m_fields[clusters.vertices[slot]] = field;
+      m_fields[vertex] = field;
     }
     if (hatched)
       m_clusters.push_back(std::uint32_t(c));

@@ -25,7 +25,7 @@ float linesEntered(Gamma gamma) {
   return transitions(gamma).suggestive;
 }
 
-bool everywhere(const model::Cluster&, model::Facing) {
+bool everywhere(const model::Cluster&, model::Facing, const model::EyePoint&) {
   return true;
 }
 

@@ -60,9 +60,11 @@ struct LineTechnique {
   void (*setThresholds)(Gamma gamma, LineThresholds& thresholds) = nullptr;
   /// Returns the T by which lines of the kind have entered at Γ, 0 … 1 (METHOD §7).
   float (*entered)(Gamma gamma) = nullptr;
-  /// Returns whether a line may pass through the cluster, judged by its bounds before its vertices
-  /// are looked at. Null: the technique's lines do not come from clusters.
-  bool (*mayPass)(const model::Cluster& cluster, model::Facing facing) = nullptr;
+  /// Returns whether a line may pass through the cluster, which faces the eye like that: judged by
+  /// its bounds before its vertices are looked at. Null: the technique's lines do not come from
+  /// clusters.
+  bool (*mayPass)(const model::Cluster& cluster, model::Facing facing,
+                  const model::EyePoint& eye) = nullptr;
   /// Appends the cluster's segments.
   void (*extract)(const ClusterWalk& walk, const LineRequest& request,
                   std::vector<Segment>& segments) = nullptr;
@@ -70,8 +72,8 @@ struct LineTechnique {
   std::unique_ptr<const PreparedLines> (*prepare)(const model::Surface& surface) = nullptr;
   /// Appends the segments of the whole surface: instead of `mayPass` and `extract`.
   void (*find)(const LineSearch& search, std::vector<Segment>& segments) = nullptr;
-  /// Leaves out lines that their own surface always hides and replaces entries by ranks, so that
-  /// lines enter evenly with `t`, which `entered` gave. Null: all enter at once.
+  /// Replaces entries by ranks, so that lines enter evenly with `t`, which `entered` gave. Null: all
+  /// enter at once.
   void (*rank)(std::vector<Segment>& segments, const model::Surface& surface,
                const model::Camera& camera, float t) = nullptr;
 };

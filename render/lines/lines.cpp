@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/vector_relational.hpp>
+#include <span>
 
 #include "model/base/parallel.h"
 #include "render/lines/line_technique.h"
@@ -15,22 +16,36 @@ using model::Surface;
 
 namespace {
 
-constexpr std::size_t clustersPerTask = 48;
+constexpr std::size_t clustersPerTask = 128;
 
-void extract(ClusterWalk& walk, const Cluster& cluster, const LineRequest& request,
-             LineSet& lines) {
-  const Facing facing = model::facing(cluster, walk.eye());
+/// Returns those of the wanted techniques whose lines come from clusters.
+std::vector<const LineTechnique*> byCluster(const LineRequest& request) {
+  std::vector<const LineTechnique*> techniques;
+  for (const LineTechnique& technique : lineTechniques())
+    if (technique.mayPass && request.kinds.has(technique.kind))
+      techniques.push_back(&technique);
+  return techniques;
+}
+
+/// A cluster, and how it faces the eye.
+struct Faced {
+  const Cluster& cluster;
+  Facing facing;
+};
+
+void extract(ClusterWalk& walk, const Faced& faced, const LineRequest& request,
+             std::span<const LineTechnique* const> techniques, LineSet& lines) {
+  const auto& [cluster, facing] = faced;
   if (facing == Facing::back && !request.twoSided)
     return;
   bool entered = false;
-  for (const LineTechnique& technique : lineTechniques()) {
-    if (!technique.mayPass || !request.kinds.has(technique.kind) ||
-        !technique.mayPass(cluster, facing))
+  for (const LineTechnique* technique : techniques) {
+    if (!technique->mayPass(cluster, facing, walk.eye()))
       continue;
     if (!entered)
       walk.enter(cluster);
     entered = true;
-    technique.extract(walk, request, lines[technique.kind]);
+    technique->extract(walk, request, lines[technique->kind]);
   }
 }
 
@@ -56,25 +71,38 @@ LineSet extractLines(const Surface& surface, const model::Camera& camera,
                      const LineRequest& request) {
   const model::EyePoint eye = eyeOf(camera);
   const std::vector<Cluster>& clusters = surface.clusters.items;
-  std::vector<LineSet> parts((clusters.size() + clustersPerTask - 1) / clustersPerTask);
+  const std::vector<const LineTechnique*> techniques = byCluster(request);
+  std::vector<LineSet> parts(
+      techniques.empty() ? 0 : (clusters.size() + clustersPerTask - 1) / clustersPerTask);
   parallelFor(parts.size(), 1, [&](std::size_t part) {
     ClusterWalk walk(surface, eye);
-    const std::size_t end = std::min(clusters.size(), (part + 1) * clustersPerTask);
-    for (std::size_t i = part * clustersPerTask; i < end; ++i)
-      extract(walk, clusters[i], request, parts[part]);
+    const std::size_t first = part * clustersPerTask;
+    const std::size_t end = std::min(clusters.size(), first + clustersPerTask);
+    Facing next = model::facing(clusters[first], eye);
+    for (std::size_t i = first; i < end; ++i) {
+      const Facing facing = next;
+      if (i + 1 < end) {
+        next = model::facing(clusters[i + 1], eye);
+        if (next == Facing::mixed)
+          walk.fetch(clusters[i + 1]);
+      }
+      extract(walk, {clusters[i], facing}, request, techniques, parts[part]);
+    }
   });
   LineSet lines;
-  for (const LineTechnique& technique : lineTechniques()) {
-    std::vector<Segment>& all = lines[technique.kind];
-    if (technique.find && request.kinds.has(technique.kind))
-      find(technique, surface, camera, request, all);
+  parallelFor(techniques.size(), 1, [&](std::size_t i) {
+    const LineKind kind = techniques[i]->kind;
+    std::vector<Segment>& all = lines[kind];
     std::size_t count = 0;
     for (const LineSet& part : parts)
-      count += part[technique.kind].size();
-    all.reserve(all.size() + count);
+      count += part[kind].size();
+    all.reserve(count);
     for (const LineSet& part : parts)
-      all.insert(all.end(), part[technique.kind].begin(), part[technique.kind].end());
-  }
+      all.insert(all.end(), part[kind].begin(), part[kind].end());
+  });
+  for (const LineTechnique& technique : lineTechniques())
+    if (technique.find && request.kinds.has(technique.kind))
+      find(technique, surface, camera, request, lines[technique.kind]);
   return lines;
 }
 

@@ -96,6 +96,8 @@ struct LineRequest {
   /// Treats the inner side as a surface too (METHOD §1 "seen from behind"): open shells, or a
   /// camera inside a closed one.
   bool twoSided = false;
+  /// Also finds contours that a surface with an outside only always hides (see Segment::concave).
+  bool hiddenContours = true;
   /// The picture's width over its height: kinds that are many lines leave out what lies outside. 0:
   /// nothing does.
   float aspect = 0.0f;

@@ -33,7 +33,7 @@ float sharpnessOf(const CrestTriangle& triangle, float curvature) {
 /// does so. Third derivatives are rough, so it is the mean over the neighbours, three times: a
 /// crest, to whose sides it is opposite, stays where it is.
 std::vector<glm::vec3> rises(const model::Surface& surface) {
-  const model::Curvature& curvature = surface.curvature;
+  const model::CurvatureColumns& curvature = surface.curvature;
   std::vector<glm::vec3> rise(curvature.e1.size());
   for (std::size_t v = 0; v < rise.size(); ++v)
     rise[v] = curvature.derivative[v].x * curvature.e1[v];
@@ -60,7 +60,7 @@ std::vector<glm::vec3> rises(const model::Surface& surface) {
 std::unique_ptr<const PreparedLines> prepareCrests(const model::Surface& surface, float sign) {
   const auto triangles = surface.mesh->triangles();
   const auto positions = surface.mesh->positions();
-  const model::Curvature& curvature = surface.curvature;
+  const model::CurvatureColumns& curvature = surface.curvature;
   const std::vector<glm::vec3> rise = rises(surface);
   return std::make_unique<FixedLines>(
       fixedLines(triangles.size(), [&](std::uint32_t i, std::vector<FixedLine>& lines) {

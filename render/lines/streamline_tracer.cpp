@@ -21,7 +21,7 @@ constexpr int mostPieces = 64;  // in one triangle
 double medianLength(const model::Surface& surface) {
   std::vector<double> lengths;
   lengths.reserve(surface.curvature.k.size());
-  for (const glm::vec2& k : surface.curvature.k)
+  for (const auto& [position, normal, e1, k, derivative] : surface.vertices.all())
     if (const float largest = std::max(std::abs(k.x), std::abs(k.y)); largest > 0.0f)
       lengths.push_back(thirdOfPi / double(largest));
   if (lengths.empty())

@@ -78,7 +78,7 @@ void average(const model::Mesh& mesh, std::vector<Tensor>& tensors, std::vector<
 
 StrokeDirections::StrokeDirections(const model::Surface& surface)
     : m_packed(surface.normals.size()) {
-  const model::Curvature& curvature = surface.curvature;
+  const model::CurvatureColumns& curvature = surface.curvature;
   const std::size_t count = m_packed.size();
   std::vector<Tensor> tensors(count);
   for (std::size_t v = 0; v < count; ++v) {

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "render/lines/bending_signs.h"
 #include "render/lines/line_clip.h"
+#include "render/lines/radial_values.h"
 #include "render/lines/stage_entry.h"
 
 namespace sline::render {
@@ -36,17 +38,26 @@ class ClusterLines {
       : m_walk(walk),
         m_twoSided(request.twoSided),
         m_leastDerivative(request.thresholds.of(LineKind::suggestive, leastDerivative)),
-        m_leastAngle(request.thresholds.of(LineKind::suggestive, leastAngle)) {
-    std::fill_n(m_known.begin(), walk.cluster().vertexCount, false);
+        m_leastAngle(request.thresholds.of(LineKind::suggestive, leastAngle)) {}
+
+  void extract(std::vector<Segment>& out) {
+    if (!m_signs.find(m_walk))
+      return;
+    m_values.start(m_walk.cluster());
+    const std::span<const Signs::Crossed> crossed = m_signs.crossed(m_walk);
+    for (const Signs::Crossed& triangle : crossed)
+      for (const std::uint8_t corner : m_walk.local(triangle.triangle))
+        m_values.want(corner);
+    m_values.compute(m_walk);
+    for (const Signs::Crossed& triangle : crossed)
+      add(triangle, out);
   }
 
-  void add(std::uint32_t triangle, std::vector<Segment>& out) {
-    const ClusterWalk::Local& local = m_walk.local(triangle);
-    const std::size_t odd = ClusterWalk::oddCorner(local, m_walk.bending());
-    if (odd == 3)
-      return;
+ private:
+  void add(const Signs::Crossed& crossed, std::vector<Segment>& out) {
+    const ClusterWalk::Local& local = m_walk.local(crossed.triangle);
     const auto [lowest, highest] = std::minmax(
-        {m_walk.facing()[local[0]], m_walk.facing()[local[1]], m_walk.facing()[local[2]]});
+        {m_values.facingAt(local[0]), m_values.facingAt(local[1]), m_values.facingAt(local[2])});
     const bool front = highest > 0.0f;
     const bool back = m_twoSided && lowest < 0.0f;
     if (!front && !back)
@@ -60,31 +71,22 @@ class ClusterLines {
     if (!(strongest > m_leastDerivative))
       return;
     const std::array<Crossing, 2> on = m_walk.ends(
-        local, odd, [this](std::uint8_t vertex) { return m_walk.radialCurvatureAt(vertex); });
+        local, crossed.odd, [this](std::uint8_t v) { return m_values.curvatureAt(v); },
+        [this](std::uint8_t v) { return m_values.nvAt(v); });
     const std::array<End, 2> ends{endAt(on[0]), endAt(on[1])};
     if (front)
-      addClipped(ends, 1.0f, triangle, out);
+      addClipped(ends, 1.0f, crossed.triangle, out);
     if (back)
-      addClipped(ends, -1.0f, triangle, out);
+      addClipped(ends, -1.0f, crossed.triangle, out);
   }
 
- private:
-  /// Returns Dκr·F² at a vertex of the cluster; computed where a line comes near, once per cluster.
-  float derivativeAt(std::uint8_t local) {
-    if (m_known[local])
-      return m_derivative[local];
-    m_known[local] = true;
-    const model::Surface& surface = m_walk.surface();
-    const std::uint32_t v = m_walk.vertex(local);
-    const glm::vec3 toEye = directionTo(m_walk.eye(), surface.mesh->positions()[v]);
-    const glm::vec2 w = viewInPrincipalFrame(surface.normals[v], surface.curvature.e1[v], toEye);
-    return m_derivative[local] =
-               surface.featureSize * surface.featureSize *
-               radialCurvatureDerivative(surface.curvature.k[v], surface.curvature.derivative[v], w,
-                                         m_walk.nvAt(local));
+  /// Returns Dκr·F².
+  float derivativeAt(std::uint8_t local) const {
+    const float f = m_walk.surface().featureSize;
+    return f * f * m_values.derivativeAt(local);
   }
 
-  End endAt(const Crossing& at) {
+  End endAt(const Crossing& at) const {
     return {at.position, at.normal, at.nv, at.mix(derivativeAt(at.a), derivativeAt(at.b))};
   }
 
@@ -127,8 +129,8 @@ class ClusterLines {
   bool m_twoSided;
   float m_leastDerivative;
   float m_leastAngle;
-  ClusterWalk::Field m_derivative;
-  std::array<bool, model::Clusters::maximumVertices + 1> m_known;
+  BendingSigns m_signs;
+  RadialValues m_values;
 };
 
 }  // namespace
@@ -142,16 +144,14 @@ void setSuggestiveThresholds(Gamma gamma, LineThresholds& thresholds) {
                  rightAngle - (rightAngle - defaultMinimumAngle) * t);
 }
 
-bool suggestiveContoursMayPass(const model::Cluster& cluster, model::Facing) {
-  // A cluster that is strictly convex or concave everywhere keeps the sign of κr from every eye.
-  return !(cluster.lowestCurvature > 0.0f) && !(cluster.highestCurvature < 0.0f);
+bool suggestiveContoursMayPass(const model::Cluster& cluster, model::Facing,
+                               const model::EyePoint& eye) {
+  return mayBendBothWays(cluster, eye);
 }
 
 void extractSuggestiveContours(const ClusterWalk& walk, const LineRequest& request,
                                std::vector<Segment>& segments) {
-  ClusterLines lines(walk, request);
-  for (std::uint32_t i = 0; i < walk.cluster().triangleCount; ++i)
-    lines.add(i, segments);
+  ClusterLines(walk, request).extract(segments);
 }
 
 void rankSuggestiveContours(std::vector<Segment>& segments, const model::Surface&,

@@ -27,7 +27,8 @@ inline constexpr std::array suggestiveThresholds{
 /// Sets the thresholds that T_SC of METHOD §7 gives at Γ (S eq. 9).
 void setSuggestiveThresholds(Gamma gamma, LineThresholds& thresholds);
 
-bool suggestiveContoursMayPass(const model::Cluster& cluster, model::Facing facing);
+bool suggestiveContoursMayPass(const model::Cluster& cluster, model::Facing facing,
+                               const model::EyePoint& eye);
 void extractSuggestiveContours(const ClusterWalk& walk, const LineRequest& request,
                                std::vector<Segment>& segments);
 

@@ -41,6 +41,16 @@ class ZeroLines {
     return *sample;
   }
 
+  /// Returns the corner with another sign than the two others; 3 where all are equal.
+  std::size_t oddCorner(const ClusterWalk::Local& local) const {
+    const bool n0 = m_values[local[0]] < 0.0f;
+    const bool n1 = m_values[local[1]] < 0.0f;
+    const bool n2 = m_values[local[2]] < 0.0f;
+    if (n0 == n1 && n1 == n2)
+      return 3;
+    return n1 == n2 ? 0 : n0 == n2 ? 1 : 2;
+  }
+
   bool mayShow(const ClusterWalk::Local& local) const {
     return m_clip.twoSided || m_walk.facing()[local[0]] > 0.0f ||
            m_walk.facing()[local[1]] > 0.0f || m_walk.facing()[local[2]] > 0.0f;
@@ -52,7 +62,7 @@ class ZeroLines {
       return;
     for (const std::uint8_t corner : local)
       at(corner);
-    const std::size_t odd = ClusterWalk::oddCorner(local, m_values);
+    const std::size_t odd = oddCorner(local);
     if (odd == 3 || !falls(local))
       return;
     const std::array<Crossing, 2> on =
@@ -86,7 +96,7 @@ class ZeroLines {
   const ClusterWalk& m_walk;
   LineClip m_clip;
   SampleAt m_sampleAt;
-  std::array<std::optional<ZeroSample>, model::Clusters::maximumVertices + 1> m_samples;
+  std::array<std::optional<ZeroSample>, model::Clusters::maximumVertices> m_samples;
   ClusterWalk::Field m_values{};
 };
 

@@ -29,7 +29,7 @@ std::unique_ptr<passes::SurfaceGeometry> upload(const model::Surface& surface) {
 void CachedSurface::needShape() {
   if (geometry->hasShape())
     return;
-  const model::Curvature& curvature = surface->curvature;
+  const model::CurvatureColumns& curvature = surface->curvature;
   std::vector<passes::PackedShape> shape(surface->normals.size());
   for (std::size_t i = 0; i < shape.size(); ++i) {
     const glm::vec3 e1 = curvature.e1[i];

@@ -112,9 +112,11 @@ void setGammas(std::vector<Segment>& segments, const model::Mesh& mesh, Gamma ow
 LineSet linesOf(PreparedSurface& prepared, const PictureView& view,
                 const model::ResolvedStyle& style, const glm::vec3& light) {
   const model::Surface& surface = *prepared.surface;
+  const bool twoSided = needsTwoSides(surface, view.camera());
   LineRequest request{.kinds = {},
                       .thresholds = lineThresholds(style.lineThresholds),
-                      .twoSided = needsTwoSides(surface, view.camera()),
+                      .twoSided = twoSided,
+                      .hiddenContours = twoSided,
                       .aspect = view.size().x / view.size().y,
                       .preparations = &prepared.lines,
                       .light = light};

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -35,7 +36,7 @@ class ClustersTest : public QObject {
     QVERIFY(std::all_of(seen.begin(), seen.end(), [](int count) { return count == 1; }));
   }
 
-  // Triangles that share no vertex: the vertex limit, not the triangle limit, ends a cluster.
+  // Triangles that share no vertex make the clusters with the most vertices.
   void soup() {
     std::vector<glm::vec3> positions;
     std::vector<model::Triangle> triangles;
@@ -49,10 +50,52 @@ class ClustersTest : public QObject {
     const auto surface = model::prepareSurface(mesh);
     std::size_t count = 0;
     for (const model::Cluster& cluster : surface->clusters.items) {
+      QCOMPARE(cluster.vertexCount, 3 * cluster.triangleCount);
       QVERIFY(cluster.vertexCount <= model::Clusters::maximumVertices);
       count += cluster.triangleCount;
     }
     QCOMPARE(count, std::size_t(1000));
+  }
+
+  // Two sheets back to back lie in the same place, but no cluster has triangles of both.
+  void clustersFaceOneWay() {
+    const auto front = test::paraboloid(0.01f, 0.01f, 20, 64);
+    std::vector<model::Triangle> turned(front->triangles().begin(), front->triangles().end());
+    for (auto& t : turned)
+      std::swap(t[1], t[2]);
+    const auto back = std::make_shared<const model::Mesh>(
+        std::move(
+            model::Mesh::create({front->positions().begin(), front->positions().end()}, turned))
+            .value());
+    const auto surface = model::prepareSurface(test::together(*front, *back));
+    for (const model::Cluster& cluster : surface->clusters.items)
+      QVERIFY(cluster.coneCosine > 0.5f);
+  }
+
+  // Triangles that are no candidates are convex or concave at all corners, and what clusters keep
+  // of the others is as near to the mesh as it says.
+  void samplesAreNear() {
+    const auto surface = model::prepareSurface(test::torus(10, 3, 120, 60));
+    const model::Clusters& clusters = surface->clusters;
+    std::size_t candidates = 0;
+    for (const model::Cluster& cluster : clusters.items) {
+      candidates += cluster.candidateTriangles;
+      for (std::uint32_t i = cluster.candidateTriangles; i < cluster.triangleCount; ++i) {
+        int convex = 0;
+        int concave = 0;
+        for (const std::uint32_t v :
+             surface->mesh->triangles()[clusters.triangles[cluster.firstTriangle + i]]) {
+          const glm::vec2 k = surface->curvature.k[v];
+          convex += k.x > 0.0f && k.y > 0.0f;
+          concave += k.x < 0.0f && k.y < 0.0f;
+        }
+        QVERIFY(convex == 3 || concave == 3);
+      }
+      for (std::uint32_t i = 0; i < cluster.candidateVertices; ++i)
+        checkSample(*surface, cluster, i);
+    }
+    QVERIFY(candidates > surface->mesh->triangleCount() / 4);
+    QVERIFY(candidates < surface->mesh->triangleCount());
   }
 
   // The promise of a cluster's bounds must hold for each of its vertices, from eyes near and far.
@@ -88,6 +131,37 @@ class ClustersTest : public QObject {
       }
     }
     QVERIFY2(decided > 500, "the bounds decide hardly anything");
+  }
+
+ private:
+  static void checkSample(const model::Surface& surface, const model::Cluster& cluster,
+                          std::uint32_t vertex) {
+    const model::Clusters& clusters = surface.clusters;
+    const model::SurfaceVertex& v =
+        surface.vertices[clusters.vertices[cluster.firstVertex + vertex]];
+    const auto sample = [&](std::size_t row) {
+      return float(
+                 clusters.samples[cluster.firstSample + row * cluster.candidateVertices + vertex]) -
+             model::Clusters::mostSteps;
+    };
+    const float place = cluster.bounds.radius / model::Clusters::mostSteps;
+    const glm::vec3 e2 = glm::cross(v.normal, v.e1);
+    std::size_t row = 3;
+    float squared = 0.0f;
+    for (glm::length_t a = 0; a < 3; ++a) {
+      QVERIFY(std::abs(cluster.bounds.centre[a] + place * sample(std::size_t(a)) - v.position[a]) <=
+              0.501f * place);
+      for (glm::length_t b = a; b < 3; ++b, ++row) {
+        const model::TensorBounds& bounds = cluster.tensorBounds;
+        const float s = v.k.x * v.e1[a] * v.e1[b] + v.k.y * e2[a] * e2[b];
+        QVERIFY(std::abs(bounds.middle[row - 3] + bounds.step * sample(row) - s) <=
+                0.501f * bounds.step + 1e-6f * bounds.largest);
+        const float difference = s - bounds.middle[row - 3];
+        squared += (a == b ? 1.0f : 2.0f) * difference * difference;
+      }
+    }
+    QVERIFY(std::sqrt(squared) <= 1.001f * cluster.tensorBounds.spread + 1e-6f);
+    QVERIFY(std::max(std::abs(v.k.x), std::abs(v.k.y)) <= cluster.tensorBounds.largest);
   }
 };
 
