@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/geometry/curvature.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -28,30 +29,36 @@ Frame tangentFrame(const glm::vec3& n) {
   return {{1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
 }
 
-/// Returns the frame after the smallest rotation that takes `from` to `to` (Rodrigues; unit
-/// normals).
-Frame turned(const Frame& frame, const glm::vec3& from, const glm::vec3& to) {
+/// Returns the vector of one tangent plane after the smallest rotation that takes its normal `from`
+/// to `to` (Rodrigues; unit normals).
+glm::vec3 turned(const glm::vec3& u, const glm::vec3& from, const glm::vec3& to) {
   const float cosine = glm::dot(from, to);
   if (cosine <= -0.99999f)
-    return {-frame.u, -frame.v};
+    return -u;
   const glm::vec3 across = to - cosine * from;
   const glm::vec3 along = (from + to) / (1.0f + cosine);
-  return {frame.u - along * glm::dot(frame.u, across), frame.v - along * glm::dot(frame.v, across)};
+  return u - along * glm::dot(u, across);
 }
 
-/// Holds the axes of one frame written in another frame of the same plane: u = (a, b), v = (c, d).
-struct Axes {
-  float a, b, c, d;
+/// The angle by which one frame of a plane is turned against another one: u = (cosine, sine) there.
+struct Turn {
+  float cosine;
+  float sine;
 };
 
-Axes axes(const Frame& of, const Frame& in) {
-  return {glm::dot(of.u, in.u), glm::dot(of.u, in.v), glm::dot(of.v, in.u), glm::dot(of.v, in.v)};
+/// Returns how the frame that begins with `u` is turned against `in`, a frame of the same plane.
+Turn turnOf(const glm::vec3& u, const Frame& in) {
+  return {glm::dot(u, in.u), glm::dot(u, in.v)};
 }
 
-Tensor changed(const Tensor& t, const Axes& x) {
-  return {t.x * x.a * x.a + 2.0f * t.y * x.a * x.b + t.z * x.b * x.b,
-          t.x * x.a * x.c + t.y * (x.a * x.d + x.b * x.c) + t.z * x.b * x.d,
-          t.x * x.c * x.c + 2.0f * t.y * x.c * x.d + t.z * x.d * x.d};
+/// Returns the tensor in a frame that is turned like that.
+Tensor changed(const Tensor& t, const Turn& x) {
+  const float mean = 0.5f * (t.x + t.z);
+  const float half = 0.5f * (t.x - t.z);
+  const float cosine2 = x.cosine * x.cosine - x.sine * x.sine;
+  const float sine2 = 2.0f * x.cosine * x.sine;
+  const float turnedHalf = cosine2 * half + sine2 * t.y;
+  return {mean + turnedHalf, cosine2 * t.y - sine2 * half, mean - turnedHalf};
 }
 
 /// Returns C(w1, w2, w3) for vectors given as (first, second) components; C is symmetric.
@@ -62,9 +69,9 @@ float applied(const glm::vec4& t, glm::vec2 w1, glm::vec2 w2, glm::vec2 w3) {
   return (t.x * xx + t.y * xy + t.z * yy) * w3.x + (t.y * xx + t.z * xy + t.w * yy) * w3.y;
 }
 
-glm::vec4 changed(const glm::vec4& t, const Axes& x) {
-  const glm::vec2 u{x.a, x.b};
-  const glm::vec2 v{x.c, x.d};
+glm::vec4 changed(const glm::vec4& t, const Turn& x) {
+  const glm::vec2 u{x.cosine, x.sine};
+  const glm::vec2 v{-x.sine, x.cosine};
   return {applied(t, u, u, u), applied(t, u, u, v), applied(t, u, v, v), applied(t, v, v, v)};
 }
 
@@ -97,11 +104,9 @@ bool solve(std::array<std::array<float, N>, N>& a, std::array<float, N>& b) {
 /// Holds the values of a triangle that both estimates need; computed once, read from each of its
 /// vertices.
 struct Face {
-  glm::vec3 u;  ///< along the edge from corner 1 to corner 2; zero for a face without area
-  glm::vec3 normal;
-  glm::vec3 areas;  ///< the part of the triangle that belongs to each corner
-  Frame frame() const { return {u, glm::cross(normal, u)}; }
-  bool empty() const { return u == glm::vec3(0.0f); }
+  glm::vec3 normal;  ///< zero for a face without area
+  glm::vec3 areas;   ///< the part of the triangle that belongs to each corner
+  bool empty() const { return normal == glm::vec3(0.0f); }
 };
 
 using Edges = std::array<glm::vec3, 3>;
@@ -138,11 +143,16 @@ glm::vec3 cornerAreas(const Edges& e, float area) {
 Face makeFace(const Edges& e) {
   const glm::vec3 cross = glm::cross(e[0], e[1]);
   const float twiceArea = glm::length(cross);
-  const float length = glm::length(e[0]);
-  if (!(twiceArea > 0.0f) || !(length > 0.0f))
+  if (!(twiceArea > 0.0f))
     return {};
-  return {
-      .u = e[0] / length, .normal = cross / twiceArea, .areas = cornerAreas(e, 0.5f * twiceArea)};
+  return {.normal = cross / twiceArea, .areas = cornerAreas(e, 0.5f * twiceArea)};
+}
+
+/// Returns the frame of a face with an area; its first vector is along the edge from corner 1 to
+/// corner 2. It is made anew each time, as it would take half as much memory again.
+Frame frameOf(const Face& face, const glm::vec3& edge) {
+  const glm::vec3 u = edge / glm::length(edge);
+  return {u, glm::cross(face.normal, u)};
 }
 
 std::vector<Face> makeFaces(const Mesh& mesh) {
@@ -154,7 +164,7 @@ std::vector<Face> makeFaces(const Mesh& mesh) {
 
 /// Returns the tensor that best explains how normals differ along the three edges (R §3).
 Tensor faceTensor(const Face& face, const Edges& edges, const std::array<glm::vec3, 3>& normals) {
-  const Frame frame = face.frame();
+  const Frame frame = frameOf(face, edges[0]);
   std::array<std::array<float, 3>, 3> a{};
   std::array<float, 3> b{};
   for (std::size_t j = 0; j < 3; ++j) {
@@ -178,7 +188,7 @@ Tensor faceTensor(const Face& face, const Edges& edges, const std::array<glm::ve
 /// (R §4): the same fit one order higher.
 glm::vec4 faceDerivative(const Face& face, const Edges& edges,
                          const std::array<Tensor, 3>& corners) {
-  const Frame frame = face.frame();
+  const Frame frame = frameOf(face, edges[0]);
   std::array<std::array<float, 4>, 4> a{};
   std::array<float, 4> b{};
   for (std::size_t j = 0; j < 3; ++j) {
@@ -208,10 +218,11 @@ struct Work {
   std::vector<Face> faces;
 };
 
-/// Averages per-face tensors at a vertex, weighted by corner areas and written in `frame`.
+/// Averages per-face tensors at a vertex, weighted by corner areas and written in the frame there
+/// that begins with `u`.
 template <class T>
 T averaged(const Work& work, std::size_t vertex, const std::vector<T>& perFace,
-           const Frame& frame) {
+           const glm::vec3& u) {
   T sum(0.0f);
   float weights = 0.0f;
   const glm::vec3 normal = work.normals[vertex];
@@ -221,7 +232,9 @@ T averaged(const Work& work, std::size_t vertex, const std::vector<T>& perFace,
       continue;
     const Triangle& t = work.mesh.triangles()[f];
     const float weight = face.areas[t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2];
-    sum += weight * changed(perFace[f], axes(turned(frame, normal, face.normal), face.frame()));
+    const glm::vec3 edge = work.mesh.positions()[t[2]] - work.mesh.positions()[t[1]];
+    sum +=
+        weight * changed(perFace[f], turnOf(turned(u, normal, face.normal), frameOf(face, edge)));
     weights += weight;
   }
   return weights > 0.0f ? sum / weights : T(0.0f);
@@ -245,26 +258,81 @@ void diagonalise(const Tensor& t, const Frame& frame, glm::vec3& e1, glm::vec2& 
   e1 = d.x * frame.u + d.y * frame.v;
 }
 
-/// Averages the vertex tensors (written in their own tangent frames) over the one-ring once.
-std::vector<Tensor> smoothed(const Work& work, const std::vector<Tensor>& tensors) {
-  std::vector<Tensor> result(tensors.size());
-  parallelFor(tensors.size(), 2048, [&](std::size_t v) {
-    const glm::vec3 normal = work.normals[v];
-    const Frame own = tangentFrame(normal);
-    Tensor sum = tensors[v];
-    float count = 1.0f;
-    for (const std::uint32_t f : work.vertexFaces[v])
-      for (const std::uint32_t w : work.mesh.triangles()[f])
-        if (w != v) {
-          const glm::vec3 there = work.normals[w];
-          // Each neighbour of an inner vertex occurs in two faces.
-          sum += 0.5f * changed(tensors[w], axes(turned(own, normal, there), tangentFrame(there)));
-          count += 0.5f;
-        }
-    result[v] = sum / count;
-  });
-  return result;
-}
+/// Averages vertex tensors, written in their own tangent frames, over their one-rings. How frames
+/// are turned against their neighbours' is found once for all steps.
+class RingAverage {
+ public:
+  explicit RingAverage(const Work& work) : m_first(work.mesh.vertexCount() + 1, 0) {
+    const std::size_t count = work.mesh.vertexCount();
+    parallelChunks(count, 4096, [&](std::size_t begin, std::size_t end) {
+      std::vector<Link> links;
+      for (std::size_t v = begin; v < end; ++v)
+        m_first[v + 1] = findLinks(work, v, links);
+    });
+    for (std::size_t v = 0; v < count; ++v)
+      m_first[v + 1] += m_first[v];
+    m_links.resize(m_first[count]);
+    parallelChunks(count, 4096, [&](std::size_t begin, std::size_t end) {
+      std::vector<Link> links;
+      for (std::size_t v = begin; v < end; ++v) {
+        findLinks(work, v, links);
+        turn(work, v, links);
+        std::copy(links.begin(), links.end(), m_links.begin() + std::ptrdiff_t(m_first[v]));
+      }
+    });
+  }
+
+  std::vector<Tensor> averaged(const std::vector<Tensor>& tensors) const {
+    std::vector<Tensor> result(tensors.size());
+    parallelFor(tensors.size(), 4096, [&](std::size_t v) {
+      Tensor sum = tensors[v];
+      float weights = 1.0f;
+      for (std::size_t i = m_first[v]; i < m_first[v + 1]; ++i) {
+        const Link& link = m_links[i];
+        sum += link.weight * changed(tensors[link.vertex], link.turn);
+        weights += link.weight;
+      }
+      result[v] = sum / weights;
+    });
+    return result;
+  }
+
+ private:
+  struct Link {
+    std::uint32_t vertex;
+    float weight;  ///< half of how many triangles share the edge: 1 within a surface
+    Turn turn;     ///< of the own frame, in the neighbour's
+  };
+
+  /// Returns how many neighbours the vertex has; `links` are these.
+  static std::uint32_t findLinks(const Work& work, std::size_t vertex, std::vector<Link>& links) {
+    links.clear();
+    for (const std::uint32_t f : work.vertexFaces[vertex])
+      for (const std::uint32_t w : work.mesh.triangles()[f]) {
+        if (w == vertex)
+          continue;
+        const auto known = std::find_if(links.begin(), links.end(),
+                                        [w](const Link& link) { return link.vertex == w; });
+        if (known == links.end())
+          links.push_back({w, 0.5f, {}});
+        else
+          known->weight += 0.5f;
+      }
+    return std::uint32_t(links.size());
+  }
+
+  static void turn(const Work& work, std::size_t vertex, std::vector<Link>& links) {
+    const glm::vec3 normal = work.normals[vertex];
+    const glm::vec3 u = tangentFrame(normal).u;
+    for (Link& link : links) {
+      const glm::vec3 there = work.normals[link.vertex];
+      link.turn = turnOf(turned(u, normal, there), tangentFrame(there));
+    }
+  }
+
+  std::vector<std::uint32_t> m_first;
+  std::vector<Link> m_links;
+};
 
 std::vector<Tensor> vertexTensors(const Work& work) {
   std::vector<Tensor> perFace(work.faces.size());
@@ -277,7 +345,7 @@ std::vector<Tensor> vertexTensors(const Work& work) {
   });
   std::vector<Tensor> tensors(work.mesh.vertexCount());
   parallelFor(tensors.size(), 2048, [&](std::size_t v) {
-    tensors[v] = averaged(work, v, perFace, tangentFrame(work.normals[v]));
+    tensors[v] = averaged(work, v, perFace, tangentFrame(work.normals[v]).u);
   });
   return tensors;
 }
@@ -292,17 +360,18 @@ void addDerivative(Curvature& curvature, const Work& work) {
     const Face& face = work.faces[f];
     if (face.empty())
       return;
-    const Frame frame = face.frame();
+    const Edges edges = edgesOf(work.mesh, t);
+    const glm::vec3 u = frameOf(face, edges[0]).u;
     std::array<Tensor, 3> corners;
     for (std::size_t j = 0; j < 3; ++j) {
       const glm::vec2 k = curvature.k[t[j]];
-      const Frame atCorner = turned(frame, face.normal, work.normals[t[j]]);
-      corners[j] = changed(Tensor(k.x, 0.0f, k.y), axes(atCorner, frameAt(t[j])));
+      const Turn turn = turnOf(turned(u, face.normal, work.normals[t[j]]), frameAt(t[j]));
+      corners[j] = changed(Tensor(k.x, 0.0f, k.y), turn);
     }
-    perFace[f] = faceDerivative(face, edgesOf(work.mesh, t), corners);
+    perFace[f] = faceDerivative(face, edges, corners);
   });
   parallelFor(work.mesh.vertexCount(), 2048, [&](std::size_t v) {
-    curvature.derivative[v] = averaged(work, v, perFace, frameAt(v));
+    curvature.derivative[v] = averaged(work, v, perFace, curvature.e1[v]);
   });
 }
 }  // namespace
@@ -311,8 +380,11 @@ Curvature curvature(const Mesh& mesh, std::span<const glm::vec3> normals,
                     const VertexFaces& vertexFaces, const CurvatureOptions& options) {
   const Work work{mesh, normals, vertexFaces, makeFaces(mesh)};
   std::vector<Tensor> tensors = vertexTensors(work);
-  for (int step = 0; step < options.smoothingSteps; ++step)
-    tensors = smoothed(work, tensors);
+  if (options.smoothingSteps > 0) {
+    const RingAverage rings(work);
+    for (int step = 0; step < options.smoothingSteps; ++step)
+      tensors = rings.averaged(tensors);
+  }
   Curvature result{.e1 = std::vector<glm::vec3>(mesh.vertexCount()),
                    .k = std::vector<glm::vec2>(mesh.vertexCount()),
                    .derivative = std::vector<glm::vec4>(mesh.vertexCount())};

@@ -11,6 +11,7 @@
 #include "model/fairing/half_edges.h"
 #include "model/fairing/vertex_rings.h"
 #include "model/geometry/mesh_trees.h"
+#include "model/geometry/spatial_order.h"
 #include "model/scalars/ring_diffusion.h"
 
 namespace sline::model {
@@ -95,7 +96,7 @@ std::vector<std::uint32_t> inSpatialOrder(const Surface& surface) {
   std::vector<char> seen(surface.mesh->vertexCount(), 0);
   std::vector<std::uint32_t> order;
   order.reserve(seen.size());
-  for (const std::uint32_t triangle : surface.clusters.triangles)
+  for (const std::uint32_t triangle : spatialOrder(*surface.mesh))
     for (const std::uint32_t v : surface.mesh->triangles()[triangle])
       if (!seen[v]) {
         seen[v] = 1;
