@@ -4,9 +4,7 @@
 // with a clock: machines are shared and noisy.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <iostream>
 #include <map>
@@ -22,12 +20,14 @@
 #include "tests/bench/known_lines.h"
 #include "tests/bench/large_tree.h"
 #include "tests/bench/leaders.h"
+#include "tests/bench/line_growth.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/meshing.h"
 #include "tests/bench/occlusion.h"
 #include "tests/bench/opening.h"
 #include "tests/bench/plain_phong.h"
 #include "tests/bench/report.h"
+#include "tests/bench/stage.h"
 #include "tests/bench/techniques.h"
 #include "tests/bench/turning.h"
 #include "tests/bench/vtk_phong.h"
@@ -37,7 +37,7 @@ using namespace sline;
 
 namespace {
 struct Options {
-  std::vector<std::string> inputs;
+  std::vector<std::filesystem::path> inputs;
   int frames = 60;
   std::string size = "1280x720";
   std::optional<float> gamma;
@@ -45,6 +45,7 @@ struct Options {
   float meshingMm = 0.0f;
   int structures = 0;
   int turning = 0;
+  int lineGrowth = -1;
   bool knownLines = false;
   bool curves = false;
   bool opening = false;
@@ -65,32 +66,6 @@ std::optional<glm::ivec2> parsedSize(const std::string& text) {
   return size;
 }
 
-/// Sets Γ for all, or from 0 to 5 over the structures sorted by name.
-model::Scene withGamma(const model::Scene& scene, std::optional<float> gamma) {
-  std::vector<model::NodeId> ids = scene.structuresBelow(model::rootId);
-  std::sort(ids.begin(), ids.end(), [&](model::NodeId a, model::NodeId b) {
-    return scene.find(a)->name < scene.find(b)->name;
-  });
-  model::Scene result = scene;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const float share = ids.size() > 1 ? float(i) / float(ids.size() - 1) : 0.0f;
-    const model::Style patch{.gamma = Gamma::clamped(gamma.value_or(5.0f * share)),
-                             .visible = true};
-    result = model::withLook(result, std::span(&ids[i], 1), patch).scene;
-  }
-  return result;
-}
-
-/// Returns the anterior camera turned about the vertical through the middle of the scene.
-model::Camera turned(const model::Camera& start, float share) {
-  const float angle = 2.0f * 3.14159265f * share;
-  const glm::vec3 d = start.eye - start.target;
-  model::Camera camera = start;
-  camera.eye = start.target + glm::vec3(std::cos(angle) * d.x - std::sin(angle) * d.y,
-                                        std::sin(angle) * d.x + std::cos(angle) * d.y, d.z);
-  return camera;
-}
-
 int fail(const Error& error) {
   std::cerr << "sline-bench: " << error.text() << '\n';
   return 1;
@@ -100,11 +75,11 @@ int fail(const Error& error) {
 /// milliseconds.
 template <class Draw>
 Result<std::vector<double>> timed(int frames, const model::Camera& start, const Draw& draw) {
-  if (const Status status = draw(turned(start, 0.5f / float(frames))); !status)
+  if (const Status status = draw(bench::turned(start, 0.5f / float(frames))); !status)
     return status.error();
   std::vector<double> times;
   for (int i = 0; i < frames; ++i) {
-    const model::Camera camera = turned(start, float(i) / float(frames));
+    const model::Camera camera = bench::turned(start, float(i) / float(frames));
     const bench::Stopwatch watch;
     if (const Status status = draw(camera); !status)
       return status.error();
@@ -189,12 +164,11 @@ Status measureVtk(const Stage& stage, bench::Report& report) {
 /// Imports and counts; the camera stands before the whole scene.
 Result<Stage> importStage(const Options& options, const glm::ivec2& size, bench::Report& report) {
   const bench::Stopwatch watch;
-  const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
-  const auto imported = model::importInputs(inputs, {});
+  const auto imported = model::importInputs(options.inputs, {});
   if (!imported)
     return imported.error();
   report.importMs = watch.milliseconds();
-  Stage stage{.scene = withGamma(imported->scene, options.gamma),
+  Stage stage{.scene = bench::withGamma(imported->scene, options.gamma),
               .settings = {.width = size.x, .height = size.y},
               .frames = options.frames};
   for (const model::NodeId id : stage.scene.structuresBelow(model::rootId)) {
@@ -230,13 +204,17 @@ Status runDrags(const Options& options, const glm::ivec2& size) {
   return Unit{};
 }
 
+/// Imports surfaces as their files have them.
+auto importAsFiled(const Options& options) {
+  model::ImportOptions unsmoothed;
+  unsmoothed.smoothing.mode = model::Smoothing::Mode::off;
+  return model::importInputs(options.inputs, unsmoothed);
+}
+
 /// Prints what our own algorithms make of each surface, as its file has it, and what OpenMesh makes
 /// of it.
 Status runMeshing(const Options& options) {
-  model::ImportOptions unsmoothed;
-  unsmoothed.smoothing.mode = model::Smoothing::Mode::off;
-  const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
-  const auto imported = model::importInputs(inputs, unsmoothed);
+  const auto imported = importAsFiled(options);
   if (!imported)
     return imported.error();
   std::vector<bench::MeshingRow> rows;
@@ -264,8 +242,7 @@ Status runLines(const Options& options, const glm::ivec2& size) {
     stage->scene = model::withLook(stage->scene, ids, paper).scene;
   } else {
     model::FormIndex forms;
-    const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
-    const auto imported = model::importInputs(inputs, {});
+    const auto imported = model::importInputs(options.inputs, {});
     if (auto look = model::openingLook(imported->scene, forms, {.aspect = aspect})) {
       stage->scene = look->scene;
       stage->camera = model::framedCamera(*look, aspect);
@@ -294,8 +271,7 @@ Status runLines(const Options& options, const glm::ivec2& size) {
 /// Prints how long the import takes and the look that the scene opens with.
 Status runOpening(const Options& options) {
   const bench::Stopwatch watch;
-  const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
-  const auto imported = model::importInputs(inputs, {});
+  const auto imported = model::importInputs(options.inputs, {});
   if (!imported)
     return imported.error();
   std::cout << imported->scene.structuresBelow(model::rootId).size() << " structures, import "
@@ -317,7 +293,7 @@ Status runTechnique(const Options& options, const glm::ivec2& size) {
                           .cameras = {},
                           .aspect = float(size.x) / float(size.y)};
   for (int i = 0; i < stage->frames; ++i)
-    run.cameras.push_back(turned(stage->camera, float(i) / float(stage->frames)));
+    run.cameras.push_back(bench::turned(stage->camera, float(i) / float(stage->frames)));
   std::cout << bench::measureTechnique(run);
   if (options.turning > 0)
     std::cout << bench::measureTurning({.scene = bench::drawnBy(stage->scene, run.technique),
@@ -328,12 +304,21 @@ Status runTechnique(const Options& options, const glm::ivec2& size) {
   return Unit{};
 }
 
+/// Prints what contours and suggestive contours cost as surfaces grow.
+Status runLineGrowth(const Options& options, const glm::ivec2& size) {
+  bench::Report report;
+  const auto stage = importStage(options, size, report);
+  if (!stage)
+    return stage.error();
+  std::vector<model::Camera> cameras;
+  for (int i = 0; i < stage->frames; ++i)
+    cameras.push_back(bench::turned(stage->camera, float(i) / float(stage->frames)));
+  return bench::measureLineGrowth({stage->scene, cameras, options.lineGrowth, size}, std::cout);
+}
+
 /// Prints how long the ambient occlusion of each surface takes, as its file has it.
 Status runOcclusion(const Options& options) {
-  model::ImportOptions unsmoothed;
-  unsmoothed.smoothing.mode = model::Smoothing::Mode::off;
-  const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
-  const auto imported = model::importInputs(inputs, unsmoothed);
+  const auto imported = importAsFiled(options);
   if (!imported)
     return imported.error();
   std::cout << bench::measureOcclusion(imported->scene);
@@ -348,8 +333,7 @@ Status runLeaders(const Options& options) {
   auto picture = render::Picture::create();
   if (!picture)
     return picture.error();
-  const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
-  const auto imported = model::importInputs(inputs, {});
+  const auto imported = model::importInputs(options.inputs, {});
   if (!imported)
     return imported.error();
   const auto faults = bench::judgeScene(**picture, imported->scene, options.leaders, std::cout);
@@ -392,6 +376,8 @@ std::optional<Status> runInstead(const Options& options, const glm::ivec2& size)
     return runDrags(options, size);
   if (!options.leaders.foci.empty())
     return runLeaders(options);
+  if (options.lineGrowth >= 0)
+    return runLineGrowth(options, size);
   if (!options.technique.empty())
     return runTechnique(options, size);
   if (options.turning > 0 || options.curves || !options.scales.empty())
@@ -441,6 +427,10 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--steady-lines", options.turning,
                  "Instead: turn by so many steps of half a degree and say what lines pop")
       ->check(CLI::Range(1, 720));
+  app.add_option("--line-growth", options.lineGrowth,
+                 "Instead: what contours and suggestive contours cost, of the surfaces as they are "
+                 "and after each of so many subdivisions, beside VTK's silhouettes and Phong")
+      ->check(CLI::Range(0, 4));
   app.add_flag("--true-curves", options.curves,
                "Instead: say how far curves lie from the lines that they stand for");
   app.add_flag("--opening", options.opening,

@@ -15,6 +15,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPolyDataSilhouette.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
@@ -50,6 +51,13 @@ vtkNew<vtkPolyData> polyDataOf(const model::Mesh& mesh) {
   data->SetPolys(cells);
   data->GetPointData()->SetNormals(normals);
   return data;
+}
+
+void place(vtkCamera* vtk, const model::Camera& camera) {
+  vtk->SetPosition(double(camera.eye.x), double(camera.eye.y), double(camera.eye.z));
+  vtk->SetFocalPoint(double(camera.target.x), double(camera.target.y), double(camera.target.z));
+  vtk->SetViewUp(double(camera.up.x), double(camera.up.y), double(camera.up.z));
+  vtk->SetViewAngle(double(camera.fovyDegrees));
 }
 
 /// A window of VTK for contexts made elsewhere, minus one false alarm: GLEW loads every entry point
@@ -115,14 +123,30 @@ VtkPhong::~VtkPhong() {
 }
 
 void VtkPhong::draw(const model::Camera& camera) {
-  vtkCamera* vtk = m_data->renderer->GetActiveCamera();
-  vtk->SetPosition(double(camera.eye.x), double(camera.eye.y), double(camera.eye.z));
-  vtk->SetFocalPoint(double(camera.target.x), double(camera.target.y), double(camera.target.z));
-  vtk->SetViewUp(double(camera.up.x), double(camera.up.y), double(camera.up.z));
-  vtk->SetViewAngle(double(camera.fovyDegrees));
+  place(m_data->renderer->GetActiveCamera(), camera);
   m_data->renderer->ResetCameraClippingRange();
   m_data->window->Render();
   m_data->window->WaitForCompletion();
+}
+
+struct VtkSilhouette::Data {
+  vtkNew<vtkCamera> camera;
+  vtkNew<vtkPolyDataSilhouette> filter;
+};
+
+VtkSilhouette::VtkSilhouette(const model::MeshPtr& mesh) : m_data(std::make_unique<Data>()) {
+  m_data->filter->SetInputData(polyDataOf(*mesh));
+  m_data->filter->SetCamera(m_data->camera);
+  m_data->filter->SetEnableFeatureAngle(0);
+}
+
+VtkSilhouette::~VtkSilhouette() = default;
+VtkSilhouette::VtkSilhouette(VtkSilhouette&&) noexcept = default;
+VtkSilhouette& VtkSilhouette::operator=(VtkSilhouette&&) noexcept = default;
+
+void VtkSilhouette::update(const model::Camera& camera) {
+  place(m_data->camera, camera);
+  m_data->filter->Update();
 }
 
 double VtkPhong::covered() const {
