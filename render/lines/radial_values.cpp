@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/lines/radial_values.h"
 
-#include <algorithm>
+#include <bit>
 
 namespace sline::render {
 
-void RadialValues::start(const model::Cluster& cluster) {
+void RadialValues::listWanted() {
   m_count = 0;
-  std::fill_n(m_isWanted.begin(), cluster.vertexCount, false);
+  for (std::size_t word = 0; word < m_isWanted.size(); ++word)
+    for (std::uint64_t bits = m_isWanted[word]; bits != 0; bits &= bits - 1) {
+      const std::size_t local = 64 * word + std::size_t(std::countr_zero(bits));
+      m_place[local] = std::uint8_t(m_count);
+      m_wanted[m_count++] = std::uint8_t(local);
+    }
 }
 
 void RadialValues::compute(const ClusterWalk& walk) {
+  listWanted();
   gather(walk);
   const float* in = m_rows.data();
   float* facing = m_facing.data();

@@ -10,15 +10,8 @@ namespace sline::render {
 
 class RadialValues {
  public:
-  /// Forgets all vertices.
-  void start(const model::Cluster& cluster);
   /// Wants the values of this vertex.
-  void want(std::uint8_t local) {
-    m_wanted[m_count] = local;
-    m_place[local] = m_isWanted[local] ? m_place[local] : std::uint8_t(m_count);
-    m_count += m_isWanted[local] ? 0 : 1;
-    m_isWanted[local] = true;
-  }
+  void want(std::uint8_t local) { m_isWanted[local / 64] |= std::uint64_t(1) << (local % 64); }
   /// Computes the values of all wanted vertices.
   void compute(const ClusterWalk& walk);
 
@@ -29,15 +22,17 @@ class RadialValues {
   float derivativeAt(std::uint8_t local) const { return m_derivative[m_place[local]]; }
 
  private:
+  void listWanted();
   void gather(const ClusterWalk& walk);
 
   static constexpr std::size_t most = model::Clusters::maximumVertices;
   using Row = std::array<float, most>;
 
+  static_assert(most % 64 == 0);
+  std::array<std::uint64_t, most / 64> m_isWanted{};  ///< a bit for each vertex
   std::size_t m_count = 0;
-  std::array<std::uint8_t, most + 1> m_wanted;
+  std::array<std::uint8_t, most> m_wanted;
   std::array<std::uint8_t, most> m_place;
-  std::array<bool, most> m_isWanted;
   std::array<float, 15 * most> m_rows;  ///< position, normal, e1, k, derivative
   Row m_facing;
   Row m_nv;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "render/lines/bending_signs.h"
 #include "render/lines/line_clip.h"
@@ -43,7 +42,6 @@ class ClusterLines {
   void extract(std::vector<Segment>& out) {
     if (!m_signs.find(m_walk))
       return;
-    m_values.start(m_walk.cluster());
     const std::span<const Signs::Crossed> crossed = m_signs.crossed(m_walk);
     for (const Signs::Crossed& triangle : crossed)
       for (const std::uint8_t corner : m_walk.local(triangle.triangle))
@@ -56,19 +54,16 @@ class ClusterLines {
  private:
   void add(const Signs::Crossed& crossed, std::vector<Segment>& out) {
     const ClusterWalk::Local& local = m_walk.local(crossed.triangle);
-    const auto [lowest, highest] = std::minmax(
-        {m_values.facingAt(local[0]), m_values.facingAt(local[1]), m_values.facingAt(local[2])});
-    const bool front = highest > 0.0f;
-    const bool back = m_twoSided && lowest < 0.0f;
-    if (!front && !back)
-      return;
+    const auto largest = [&](const auto& valueAt) {
+      return std::max(std::max(valueAt(local[0]), valueAt(local[1])), valueAt(local[2]));
+    };
+    const bool front = largest([&](std::uint8_t v) { return m_values.facingAt(v); }) > 0.0f;
+    const bool back =
+        m_twoSided && largest([&](std::uint8_t v) { return -m_values.facingAt(v); }) > 0.0f;
     // A condition that holds at no corner holds nowhere between them.
-    float strongest = -std::numeric_limits<float>::infinity();
-    for (const std::uint8_t corner : local) {
-      const float d = derivativeAt(corner);
-      strongest = std::max(strongest, m_twoSided ? std::abs(d) : d);
-    }
-    if (!(strongest > m_leastDerivative))
+    const float strongest = largest(
+        [&](std::uint8_t v) { return m_twoSided ? std::abs(derivativeAt(v)) : derivativeAt(v); });
+    if (!(front || back) || !(strongest > m_leastDerivative))
       return;
     const std::array<Crossing, 2> on = m_walk.ends(
         local, crossed.odd, [this](std::uint8_t v) { return m_values.curvatureAt(v); },
