@@ -15,7 +15,7 @@ namespace sline::model {
 
 namespace {
 // Stretches of the spatial order that are halved down to clusters.
-constexpr std::size_t stretch = 64 * Clusters::maximumTriangles;
+constexpr std::size_t stretch = std::size_t(64) * Clusters::maximumTriangles;
 // A difference of normals weighs as much as a distance of that share of half the mesh's length. Of
 // a smooth liver of a million triangles, 22 % face the eye neither wholly nor not at all; 31 %
 // where place alone counts, 37 % along the spatial order. Larger weights scatter a cluster's
