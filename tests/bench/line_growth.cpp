@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/bench/line_growth.h"
 
+#include <malloc.h>
+
 #include <cmath>
 #include <iomanip>
 #include <ostream>
@@ -78,6 +80,8 @@ Result<GrowthCost> growthCostOf(const LineGrowthRun& run, const model::Scene& sc
   std::vector<model::MeshPtr> meshes;
   for (const model::NodeId id : scene.structuresBelow(model::rootId))
     meshes.push_back(scene.find(id)->mesh);
+  // Memory that was freed before must not count as free afterwards.
+  malloc_trim(0);
   const double before = test::residentMiB();
   const Stopwatch watch;
   std::vector<model::SurfacePtr> surfaces;
@@ -86,6 +90,7 @@ Result<GrowthCost> growthCostOf(const LineGrowthRun& run, const model::Scene& sc
     surfaces.push_back(model::prepareSurface(mesh));
   }
   cost.prepareMs = watch.milliseconds();
+  malloc_trim(0);
   cost.bytes = (test::residentMiB() - before) * 1024.0 * 1024.0;
   cost.lines = linesOf(run, surfaces, cost);
   surfaces.clear();
