@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -57,10 +58,16 @@ Sample mixed(const Segment& s, bool reversed, float t) {
 /// One chain, sampled at even distances of the picture.
 struct SampledLine {
   std::vector<Sample> samples;
-  std::vector<std::size_t> segments;  ///< of each piece between two samples
+  std::vector<std::uint32_t> segments;  ///< of each piece between two samples
   std::vector<glm::vec2> pixels;
   float step = 1.0f;  ///< px
   bool closed = false;
+
+  void clear() {
+    samples.clear();
+    segments.clear();
+    pixels.clear();
+  }
 };
 
 /// Knows what a point's place in the scene does to the pen.
@@ -106,66 +113,136 @@ class CurveMaker {
         m_settings(settings),
         m_pressure(view, settings),
         m_right(view.toPatient({1.0f, 0.0f, 0.0f})),
-        m_up(view.toPatient({0.0f, 1.0f, 0.0f})) {}
+        m_up(view.toPatient({0.0f, 1.0f, 0.0f})),
+        m_back(view.toPatient({0.0f, 0.0f, 1.0f})) {}
 
-  void add(std::span<const Chains::Link> given, std::vector<Segment>& out) const {
-    const std::vector<Chains::Link> links = fromTop(given);
-    SampledLine line;
-    if (!sample(links, line)) {
-      for (const Chains::Link& link : links)
-        out.push_back(turned(m_segments[link.segment], link.reversed));
+  void add(std::span<const Chains::Link> given, std::vector<Segment>& out) {
+    takeFromTop(given);
+    if (!measure()) {
+      addPlain(out);
       return;
     }
-    std::vector<glm::vec2> moves = movesOf(line);
-    if (m_settings.waver > 0.0f)
-      for (std::size_t i = 0; i < moves.size(); ++i)
-        moves[i] += waverAt(line.samples[i].place);
-    const float unit = m_view.outputUnit();
-    const float whole = line.step * float(line.segments.size()) / unit;
-    const float reach = line.closed ? 0.0f : std::min(taperReach, whole / 3.0f);
-    std::vector<glm::vec3> shift(line.samples.size());
-    std::vector<float> pressure(line.samples.size());
-    for (std::size_t i = 0; i < line.samples.size(); ++i) {
-      const Sample& s = line.samples[i];
-      const float mm = m_view.millimetresPerPixel(s.place);
-      shift[i] = mm * (moves[i].x * m_right + moves[i].y * m_up);
-      const std::size_t fromEnd = std::min(i, line.samples.size() - 1 - i);
-      pressure[i] = m_pressure.at(s, outwardAt(s), line.step * float(fromEnd) / unit, reach);
+    if (sample()) {
+      findMoves();
+      findPressures();
+    } else {
+      takeEnds();
     }
-    for (std::size_t i = 0; i + 1 < line.samples.size(); ++i) {
-      const Sample& a = line.samples[i];
-      const Sample& b = line.samples[i + 1];
-      const Segment& from = m_segments[line.segments[i]];
-      out.push_back({.a = a.place,
-                     .b = b.place,
-                     .normalA = a.normal,
-                     .normalB = b.normal,
-                     .opacityA = a.opacity,
-                     .opacityB = b.opacity,
-                     .entryA = a.entry,
-                     .entryB = b.entry,
-                     .gammaA = a.gamma,
-                     .gammaB = b.gamma,
-                     .moveA = shift[i],
-                     .moveB = shift[i + 1],
-                     .pressureA = pressure[i],
-                     .pressureB = pressure[i + 1],
-                     .triangle = from.triangle,
-                     .concave = from.concave});
-    }
+    join(out);
   }
 
  private:
-  static Segment turned(const Segment& s, bool reversed) {
-    Segment t = s;
-    if (reversed) {
-      std::swap(t.a, t.b);
-      std::swap(t.normalA, t.normalB);
-      std::swap(t.opacityA, t.opacityB);
-      std::swap(t.entryA, t.entryB);
-      std::swap(t.gammaA, t.gammaB);
+  /// Gives each sample its move and the pressure there.
+  void findPressures() {
+    const float unit = m_view.outputUnit();
+    const float whole = m_line.step * float(m_line.segments.size()) / unit;
+    const float reach = m_line.closed ? 0.0f : std::min(taperReach, whole / 3.0f);
+    for (std::size_t i = 0; i < m_line.samples.size(); ++i) {
+      const Sample& s = m_line.samples[i];
+      if (m_settings.waver > 0.0f)
+        m_moves[i] += waverAt(s.place);
+      const std::size_t fromEnd = std::min(i, m_line.samples.size() - 1 - i);
+      m_pressures[i] = m_pressure.at(s, m_outwards[i], m_line.step * float(fromEnd) / unit, reach);
     }
-    return t;
+  }
+
+  /// Makes a line of too few pixels for a curve of its segments' ends.
+  void takeEnds() {
+    for (std::size_t i = 0; i <= m_links.size(); ++i) {
+      const Chains::Link& link = m_links[std::min(i, m_links.size() - 1)];
+      addSample(mixed(m_segments[link.segment], link.reversed, i == m_links.size() ? 1.0f : 0.0f));
+      if (i < m_links.size())
+        m_line.segments.push_back(link.segment);
+    }
+  }
+
+  /// Appends the pieces of the curve, as few as the joints' limits allow.
+  void join(std::vector<Segment>& out) {
+    const std::size_t last = m_line.samples.size() - 1;
+    const bool up = risesToItsEnd();
+    m_points.clear();
+    for (std::size_t i = 0; i <= last; ++i)
+      m_points.push_back(jointPoint(up ? last - i : i));
+    const auto concave = [&](std::size_t i) {
+      return m_segments[m_line.segments[up ? last - 1 - i : i]].concave;
+    };
+    m_stops.assign(1, 0);
+    while (m_stops.back() < last) {
+      // Concave parts of an outline and others stay apart.
+      const std::size_t first = m_stops.back();
+      std::size_t end = first + 1;
+      while (end < last && concave(end) == concave(first))
+        ++end;
+      while (m_stops.back() < end)
+        m_stops.push_back(
+            farthestJoint(std::span(m_points).first(end + 1), m_stops.back(), m_settings.joints));
+    }
+    if (up)
+      for (std::size_t i = m_stops.size() - 1; i > 0; --i)
+        out.push_back(piece(last - m_stops[i], last - m_stops[i - 1]));
+    else
+      for (std::size_t i = 1; i < m_stops.size(); ++i)
+        out.push_back(piece(m_stops[i - 1], m_stops[i]));
+  }
+
+  /// Tells whether the line's end lies higher in the patient than its beginning, for a closed line
+  /// the point before its top than the one after: joints are made downwards, alike in a mirrored
+  /// body.
+  bool risesToItsEnd() const {
+    const std::vector<Sample>& all = m_line.samples;
+    const std::size_t inset = m_line.closed ? 1 : 0;
+    const glm::vec3& first = all[inset].place;
+    const glm::vec3& last = all[all.size() - 1 - inset].place;
+    return std::pair(last.z, last.y) > std::pair(first.z, first.y);
+  }
+
+  JointPoint jointPoint(std::size_t i) const {
+    const Sample& s = m_line.samples[i];
+    const float width = m_settings.pen * m_pressures[i];
+    return {.drawn =
+                m_line.pixels[i] + m_moves[i] + std::max(0.5f * width - 0.5f, 0.0f) * m_outwards[i],
+            .line = m_line.pixels[i],
+            .depth = -glm::dot(s.place, m_back),
+            .width = width,
+            .opacity = s.opacity,
+            .entry = s.entry};
+  }
+
+  Segment piece(std::size_t from, std::size_t to) const {
+    const Sample& a = m_line.samples[from];
+    const Sample& b = m_line.samples[to];
+    const Segment& first = m_segments[m_line.segments[from]];
+    return {.a = a.place,
+            .b = b.place,
+            .normalA = a.normal,
+            .normalB = b.normal,
+            .opacityA = a.opacity,
+            .opacityB = b.opacity,
+            .entryA = a.entry,
+            .entryB = b.entry,
+            .gammaA = a.gamma,
+            .gammaB = b.gamma,
+            .moveA = shift(from),
+            .moveB = shift(to),
+            .pressureA = m_pressures[from],
+            .pressureB = m_pressures[to],
+            .triangle = first.triangle,
+            .concave = first.concave};
+  }
+
+  /// Returns the move of a sample in the patient, mm.
+  glm::vec3 shift(std::size_t i) const {
+    return m_view.millimetresPerPixel(m_line.samples[i].place) *
+           (m_moves[i].x * m_right + m_moves[i].y * m_up);
+  }
+
+  /// Appends the line as it is.
+  void addPlain(std::vector<Segment>& out) const {
+    const Chains one{.links = m_links, .first = {0, std::uint32_t(m_links.size())}};
+    const std::vector<Segment> plain =
+        simplified(m_segments, one, m_settings.joints.drawn * m_settings.pixel,
+                   m_settings.joints.longest * m_settings.pixel);
+    out.insert(out.end(), plain.begin(), plain.end());
   }
 
   const glm::vec3& startOf(const Chains::Link& link) const {
@@ -173,18 +250,23 @@ class CurveMaker {
     return link.reversed ? s.b : s.a;
   }
 
-  /// Returns the links, those of a closed line from its highest point in the patient: its samples
+  /// Takes the links, those of a closed line from its highest point in the patient: its samples
   /// then move with it while the scene turns, and lie alike in a mirrored body.
-  std::vector<Chains::Link> fromTop(std::span<const Chains::Link> given) const {
-    std::vector<Chains::Link> links(given.begin(), given.end());
-    const Segment& last = m_segments[links.back().segment];
-    if (links.size() < 3 || startOf(links.front()) != (links.back().reversed ? last.a : last.b))
-      return links;
-    const auto top = std::max_element(links.begin(), links.end(), [this](auto& a, auto& b) {
+  void takeFromTop(std::span<const Chains::Link> given) {
+    m_links.assign(given.begin(), given.end());
+    m_line.clear();
+    m_moves.clear();
+    m_pressures.clear();
+    m_outwards.clear();
+    const Segment& last = m_segments[m_links.back().segment];
+    m_line.closed = m_links.size() > 2 &&
+                    startOf(m_links.front()) == (m_links.back().reversed ? last.a : last.b);
+    if (!m_line.closed)
+      return;
+    const auto top = std::max_element(m_links.begin(), m_links.end(), [this](auto& a, auto& b) {
       return std::pair(startOf(a).z, startOf(a).y) < std::pair(startOf(b).z, startOf(b).y);
     });
-    std::rotate(links.begin(), top, links.end());
-    return links;
+    std::rotate(m_links.begin(), top, m_links.end());
   }
 
   glm::vec2 outwardAt(const Sample& s) const {
@@ -201,68 +283,76 @@ class CurveMaker {
                      std::sin(5.9f * p.z + 1.7f * p.x + 2.0f) + std::sin(4.1f * p.y - 3.3f * p.x));
   }
 
-  /// Returns false where the line has too few points to be a curve or far too many, or reaches
-  /// behind the eye.
-  bool sample(std::span<const Chains::Link> links, SampledLine& line) const {
-    std::vector<float> ends{0.0f};
+  /// Measures how far along the line in the picture its links end. Returns false where the line
+  /// reaches behind the eye or is far too long for a curve.
+  bool measure() {
+    m_ends.assign(1, 0.0f);
     glm::vec2 before{0.0f};
-    for (std::size_t i = 0; i <= links.size(); ++i) {
-      const Chains::Link& link = links[std::min(i, links.size() - 1)];
+    for (std::size_t i = 0; i <= m_links.size(); ++i) {
+      const Chains::Link& link = m_links[std::min(i, m_links.size() - 1)];
       const Segment& s = m_segments[link.segment];
-      const auto point = m_view.project((i == links.size()) != link.reversed ? s.b : s.a);
+      const auto point = m_view.project((i == m_links.size()) != link.reversed ? s.b : s.a);
       if (!(point.w > 0.0f))
         return false;
       if (i > 0)
-        ends.push_back(ends.back() + glm::distance(point.pixel, before));
+        m_ends.push_back(m_ends.back() + glm::distance(point.pixel, before));
       before = point.pixel;
     }
-    const float length = ends.back();
-    const float wanted = std::max(sampleStep * m_view.outputUnit(), 1.0f);
-    if (!(length > 2.0f * wanted) || !(length < mostSamples * wanted))
+    return m_ends.back() < mostSamples * wantedStep();
+  }
+
+  float wantedStep() const { return std::max(sampleStep * m_view.outputUnit(), 1.0f); }
+
+  void addSample(const Sample& s) {
+    m_line.samples.push_back(s);
+    m_line.pixels.push_back(m_view.project(s.place).pixel);
+    m_moves.emplace_back(0.0f);
+    m_pressures.push_back(1.0f);
+    m_outwards.push_back(outwardAt(s));
+  }
+
+  /// Returns false where the line has too few points to be a curve.
+  bool sample() {
+    const float length = m_ends.back();
+    const float wanted = wantedStep();
+    if (!(length > 2.0f * wanted))
       return false;
     const auto pieces = std::size_t(std::lround(length / wanted));
-    line.step = length / float(pieces);
-    const Segment& first = m_segments[links.front().segment];
-    const Segment& last = m_segments[links.back().segment];
-    line.closed = links.size() > 2 && (links.front().reversed ? first.b : first.a) ==
-                                          (links.back().reversed ? last.a : last.b);
+    m_line.step = length / float(pieces);
     std::size_t at = 0;
     for (std::size_t k = 0; k <= pieces; ++k) {
-      const float way = k == pieces ? length : line.step * float(k);
-      while (at + 1 < links.size() && ends[at + 1] <= way)
+      const float way = k == pieces ? length : m_line.step * float(k);
+      while (at + 1 < m_links.size() && m_ends[at + 1] <= way)
         ++at;
-      const float span = ends[at + 1] - ends[at];
-      const float t = k == pieces ? 1.0f : span > 0.0f ? (way - ends[at]) / span : 0.0f;
-      Sample s = mixed(m_segments[links[at].segment], links[at].reversed, t);
+      const float span = m_ends[at + 1] - m_ends[at];
+      const float t = k == pieces ? 1.0f : span > 0.0f ? (way - m_ends[at]) / span : 0.0f;
+      Sample s = mixed(m_segments[m_links[at].segment], m_links[at].reversed, t);
       s.normal = glm::normalize(s.normal);
-      line.samples.push_back(s);
-      line.pixels.push_back(m_view.project(s.place).pixel);
+      addSample(s);
       if (k < pieces)
-        line.segments.push_back(links[at].segment);
+        m_line.segments.push_back(m_links[at].segment);
     }
     return true;
   }
 
-  /// Returns how far the curve lies from each sample, px.
-  std::vector<glm::vec2> movesOf(const SampledLine& line) const {
-    const std::size_t count = line.pixels.size();
-    std::vector<glm::vec2> moves(count, glm::vec2(0.0f));
+  /// Finds how far the curve lies from each sample, px.
+  void findMoves() {
     const float unit = m_view.outputUnit();
-    const float deviation = m_settings.smoothing * widestAverage * unit / line.step;
+    const float deviation = m_settings.smoothing * widestAverage * unit / m_line.step;
     if (!(deviation > 0.3f))
-      return moves;
-    std::vector<glm::vec2> points = line.pixels;
-    if (line.closed)
+      return;
+    std::vector<glm::vec2> points = m_line.pixels;
+    if (m_line.closed)
       points.pop_back();
     std::vector<glm::vec2> even = points;
-    blur(even, cornerAverage * unit / line.step, line.closed);
-    const int arm = std::max(2, int(std::lround(cornerArm * unit / line.step)));
-    std::vector<std::size_t> fixed = corners(even, arm, line.closed);
-    if (line.closed && fixed.empty()) {
-      moves = averaged(points, deviation, true);
-      moves.push_back(moves.front());
+    blur(even, cornerAverage * unit / m_line.step, m_line.closed);
+    const int arm = std::max(2, int(std::lround(cornerArm * unit / m_line.step)));
+    std::vector<std::size_t> fixed = corners(even, arm, m_line.closed);
+    if (m_line.closed && fixed.empty()) {
+      m_moves = averaged(points, deviation, true);
+      m_moves.push_back(m_moves.front());
     } else {
-      if (line.closed) {
+      if (m_line.closed) {
         // Between its corners a closed line is as good as open; the first piece wraps around.
         fixed.push_back(fixed.front() + points.size());
       } else {
@@ -275,12 +365,12 @@ class CurveMaker {
           piece.push_back(points[k % points.size()]);
         const std::vector<glm::vec2> moved = averaged(piece, deviation, false);
         for (std::size_t k = 0; k < moved.size(); ++k)
-          moves[(fixed[i] + k) % points.size()] = moved[k];
+          m_moves[(fixed[i] + k) % points.size()] = moved[k];
       }
-      if (line.closed)
-        moves.back() = moves.front();
+      if (m_line.closed)
+        m_moves.back() = m_moves.front();
     }
-    return bounded(line, std::move(moves), int(std::lround(deviation)));
+    bound(int(std::lround(deviation)));
   }
 
   static std::vector<glm::vec2> averaged(const std::vector<glm::vec2>& points, float deviation,
@@ -297,27 +387,26 @@ class CurveMaker {
     return moves;
   }
 
-  std::vector<glm::vec2> bounded(const SampledLine& line, std::vector<glm::vec2> moves,
-                                 int reach) const {
+  /// Holds the moves to the bounds.
+  void bound(int reach) {
     const float unit = m_view.outputUnit();
     const float inwards =
         std::clamp(m_settings.pen - coveredEdge * unit, 0.3f * unit, curveBound * unit);
-    std::vector<float> shares(moves.size(), 1.0f);
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-      const float length = glm::length(moves[i]);
+    std::vector<float> shares(m_moves.size(), 1.0f);
+    for (std::size_t i = 0; i < m_moves.size(); ++i) {
+      const float length = glm::length(m_moves[i]);
       float share = length > curveBound * unit ? curveBound * unit / length : 1.0f;
       if (m_settings.outline) {
-        const float out = glm::dot(moves[i], outwardAt(line.samples[i]));
+        const float out = glm::dot(m_moves[i], m_outwards[i]);
         const float most = out > 0.0f ? outlineBound * unit : inwards;
         if (std::abs(out) > most)
           share = std::min(share, most / std::abs(out));
       }
       shares[i] = share;
     }
-    shares = softMinimum(shares, std::max(reach, 1), line.closed);
-    for (std::size_t i = 0; i < moves.size(); ++i)
-      moves[i] *= shares[i];
-    return moves;
+    shares = softMinimum(shares, std::max(reach, 1), m_line.closed);
+    for (std::size_t i = 0; i < m_moves.size(); ++i)
+      m_moves[i] *= shares[i];
   }
 
   const std::vector<Segment>& m_segments;
@@ -326,16 +415,26 @@ class CurveMaker {
   Pressure m_pressure;
   glm::vec3 m_right;
   glm::vec3 m_up;
+  glm::vec3 m_back;
+  // Of the line in work, kept from one to the next so that they need not be allocated again.
+  std::vector<Chains::Link> m_links;
+  std::vector<float> m_ends;  ///< of the links, px from the line's beginning
+  SampledLine m_line;
+  std::vector<glm::vec2> m_moves;     ///< of the samples, px
+  std::vector<float> m_pressures;     ///< of the samples
+  std::vector<glm::vec2> m_outwards;  ///< of an outline's samples; zeros elsewhere
+  std::vector<JointPoint> m_points;
+  std::vector<std::size_t> m_stops;  ///< points between which the pieces lie
 };
 
 }  // namespace
 
 std::vector<Segment> curved(const std::vector<Segment>& segments, const Chains& chains,
                             const PictureView& view, const CurveSettings& settings) {
-  const CurveMaker maker(segments, view, settings);
   const std::size_t blocks = (chains.count() + chainsAtOnce - 1) / chainsAtOnce;
   std::vector<std::vector<Segment>> parts(blocks);
   parallelFor(blocks, 1, [&](std::size_t block) {
+    CurveMaker maker(segments, view, settings);
     const std::size_t end = std::min(chains.count(), (block + 1) * chainsAtOnce);
     for (std::size_t chain = block * chainsAtOnce; chain < end; ++chain)
       maker.add(std::span(chains.links)

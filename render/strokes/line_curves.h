@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/lines/chains.h"
+#include "render/strokes/line_joints.h"
 #include "render/strokes/picture_view.h"
 
 namespace sline::render {
@@ -19,6 +20,8 @@ struct CurveSettings {
   float waver = 0.0f;      ///< how far a hand wavers to either side
   bool outline = false;    ///< the line ends a surface: its ink lies outside, along the normals
   glm::vec3 light{0.0f};   ///< towards the light, in the camera's frame
+  JointLimits joints;      ///< within these, pieces of a curve become one; zeros: all stay
+  float pixel = 0.0f;      ///< mm, at the structure: for lines that reach behind the eye
 };
 
 /// No point of a curve lies farther than this from the line it was made of, in λ.
@@ -31,8 +34,9 @@ inline constexpr float outlineBound = 0.5f;
 /// depth, that goes on in its direction. Segments that close gaps are added to `segments`.
 Chains joinedChains(std::vector<Segment>& segments, const PictureView& view);
 
-/// Returns the same lines with points at even distances of about half a λ, each with the move to
-/// its curve and the pen's pressure there; order and ends of the chains stay. The curve is the line
+/// Returns the same lines through points at even distances of about half a λ, or those of them that
+/// the joints leave, each with the move to its curve and the pen's pressure there; order and ends
+/// of the chains stay. The curve is the line
 /// averaged with a Gaussian's weights, applied twice so that round forms keep their size (J.
 /// Tukey's twicing), and held to the bounds. It keeps the line's ends, and its corners, where it
 /// turns by more than 60° within 4 λ.

@@ -34,10 +34,16 @@ constexpr float widestWaver = 0.5f;
 // side.
 constexpr float wideStep = 2.5f;
 
-// Where triangles are smaller than pixels, segments are joined: at most this many pixels off the
-// line, to strokes of at most that many.
-constexpr float simplification = 0.12f;
+// Where triangles are smaller than pixels, segments are joined: at most this many pixels off what a
+// pen draws, to strokes of at most that many.
+constexpr float simplification = 0.1f;
 constexpr float longestStroke = 16.0f;
+// And at most this many off the place where it is looked up whether something hides the line; in
+// depth by half of what that forgives (StrokeMaker), in edges of triangles.
+constexpr float lookUpError = 0.5f;
+constexpr float outlineDepthError = 0.25f;
+constexpr float lineDepthError = 0.05f;
+
 float pixelsPerMillimetre(const model::Surface& surface, const PictureView& view) {
   const float mm = view.millimetresPerPixel(surface.boundingSphere.centre);
   return mm > 0.0f ? 1.0f / mm : 0.0f;
@@ -206,21 +212,28 @@ void joinLines(const model::Surface& surface, const PictureView& view,
       fadeShortChains(segments, chains, lengths,
                       {technique.specks.shortest * shortest, technique.specks.whole * shortest});
     if (technique.pen != LinePen::cutEdge) {
-      segments = curved(segments, chains, view,
-                        {.smoothing = style.lineSmoothing,
-                         .variation = style.lineVariation,
-                         .pen = penWidth(surface, view, style.penWeight),
-                         .waver = widestWaver * style.grain * view.outputUnit(),
-                         .outline = technique.pen == LinePen::outside,
-                         .light = light});
-      chains = connectedChains(segments);
+      CurveSettings settings{.smoothing = style.lineSmoothing,
+                             .variation = style.lineVariation,
+                             .pen = penWidth(surface, view, style.penWeight),
+                             .waver = widestWaver * style.grain * view.outputUnit(),
+                             .outline = technique.pen == LinePen::outside,
+                             .light = light,
+                             .pixel = pixel};
       if (technique.bounds && style.hiddenLines == model::HiddenLines::dashed) {
-        const std::vector<Segment> dashes = dashed(segments, view);
+        const std::vector<Segment> dashes = dashed(curved(segments, chains, view, settings), view);
         drawn.dashes = simplified(dashes, connectedChains(dashes), simplification * pixel,
                                   longestStroke * pixel);
       }
+      settings.joints = {
+          .drawn = simplification,
+          .line = lookUpError,
+          .depth = simplification * pixel +
+                   (settings.outline ? outlineDepthError : lineDepthError) * surface.meanEdge,
+          .longest = longestStroke};
+      segments = curved(segments, chains, view, settings);
+    } else {
+      segments = simplified(segments, chains, simplification * pixel, longestStroke * pixel);
     }
-    segments = simplified(segments, chains, simplification * pixel, longestStroke * pixel);
   });
 }
 

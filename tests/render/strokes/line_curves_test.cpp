@@ -2,7 +2,9 @@
 #include "render/strokes/line_curves.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -148,6 +150,65 @@ class LineCurvesTest : public QObject {
     QVERIFY(line.front().pressureA < 0.5f * line[line.size() / 2].pressureA);
     for (const Segment& s : curve(through(points), {.variation = 0.0f, .outline = true}))
       QCOMPARE(s.pressureA, 1.0f);
+  }
+  void joinedPiecesKeepTheCurve() {
+    std::vector<glm::vec3> points;
+    for (int i = 0; i <= 300; ++i)
+      points.emplace_back(-30.0f + 0.2f * float(i), 0.3f * std::sin(0.7f * float(i)),
+                          4.0f * std::sin(0.05f * float(i)));
+    const JointLimits joints{.drawn = 0.1f, .line = 0.5f, .depth = 0.2f, .longest = 16.0f};
+    const std::vector<Segment> all = curve(through(points));
+    const std::vector<Segment> few = curve(through(points), {.joints = joints});
+    QVERIFY(3 * few.size() < all.size());
+    QCOMPARE(few.front().a, points.front());
+    QCOMPARE(few.back().b, points.back());
+    std::size_t at = 0;
+    for (const Segment& s : all) {
+      while (s.a.x >= few[at].b.x && at + 1 < few.size())
+        ++at;
+      const auto drawn = [](const glm::vec3& p, const glm::vec3& move) {
+        return perMm() * glm::vec2(p.x + move.x, p.z + move.z);
+      };
+      const glm::vec2 from = drawn(few[at].a, few[at].moveA);
+      const glm::vec2 way = drawn(few[at].b, few[at].moveB) - from;
+      const glm::vec2 off = drawn(s.a, s.moveA) - from;
+      QVERIFY(glm::length(way) <= 16.0f);
+      QVERIFY(std::abs(way.x * off.y - way.y * off.x) / glm::length(way) <= 0.11f);
+      QVERIFY(std::abs(glm::mix(few[at].a.y, few[at].b.y, glm::dot(off, way) / glm::dot(way, way)) -
+                       s.a.y) <= 0.21f);
+    }
+  }
+  void joinsAreAlikeInAMirror() {
+    std::vector<glm::vec3> points;
+    for (int i = 0; i <= 200; ++i)
+      points.emplace_back(-20.0f + 0.2f * float(i), 0.0f, 0.1f * float(i) + std::sin(float(i)));
+    const CurveSettings settings{
+        .joints = {.drawn = 0.1f, .line = 0.5f, .depth = 1, .longest = 16}};
+    const std::vector<Segment> one = curve(through(points), settings);
+    std::reverse(points.begin(), points.end());
+    for (glm::vec3& p : points)
+      p.x = -p.x;
+    const std::vector<Segment> other = curve(through(points), settings);
+    QCOMPARE(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i)
+      QVERIFY(std::abs(one[i].a.z - other[one.size() - 1 - i].b.z) < 1e-2f);
+  }
+  void whatIsLookedUpOrFadesLimitsJoints() {
+    std::vector<glm::vec3> points;
+    for (int i = 0; i <= 100; ++i)
+      points.emplace_back(-20.0f + 0.4f * float(i), i % 20 < 10 ? 0.0f : 3.0f, 0.0f);
+    const auto pieces = [&](float depth, float opacity) {
+      std::vector<Segment> line = through(points);
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        line[i].opacityA = i % 2 == 0 ? 1.0f : opacity;
+        line[i].opacityB = i % 2 == 0 ? opacity : 1.0f;
+      }
+      return curve(line, {.variation = 0.0f,
+                          .joints = {.drawn = 0.1f, .line = 1, .depth = depth, .longest = 16}})
+          .size();
+    };
+    QVERIFY(pieces(0.1f, 1.0f) > pieces(5.0f, 1.0f));
+    QVERIFY(pieces(5.0f, 0.5f) > 3 * pieces(5.0f, 1.0f));
   }
   void gapsAreClosedWhereLinesGoOn() {
     const auto row = [](float from, float to, float z = 0.0f) {
