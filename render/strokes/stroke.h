@@ -33,6 +33,11 @@ struct Stroke {
   float halfWidthB = 1.0f;
   float opacityA = 1.0f;
   float opacityB = 1.0f;
+  /// How far the round ends show beyond a and b at most, px: where the pen goes on, the next stroke
+  /// covers the rest.
+  float capA = whole;
+  float capB = whole;
+  static constexpr float whole = 1e6f;
 };
 
 }  // namespace sline::render

@@ -44,17 +44,10 @@ class StrokeMaker {
   StrokeMaker(const model::Surface& surface, const PictureView& view, const PixelRect& area)
       : m_surface(surface), m_view(view), m_area(area) {}
 
-  std::vector<Stroke> take() {
-    // Contours come last, as they are drawn in another way; each kind is sorted by depth, so that
-    // where strokes of a layer cross the nearest depth is written last; the sort is stable, so that
-    // equal depths keep the surface's own order.
-    std::stable_sort(m_strokes.begin(), m_strokes.end(), [](const auto& a, const auto& b) {
-      if (isContour(a) != isContour(b))
-        return isContour(b);
-      return a.depthA + a.depthB > b.depthA + b.depthB;
-    });
-    return std::move(m_strokes);
-  }
+  /// Returns the strokes. Contours come last, as they are drawn in another way; each kind is sorted
+  /// by depth, so that where strokes of a layer cross the nearest depth is written last; equal
+  /// depths keep the surface's own order.
+  std::vector<Stroke> take();
 
   /// Adds a contour, of which `inner` shares of width remain within the structure's own mask.
   void contour(const Segment& s, float width, float opacity, float inner) {
@@ -133,33 +126,7 @@ class StrokeMaker {
   }
 
   /// Adds a stroke of hatching as few capsules as its curve allows.
-  void hatching(std::span<const HatchPoint> points, float width, float opacity) {
-    const float unit = m_view.outputUnit();
-    for (std::size_t from = 0; from + 1 < points.size();) {
-      const std::size_t to = farthestChord(points, from);
-      Stroke stroke;
-      const HatchPoint& a = points[from];
-      const HatchPoint& b = points[to];
-      if (place(a.position, b.position, stroke)) {
-        stroke.tolerance = surfaceTolerance(a, b);
-        stroke.kind = StrokeKind::hatching;
-        stroke.softness = hatchEdge(unit);
-        finish(stroke, hatchPen(a, width, opacity), hatchPen(b, width, opacity));
-      }
-      from = to;
-    }
-    if (points.size() == 1) {
-      Stroke dot;
-      const HatchPoint& at = points.front();
-      if (place(at.position, at.position, dot)) {
-        dot.tolerance = surfaceTolerance(at, at);
-        dot.kind = StrokeKind::hatching;
-        dot.softness = hatchEdge(unit);
-        const Pen pen = hatchPen(at, width, opacity);
-        finish(dot, pen, pen);
-      }
-    }
-  }
+  void hatching(std::span<const HatchPoint> points, float width, float opacity);
 
  private:
   // Limits within which points of hatching become one capsule: in λ and in points.
@@ -179,25 +146,7 @@ class StrokeMaker {
 
   /// Returns the last point to which one capsule from `from` stays true to the stroke's course and
   /// width.
-  std::size_t farthestChord(std::span<const HatchPoint> points, std::size_t from) const {
-    const float unit = m_view.outputUnit();
-    const glm::vec2 start = m_view.project(points[from].position).pixel / unit;
-    std::size_t to = from + 1;
-    for (std::size_t end = from + 2; end < points.size() && end - from <= longestChord; ++end) {
-      const glm::vec2 chord = m_view.project(points[end].position).pixel / unit - start;
-      const float length2 = std::max(glm::dot(chord, chord), 1e-12f);
-      for (std::size_t i = from + 1; i < end; ++i) {
-        const glm::vec2 d = m_view.project(points[i].position).pixel / unit - start;
-        const float t = std::clamp(glm::dot(d, chord) / length2, 0.0f, 1.0f);
-        const float width = glm::mix(points[from].halfWidth, points[end].halfWidth, t);
-        if (glm::length(d - t * chord) > chordError ||
-            std::abs(points[i].halfWidth - width) > chordError)
-          return to;
-      }
-      to = end;
-    }
-    return to;
-  }
+  std::size_t farthestChord(std::span<const HatchPoint> points, std::size_t from) const;
 
   bool place(const Segment& s, Stroke& stroke) const {
     if (!place(s.a, s.b, stroke))
@@ -210,8 +159,10 @@ class StrokeMaker {
   }
 
   bool place(const glm::vec3& from, const glm::vec3& to, Stroke& stroke) const {
-    const PictureView::Point a = m_view.project(from);
-    const PictureView::Point b = m_view.project(to);
+    return place(m_view.project(from), m_view.project(to), stroke);
+  }
+
+  static bool place(const PictureView::Point& a, const PictureView::Point& b, Stroke& stroke) {
     if (a.w <= 0.0f || b.w <= 0.0f || a.depth < 0.0f || b.depth < 0.0f)
       return false;
     stroke.a = a.pixel;
@@ -229,20 +180,13 @@ class StrokeMaker {
     return std::min(tangent, 8.0f);
   }
 
-  void finish(Stroke& stroke, const Pen& a, const Pen& b) {
-    stroke.halfWidthA = 0.5f * a.width;
-    stroke.halfWidthB = 0.5f * b.width;
-    stroke.opacityA = a.opacity;
-    stroke.opacityB = b.opacity;
-    if (std::max(a.opacity, b.opacity) > 0.004f &&
-        !intersection(strokeBounds(stroke), m_area).empty())
-      m_strokes.push_back(stroke);
-  }
+  void finish(Stroke& stroke, const Pen& a, const Pen& b);
 
   const model::Surface& m_surface;
   const PictureView& m_view;
   PixelRect m_area;
   std::vector<Stroke> m_strokes;
+  std::vector<PictureView::Point> m_seen;  ///< the points of the hatching stroke in work
 };
 
 }  // namespace sline::render

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds what the three kinds of capsules share: where a pixel lies relative to its stroke, and
+// Holds what the kinds of capsules share: where a pixel lies relative to its stroke, and
 // their own surface. Each kind has a program of its own, as software rasterisers look up every
 // texture of every branch.
-#include "depth.glsl"
 flat in vec4 lineEnds;
 flat in vec4 drawnEnds;
 flat in vec4 strokeEnds;
-flat in vec4 lineDepths;
+flat in vec4 lineDepths;  // depth at a and b, what the tolerance is in depth, InkVertex::kind
 flat in vec4 lineOutwards;
 flat in vec4 lineStrokes;
 
 uniform sampler2D surfaceDepth;
 uniform ivec4 slot;       // the layer's place in the atlas: first and last pixel
 uniform ivec2 toAtlas;    // from picture pixels to atlas pixels
-uniform vec4 projection;  // see depth.glsl
 
 out vec4 fragment;
 
@@ -48,6 +46,11 @@ float depthAt(vec2 pixel) {
   if (any(lessThan(texel, slot.xy)) || any(greaterThan(texel, slot.zw)))
     return 1.0;
   return texelFetch(surfaceDepth, texel, 0).r;
+}
+
+// Tells whether a surface of that depth leaves the line in sight.
+bool inSight(Capsule c, float surface) {
+  return c.depth - lineDepths.z <= surface;
 }
 
 // Returns the analytic coverage (METHOD §4), softened over `edge` pixels.

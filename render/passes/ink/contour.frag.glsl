@@ -2,17 +2,11 @@
 // Draws the ink of contours, outside the surface's own line (S eq. 1).
 #include "capsule.glsl"
 #include "contour_visibility.glsl"
+#ifdef GRAINED
 #include "grain.glsl"
+#endif
 uniform vec2 channel;  // which of the ink's values is written
 uniform float probe;  // distance outside (px) at which the own mask means an inner contour
-
-// A neighbour that touches the surface along its contour lies as deep as the line, and by a hair in
-// front of it on the line's outer side: within the tolerance for its own surface, it hides nothing.
-float lifted(float windowDepth, float mm) {
-  float distance = eyeDistance(windowDepth, projection) - mm;
-  float z = (projection.y - distance * projection.x) / (projection.w - distance * projection.z);
-  return clamp(0.5 * z + 0.5, 0.0, windowDepth);
-}
 
 void main() {
   Capsule c = capsuleAt(gl_FragCoord.xy - vec2(toAtlas));
@@ -34,9 +28,15 @@ void main() {
       c.distance = length(c.pixel - c.place - outward * (c.halfWidth - 0.5));
     }
   }
-  float coverage = coverageOf(c, 1.0) * grained(c.pixel);
+  float coverage = coverageOf(c, 1.0);
+#ifdef GRAINED
+  coverage *= grained(c.pixel);
+#endif
   if (coverage <= 0.002)
     discard;
   fragment = vec4(channel * coverage, 0.0, 0.0);
-  gl_FragDepth = lifted(c.depth, 2.0 * lineDepths.z);
+  // A neighbour that touches the surface along its contour lies as deep as the line, and by a hair
+  // in front of it on the line's outer side: within the tolerance for its own surface, it hides
+  // nothing.
+  gl_FragDepth = clamp(c.depth - lineLifts.x, 0.0, c.depth);
 }

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws one capsule per segment, all in pixels of the whole picture.
+// Draws one capsule per segment, all in pixels of the whole picture. Where the pen goes on from one
+// capsule to the next, neither reaches farther than the bend asks, so that the ends do not lie over
+// each other.
+#include "depth.glsl"
 #include "place.glsl"
 layout(location = 0) in vec4 ends;      // the line itself: a, b
 layout(location = 1) in vec4 depths;    // depth at a and b, tolerance in mm, InkVertex::kind
 layout(location = 2) in vec4 outwards;  // unit directions across a contour, away from the surface
 layout(location = 4) in vec4 moves;     // from a and b to where the pen draws them
 layout(location = 3) in vec4 strokes;   // half width at a and b, opacity at a and b
+layout(location = 5) in vec2 caps;      // how far the stroke shows beyond a and b at most, px
 
 uniform vec4 layer;
+uniform vec4 projection;  // see depth.glsl
+uniform float sheet;      // mm by which a surface may hide a line of its own sheet
 
 flat out vec4 lineEnds;
 flat out vec4 drawnEnds;
@@ -15,11 +21,24 @@ flat out vec4 strokeEnds;
 flat out vec4 lineDepths;
 flat out vec4 lineOutwards;
 flat out vec4 lineStrokes;
+flat out vec2 lineLifts;
+
+// Returns by how much window depth falls where the line comes nearer by so many millimetres.
+float lift(float mm) {
+  float windowDepth = 0.5 * (depths.x + depths.y);
+  float from = eyeDistance(windowDepth, projection);
+  float to = from - mm;
+  if (projection.z != 0.0)
+    to = max(to, 1e-3 * from);  // in perspective not behind the eye
+  float z = (projection.y - to * projection.x) / (projection.w - to * projection.z);
+  return windowDepth - (0.5 * z + 0.5);
+}
 
 void main() {
   lineEnds = ends;
   drawnEnds = ends + moves;
-  lineDepths = depths;
+  lineDepths = vec4(depths.xy, lift(depths.z), depths.w);
+  lineLifts = vec2(lift(2.0 * depths.z), lift(sheet));
   lineOutwards = outwards;
   lineStrokes = strokes;
   // S eq. 1: the stroke lies outside the contour, not across it.
@@ -31,6 +50,7 @@ void main() {
   float lengthAB = length(along);
   along = lengthAB > 1e-6 ? along / lengthAB : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x) * ((gl_VertexID & 1) == 0 ? -reach : reach);
-  vec2 corner = (gl_VertexID & 2) == 0 ? a - along * reach : b + along * reach;
+  vec2 beyond = min(caps, vec2(reach));
+  vec2 corner = (gl_VertexID & 2) == 0 ? a - along * beyond.x : b + along * beyond.y;
   gl_Position = vec4(layerPosition(corner + across, layer), 0.0, 1.0);
 }

@@ -2,6 +2,7 @@
 #include "render/passes/ink/ink_pass.h"
 
 #include <cstddef>
+#include <optional>
 
 #include "render/passes/shader_files.h"
 
@@ -19,10 +20,8 @@ gpu::ProgramRecipe inkRecipe(InkKind kind) {
                                          {"slot", UniformType::ivec4},
                                          {"toAtlas", UniformType::ivec2},
                                          {"projection", UniformType::vec4}}};
-  if (kind == InkKind::surfaceLines) {
-    recipe.uniforms.push_back({"grain", UniformType::vec2});
+  if (kind == InkKind::surfaceLines)
     return recipe;
-  }
   recipe.uniforms.push_back({"reach", UniformType::vec2});
   recipe.uniforms.push_back({"sheet", UniformType::real});
   if (kind == InkKind::contours || kind == InkKind::hidden) {
@@ -30,7 +29,6 @@ gpu::ProgramRecipe inkRecipe(InkKind kind) {
     recipe.fragmentFile = "contour.frag.glsl";
     recipe.uniforms.push_back({"probe", UniformType::real});
     recipe.uniforms.push_back({"channel", UniformType::vec2});
-    recipe.uniforms.push_back({"grain", UniformType::vec2});
   } else if (kind == InkKind::halos) {
     recipe.name = "halos";
     recipe.fragmentFile = "halo.frag.glsl";
@@ -40,6 +38,18 @@ gpu::ProgramRecipe inkRecipe(InkKind kind) {
     recipe.uniforms.push_back({"paint", UniformType::vec4});
     recipe.uniforms.push_back({"key", UniformType::vec3});
   }
+  return recipe;
+}
+
+/// Returns the same program on rough paper; nothing for what is no ink. It is another, as software
+/// rasterisers work out the paper even where it is smooth.
+std::optional<gpu::ProgramRecipe> grainedRecipe(InkKind kind) {
+  if (kind == InkKind::halos || kind == InkKind::edges)
+    return std::nullopt;
+  gpu::ProgramRecipe recipe = inkRecipe(kind);
+  recipe.fragmentFile = kind == InkKind::surfaceLines ? "surface_line_grained.frag.glsl"
+                                                      : "contour_grained.frag.glsl";
+  recipe.uniforms.push_back({"grain", gpu::UniformType::vec2});
   return recipe;
 }
 
@@ -64,6 +74,8 @@ struct InkVertex {
   float halfWidthB;
   float opacityA;
   float opacityB;
+  float capA;
+  float capB;
 };
 
 float kindOf(const Stroke& stroke) {
@@ -86,7 +98,8 @@ std::vector<gpu::Stream> streams(const gpu::Buffer& buffer) {
                           {1, 4, AttributeType::float32, offsetof(InkVertex, depthA)},
                           {2, 4, AttributeType::float32, offsetof(InkVertex, outwardA)},
                           {3, 4, AttributeType::float32, offsetof(InkVertex, halfWidthA)},
-                          {4, 4, AttributeType::float32, offsetof(InkVertex, moveA)}},
+                          {4, 4, AttributeType::float32, offsetof(InkVertex, moveA)},
+                          {5, 2, AttributeType::float32, offsetof(InkVertex, capA)}},
            .perInstance = true}};
 }
 
@@ -103,7 +116,13 @@ Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
     auto program = gpu::Program::create(shaderFiles(), dialect, inkRecipe(kind));
     if (!program)
       return program.error();
-    pass->m_programs[std::size_t(kind)] = std::move(*program);
+    pass->m_programs[i] = std::move(*program);
+    if (const auto recipe = grainedRecipe(kind)) {
+      auto grained = gpu::Program::create(shaderFiles(), dialect, *recipe);
+      if (!grained)
+        return grained.error();
+      pass->m_grained[i] = std::move(*grained);
+    }
   }
   return pass;
 }
@@ -114,7 +133,7 @@ void InkPass::upload(std::span<const Stroke> strokes) {
   for (const Stroke& s : strokes)
     vertices.push_back({s.a, s.b, s.depthA, s.depthB, s.tolerance, kindOf(s), s.outwardA,
                         s.outwardB, s.moveA, s.moveB, s.halfWidthA, s.halfWidthB, s.opacityA,
-                        s.opacityB});
+                        s.opacityB, s.capA, s.capB});
   m_segments.stream(std::as_bytes(std::span(vertices)));
 }
 
@@ -122,7 +141,8 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
                    const InkDraw& draw) {
   if (draw.count == 0)
     return;
-  gpu::Program& program = *m_programs[std::size_t(draw.kind)];
+  const bool grained = draw.grain > 0.0f && m_grained[std::size_t(draw.kind)];
+  gpu::Program& program = *(grained ? m_grained : m_programs)[std::size_t(draw.kind)];
   program.set("layer", glm::vec4(float(draw.layer.x), float(draw.layer.y), float(draw.layer.width),
                                  float(draw.layer.height)));
   program.set("surfaceDepth", surfaceDepth);
@@ -140,7 +160,7 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
     program.set("channel", draw.kind == InkKind::contours ? glm::vec2(1.0f, 0.0f)
                                                           : glm::vec2(0.0f, hiddenCoverage));
   }
-  if (outlines || draw.kind == InkKind::surfaceLines)
+  if (grained)
     program.set("grain", glm::vec2(draw.grain, draw.grainSize));
   if (draw.kind == InkKind::edges) {
     program.set("paint", draw.paint);

@@ -48,6 +48,7 @@ class InkPass {
  private:
   InkPass();
   std::array<std::unique_ptr<gpu::Program>, inkKindCount> m_programs;  ///< by InkKind
+  std::array<std::unique_ptr<gpu::Program>, inkKindCount> m_grained;   ///< null without grain
   gpu::Buffer m_segments;
   gpu::Geometry m_geometry;
 };

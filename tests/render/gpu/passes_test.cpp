@@ -2,6 +2,7 @@
 // Compares the resolve pass with a reference on the CPU that sorts every pixel's layers.
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "render/gpu/headless/context.h"
@@ -10,6 +11,7 @@
 #include "render/passes/plain_phong/plain_phong_pass.h"
 #include "render/passes/resolve/resolve_pass.h"
 #include "render/passes/surface/surface_pass.h"
+#include "render/strokes/stroke_maker.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -113,6 +115,8 @@ class PassesTest : public QObject {
   void strokesHaveTheirWidth_data();
   void strokesHaveTheirWidth();
   void jointsDoNotDarken();
+  void bendsStayClosed_data();
+  void bendsStayClosed();
 
  private:
   std::vector<std::uint8_t> resolved(const Case& c, const glm::vec4& background);
@@ -297,6 +301,45 @@ void PassesTest::jointsDoNotDarken() {
   QCOMPARE(one[32 * 64 + 30], 153);
   std::ranges::reverse(pieces);
   QCOMPARE(inked(pieces), many);
+}
+
+void PassesTest::bendsStayClosed_data() {
+  QTest::addColumn<float>("turn");
+  for (const float turn : {0.0f, 0.3f, 1.0f, 2.0f, 3.1f})
+    QTest::addRow("%g", double(turn)) << turn;
+}
+
+void PassesTest::bendsStayClosed() {
+  QFETCH(float, turn);
+  const model::Surface surface{};
+  const model::Camera camera{.projection = model::Projection::orthographic,
+                             .eye = {0, -100, 0},
+                             .target = {0, 0, 0},
+                             .up = {0, 0, 1},
+                             .heightMm = 64.0f};
+  model::Box bounds;
+  bounds.add(glm::vec3(-60.0f));
+  bounds.add(glm::vec3(60.0f));
+  const PictureView view(camera, bounds, 64, 64);
+  StrokeMaker maker(surface, view, view.whole());
+  glm::vec3 at(-10.0f, 0.0f, -10.0f);
+  float angle = 0.4f;
+  for (int i = 0; i < 4; ++i, angle += turn) {
+    const glm::vec3 next = at + 8.0f * glm::vec3(std::cos(angle), 0.0f, std::sin(angle));
+    maker.contour({.a = at, .b = next, .normalA = {0, 0, 1}, .normalB = {0, 0, 1}}, 5.0f, 1.0f,
+                  1.0f);
+    at = next;
+  }
+  const std::vector<Stroke> joined = maker.take();
+  std::vector<Stroke> whole = joined;
+  QCOMPARE(std::ranges::count(joined, Stroke::whole, &Stroke::capA), 1);
+  for (Stroke& s : whole)
+    s.capA = s.capB = Stroke::whole;
+  const std::vector<int> one = inked(whole);
+  const std::vector<int> other = inked(joined);
+  QVERIFY(std::ranges::count(one, 255) > 30);
+  for (std::size_t i = 0; i < one.size(); ++i)
+    QVERIFY(std::abs(one[i] - other[i]) <= 2);
 }
 
 SLINE_TEST_WITH_EVENTS(PassesTest)
