@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 #include "model/geometry/surface.h"
@@ -26,7 +27,8 @@ struct HatchField {
   float angle = 2.0f;  ///< acos(nv) / (π/2): 0 facing the eye, 1 on the contour, more behind it
 };
 
-/// Holds one entry per vertex; only clusters that may carry hatching are looked at.
+/// Holds one entry for each of Clusters::vertices; only clusters that may carry hatching are looked
+/// at.
 ///
 /// ▲ w_k is positive in hollows alone: on a liver seen from the front S draws nothing, and Γ = 3
 /// looks like Γ = 2. A form therefore has a shadow of its own too, on the side away from the light,
@@ -36,12 +38,17 @@ struct HatchField {
 class HatchFields {
  public:
   HatchFields(const model::Surface& surface, const HatchView& view);
-  const HatchField& operator[](std::uint32_t vertex) const { return m_fields[vertex]; }
+  /// Tells whether any vertex of the cluster faces the eye; the others have no fields.
+  bool facesEye(std::uint32_t cluster) const { return m_front[cluster] != 0; }
+  HatchField operator[](std::size_t vertex) const { return {m_weight[vertex], m_angle[vertex]}; }
   /// Returns the clusters that have a vertex of positive weight, ascending.
   const std::vector<std::uint32_t>& clusters() const { return m_clusters; }
 
  private:
-  std::vector<HatchField> m_fields;
+  // Not initialised, as in most views half of the clusters need none.
+  std::unique_ptr<float[]> m_weight;
+  std::unique_ptr<float[]> m_angle;
+  std::vector<std::uint8_t> m_front;  ///< by cluster
   std::vector<std::uint32_t> m_clusters;
 };
 

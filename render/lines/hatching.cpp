@@ -39,8 +39,6 @@ constexpr float halfPi = 1.5707963f;
 
 /// A point of a laid stroke in this view.
 struct Sample {
-  glm::vec3 position{0.0f};
-  SurfacePoint at;
   float weight = 0.0f;  ///< see HatchField
   float angle = 2.0f;
   float presence = 0.0f;  ///< 0 … 1: strokes of the finest level grow from nothing
@@ -84,7 +82,7 @@ class Hatcher {
     }
     forEachStroke(cells, [this](const LaidCell& cell, const LaidTile& tile, const LaidStroke& s) {
       sample(cell.level, tile, s);
-      keepPieces(m_layout.position(tile.points[s.seedPoint]), s.seed);
+      keepPieces(tile.positions[s.seedPoint], s.seed);
     });
     return std::move(m_hatching);
   }
@@ -103,42 +101,51 @@ class Hatcher {
   }
 
   void sample(int level, const LaidTile& tile, const LaidStroke& stroke) {
-    m_samples.resize(stroke.count);
-    for (std::uint32_t i = 0; i < stroke.count; ++i) {
-      Sample& s = m_samples[i];
-      s.at = m_layout.at(tile.points[stroke.first + i]);
-      const model::Triangle& t = m_layout.surface().mesh->triangles()[s.at.triangle];
-      const glm::vec3& b = s.at.barycentric;
-      const HatchField& f0 = m_fields[t[0]];
-      const HatchField& f1 = m_fields[t[1]];
-      const HatchField& f2 = m_fields[t[2]];
-      s.weight = b.x * f0.weight + b.y * f1.weight + b.z * f2.weight;
-      s.angle = b.x * f0.angle + b.y * f1.angle + b.z * f2.angle;
-      s.position = valueAt(*m_layout.surface().mesh, m_layout.surface().mesh->positions(), s.at);
-      if (varies())
-        s.gamma = b.x * m_request.gammas[t[0]] + b.y * m_request.gammas[t[1]] +
-                  b.z * m_request.gammas[t[2]];
-    }
+    m_samples.assign(stroke.count, Sample());
+    m_points = std::span(tile.points).subspan(stroke.first, stroke.count);
+    m_positions = std::span(tile.positions).subspan(stroke.first, stroke.count);
+    const std::uint32_t end = stroke.first + stroke.count;
+    std::uint32_t from = stroke.first;
+    for (const LaidRun* run = &tile.runs[stroke.firstRun]; from < end; from = run++->end)
+      if (m_fields.facesEye(run->cluster))
+        sampleRun(run->cluster, from - stroke.first, run->end - stroke.first);
     for (std::uint32_t i = 0; i < stroke.count; ++i)
       if (m_samples[i].weight > 0.0f && m_samples[i].angle < 1.0f)
         place(level, i);
-      else
-        m_samples[i].presence = 0.0f;
+  }
+
+  /// Interpolates the fields at points of one cluster, which others behind the contour lack.
+  void sampleRun(std::uint32_t index, std::uint32_t from, std::uint32_t end) {
+    const model::Clusters& clusters = m_layout.surface().clusters;
+    const std::size_t first = clusters.items[index].firstVertex;
+    for (std::uint32_t i = from; i < end; ++i) {
+      Sample& s = m_samples[i];
+      const glm::vec3 b = m_layout.barycentric(m_points[i]);
+      const auto& [c0, c1, c2] = clusters.localTriangles[m_points[i].slot];
+      const HatchField f0 = m_fields[first + c0];
+      const HatchField f1 = m_fields[first + c1];
+      const HatchField f2 = m_fields[first + c2];
+      s.weight = b.x * f0.weight + b.y * f1.weight + b.z * f2.weight;
+      s.angle = b.x * f0.angle + b.y * f1.angle + b.z * f2.angle;
+      if (varies())
+        s.gamma = b.x * m_request.gammas[clusters.vertices[first + c0]] +
+                  b.y * m_request.gammas[clusters.vertices[first + c1]] +
+                  b.z * m_request.gammas[clusters.vertices[first + c2]];
+    }
   }
 
   /// Finds where the sample is seen, and how much of it belongs to its level.
   void place(int level, std::uint32_t i) {
     Sample& s = m_samples[i];
-    const ViewScale::Point seen = m_scale.project(s.position);
+    const ViewScale::Point seen = m_scale.project(m_positions[i]);
     s.seen = seen.at;
-    s.presence = 0.0f;
     if (!(seen.perMm > 0.0f) || std::abs(seen.at.y) > halfHeight + margin ||
         std::abs(seen.at.x) > m_request.aspect * halfHeight + margin)
       return;
-    const glm::vec3& next = m_samples[std::min<std::size_t>(i + 1, m_samples.size() - 1)].position;
-    const glm::vec3 along = next - m_samples[i > 0 ? i - 1 : 0].position;
+    const glm::vec3& next = m_positions[std::min<std::size_t>(i + 1, m_samples.size() - 1)];
+    const glm::vec3 along = next - m_positions[i > 0 ? i - 1 : 0];
     const float nv = std::cos(halfPi * s.angle);
-    const float across = seenAcross(nv, along, directionTo(m_eye, s.position));
+    const float across = seenAcross(nv, along, directionTo(m_eye, m_positions[i]));
     // Strokes along a contour thin out; otherwise they would go behind it all at once.
     const float seenLevel =
         hatchLevel(m_layout, seen.perMm * widened(across, deep), m_request.spacing);
@@ -176,7 +183,7 @@ class Hatcher {
       sample(cell.level, tile, stroke);
       for (std::uint32_t i = 0; i < stroke.count; i += stride) {
         const Sample& s = m_samples[i];
-        if (!s.inked() || !depth.sees(s.position))
+        if (!s.inked() || !depth.sees(m_positions[i]))
           continue;
         const Sample& before = m_samples[i > 0 ? i - 1 : 0];
         const float length = before.inked() ? glm::distance(before.seen, s.seen) : 0.0f;
@@ -206,13 +213,14 @@ class Hatcher {
     return share > 0.0f && share < 1.0f ? evenlyEntered(share) : share;
   }
 
-  HatchPoint pointOf(const Sample& s) const {
+  HatchPoint pointAt(std::size_t i) const {
     const model::Surface& surface = m_layout.surface();
-    glm::vec3 normal = valueAt(*surface.mesh, surface.normals, s.at);
+    const Sample& s = m_samples[i];
+    glm::vec3 normal = valueAt(*surface.mesh, surface.normals, m_layout.at(m_points[i]));
     normal /= std::max(glm::length(normal), 1e-20f);
-    if (m_request.twoSided && glm::dot(normal, directionTo(m_eye, s.position)) < 0.0f)
+    if (m_request.twoSided && glm::dot(normal, directionTo(m_eye, m_positions[i])) < 0.0f)
       normal = -normal;
-    return {s.position, normal, halfWidth(s, enteredAt(s)),
+    return {m_positions[i], normal, halfWidth(s, enteredAt(s)),
             varies() ? transitions(Gamma::clamped(s.gamma)).lines : 1.0f};
   }
 
@@ -227,7 +235,7 @@ class Hatcher {
       m_piece.clear();
       m_along.clear();
       for (; end < m_samples.size() && m_samples[end].inked(); ++end) {
-        m_piece.push_back(pointOf(m_samples[end]));
+        m_piece.push_back(pointAt(end));
         m_along.push_back(m_samples[end].seen);
       }
       if (m_piece.size() > 1)
@@ -298,6 +306,8 @@ class Hatcher {
   static constexpr int inkSteps = 32;
   std::array<float, inkSteps + 1> m_ink{};
   float m_entered = 1.0f;
+  std::span<const LaidPoint> m_points;     ///< of the stroke that is sampled
+  std::span<const glm::vec3> m_positions;  ///< likewise
   std::vector<Sample> m_samples;
   std::vector<HatchPoint> m_piece;
   std::vector<glm::vec2> m_along;

@@ -42,6 +42,9 @@ StrokeLayout::StrokeLayout(model::SurfacePtr surface, float length)
       m_neighbours(*m_surface->mesh),
       m_directions(*m_surface),
       m_length(length) {
+  m_slots.resize(m_surface->clusters.triangles.size());
+  for (std::size_t slot = 0; slot < m_slots.size(); ++slot)
+    m_slots[m_surface->clusters.triangles[slot]] = std::uint32_t(slot);
   const float coarsest = 4.0f * m_surface->boundingSphere.radius;
   m_firstLevel = coarsestHatchLevel;
   while (m_firstLevel < finestHatchLevel && spacing(m_firstLevel) > coarsest)
@@ -93,9 +96,7 @@ std::vector<LaidCell> StrokeLayout::cellsNear(int level, const model::Sphere& sp
 }
 
 SurfacePoint StrokeLayout::at(const LaidPoint& point) const {
-  const float second = float(point.second) / 65535.0f;
-  const float third = float(point.third) / 65535.0f;
-  return {point.triangle, {1.0f - second - third, second, third}};
+  return {m_surface->clusters.triangles[point.slot], barycentric(point)};
 }
 
 glm::vec3 StrokeLayout::position(const LaidPoint& point) const {

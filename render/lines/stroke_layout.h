@@ -28,9 +28,15 @@ namespace sline::render {
 
 /// A place on the mesh, stored in eight bytes.
 struct LaidPoint {
-  std::uint32_t triangle = 0;
+  std::uint32_t slot = 0;    ///< of the triangle, in Clusters::triangles
   std::uint16_t second = 0;  ///< barycentric coordinate of corner 1, in 65535ths
   std::uint16_t third = 0;   ///< of corner 2
+};
+
+/// Points of a stroke in a row that lie in one cluster.
+struct LaidRun {
+  std::uint32_t cluster = 0;
+  std::uint32_t end = 0;  ///< one past the last, in LaidTile::points
 };
 
 struct LaidStroke {
@@ -39,11 +45,14 @@ struct LaidStroke {
   std::uint32_t first = 0;  ///< in LaidTile::points
   std::uint32_t count = 0;  ///< 1 for a dot
   std::uint32_t seedPoint = 0;
+  std::uint32_t firstRun = 0;  ///< in LaidTile::runs; the last is the one that ends with the stroke
 };
 
 struct LaidTile {
   std::vector<LaidPoint> points;
+  std::vector<glm::vec3> positions;  ///< of the points, patient frame, mm
   std::vector<LaidStroke> strokes;
+  std::vector<LaidRun> runs;
 };
 
 /// A cell is a cube of one level. Odd cubes lie between even ones; the cube at the origin lies
@@ -106,6 +115,11 @@ class StrokeLayout {
   void beginView();
   std::shared_ptr<const LaidTile> tile(const LaidCell& cell);
 
+  static glm::vec3 barycentric(const LaidPoint& point) {
+    const float second = float(point.second) / 65535.0f;
+    const float third = float(point.third) / 65535.0f;
+    return {1.0f - second - third, second, third};
+  }
   SurfacePoint at(const LaidPoint& point) const;
   glm::vec3 position(const LaidPoint& point) const;
 
@@ -125,6 +139,7 @@ class StrokeLayout {
             StrokeSpacing& taken) const;
 
   model::SurfacePtr m_surface;
+  std::vector<std::uint32_t> m_slots;  ///< of each triangle, in Clusters::triangles
   model::FaceNeighbours m_neighbours;
   StrokeDirections m_directions;
   float m_length;

@@ -28,12 +28,6 @@ constexpr float roundTrip = 2.0f;
 // around the field's singular points strokes would curl.
 constexpr float sharpestBend = 0.7f;
 
-LaidPoint packed(const SurfacePoint& at) {
-  return {.triangle = at.triangle,
-          .second = std::uint16_t(std::lround(65535.0f * at.barycentric.y)),
-          .third = std::uint16_t(std::lround(65535.0f * at.barycentric.z))};
-}
-
 }  // namespace
 
 /// Tracks how much a stroke has turned lately: within the surface, not with it.
@@ -153,7 +147,9 @@ void StrokeLayout::Placer::place(const PlacedSeed& seed) {
 
 LaidTile StrokeLayout::Placer::take() {
   m_tile.points.shrink_to_fit();
+  m_tile.positions.shrink_to_fit();
   m_tile.strokes.shrink_to_fit();
+  m_tile.runs.shrink_to_fit();
   return std::move(m_tile);
 }
 
@@ -169,17 +165,38 @@ bool StrokeLayout::Placer::meetsItself(const StrokeSpacing::Mark& mark, float pl
   return false;
 }
 
+LaidPoint StrokeLayout::Placer::packed(const SurfacePoint& at) const {
+  return {.slot = m_layout.m_slots[at.triangle],
+          .second = std::uint16_t(std::lround(65535.0f * at.barycentric.y)),
+          .third = std::uint16_t(std::lround(65535.0f * at.barycentric.z))};
+}
+
+/// Counts the last point in.
+void StrokeLayout::Placer::addToRun(const LaidStroke& stroke) {
+  const std::vector<model::Cluster>& clusters = m_layout.surface().clusters.items;
+  const auto after = std::upper_bound(
+      clusters.begin(), clusters.end(), m_tile.points.back().slot,
+      [](std::uint32_t slot, const model::Cluster& c) { return slot < c.firstTriangle; });
+  const auto cluster = std::uint32_t(after - clusters.begin()) - 1;
+  if (m_tile.runs.size() == stroke.firstRun || m_tile.runs.back().cluster != cluster)
+    m_tile.runs.push_back({.cluster = cluster});
+  m_tile.runs.back().end = std::uint32_t(m_tile.points.size());
+}
+
 void StrokeLayout::Placer::keep(const PlacedSeed& seed) {
   LaidStroke stroke{.seed = seed.name,
                     .bounds = {},
                     .first = std::uint32_t(m_tile.points.size()),
                     .count = std::uint32_t(m_points.size()),
-                    .seedPoint = 0};
+                    .seedPoint = 0,
+                    .firstRun = std::uint32_t(m_tile.runs.size())};
   stroke.seedPoint = stroke.first + m_seedPoint;
   model::Box box;
   for (const SurfacePoint& at : m_points) {
     m_tile.points.push_back(packed(at));
-    box.add(m_layout.position(m_tile.points.back()));
+    addToRun(stroke);
+    m_tile.positions.push_back(m_layout.position(m_tile.points.back()));
+    box.add(m_tile.positions.back());
   }
   stroke.bounds = {box.centre(), 0.5f * glm::length(box.size())};
   m_tile.strokes.push_back(stroke);

@@ -29,7 +29,9 @@ class StrokeLayout::Placer {
   class Arm;
 
   bool meetsItself(const StrokeSpacing::Mark& mark, float place) const;
+  LaidPoint packed(const SurfacePoint& at) const;
   void keep(const PlacedSeed& seed);
+  void addToRun(const LaidStroke& stroke);
 
   const StrokeLayout& m_layout;
   float m_distance;

@@ -209,6 +209,31 @@ class HatchingTest : public QObject {
     QVERIFY(tube.hatched(camera, {.twoSided = false}).strokes.size() < hatching.strokes.size());
   }
 
+  void runsNameTheClustersOfPoints() {
+    const auto surface =
+        model::prepareSurface(std::make_shared<const model::Mesh>(*test::torus(24, 8, 90, 40)));
+    render::StrokeLayout layout(surface, 10.0f);
+    layout.beginView();
+    std::size_t points = 0;
+    for (const render::LaidCell& cell :
+         layout.cellsNear(layout.firstLevel() + 5, surface->boundingSphere)) {
+      const auto tile = layout.tile(cell);
+      QCOMPARE(tile->positions.size(), tile->points.size());
+      for (const render::LaidStroke& stroke : tile->strokes) {
+        std::size_t run = stroke.firstRun;
+        for (std::uint32_t i = stroke.first; i < stroke.first + stroke.count; ++i, ++points) {
+          if (i == tile->runs[run].end)
+            ++run;
+          const model::Cluster& cluster = surface->clusters.items[tile->runs[run].cluster];
+          QVERIFY(tile->points[i].slot - cluster.firstTriangle < cluster.triangleCount);
+          QCOMPARE(tile->positions[i], layout.position(tile->points[i]));
+        }
+        QCOMPARE(tile->runs[run].end, stroke.first + stroke.count);
+      }
+    }
+    QVERIFY(points > 100);
+  }
+
   void sameEveryTime() {
     const Subject torus = torusSubject();
     const render::Hatching a = torus.hatched(orthographic(slanted, 24.0f));
