@@ -341,16 +341,18 @@ class CurveMaker {
     const float deviation = m_settings.smoothing * widestAverage * unit / m_line.step;
     if (!(deviation > 0.3f))
       return;
-    std::vector<glm::vec2> points = m_line.pixels;
+    std::vector<glm::vec2>& points = m_flat;
+    points = m_line.pixels;
     if (m_line.closed)
       points.pop_back();
-    std::vector<glm::vec2> even = points;
-    blur(even, cornerAverage * unit / m_line.step, m_line.closed);
+    m_once = points;
+    blur(m_once, cornerAverage * unit / m_line.step, m_line.closed);
     const int arm = std::max(2, int(std::lround(cornerArm * unit / m_line.step)));
-    std::vector<std::size_t> fixed = corners(even, arm, m_line.closed);
+    std::vector<std::size_t> fixed = corners(m_once, arm, m_line.closed);
     if (m_line.closed && fixed.empty()) {
-      m_moves = averaged(points, deviation, true);
-      m_moves.push_back(m_moves.front());
+      average(points, deviation, true);
+      std::copy(m_rest.begin(), m_rest.end(), m_moves.begin());
+      m_moves.back() = m_moves.front();
     } else {
       if (m_line.closed) {
         // Between its corners a closed line is as good as open; the first piece wraps around.
@@ -360,12 +362,12 @@ class CurveMaker {
         fixed.push_back(points.size() - 1);
       }
       for (std::size_t i = 0; i + 1 < fixed.size(); ++i) {
-        std::vector<glm::vec2> piece;
+        m_piece.clear();
         for (std::size_t k = fixed[i]; k <= fixed[i + 1]; ++k)
-          piece.push_back(points[k % points.size()]);
-        const std::vector<glm::vec2> moved = averaged(piece, deviation, false);
-        for (std::size_t k = 0; k < moved.size(); ++k)
-          m_moves[(fixed[i] + k) % points.size()] = moved[k];
+          m_piece.push_back(points[k % points.size()]);
+        average(m_piece, deviation, false);
+        for (std::size_t k = 0; k < m_rest.size(); ++k)
+          m_moves[(fixed[i] + k) % points.size()] = m_rest[k];
       }
       if (m_line.closed)
         m_moves.back() = m_moves.front();
@@ -373,18 +375,16 @@ class CurveMaker {
     bound(int(std::lround(deviation)));
   }
 
-  static std::vector<glm::vec2> averaged(const std::vector<glm::vec2>& points, float deviation,
-                                         bool closed) {
-    std::vector<glm::vec2> once = points;
-    blur(once, deviation, closed);
-    std::vector<glm::vec2> rest(points.size());
+  /// Leaves in `m_rest` how far each point moves when the points are averaged.
+  void average(const std::vector<glm::vec2>& points, float deviation, bool closed) {
+    m_once = points;
+    blur(m_once, deviation, closed);
+    m_rest.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-      rest[i] = points[i] - once[i];
-    blur(rest, deviation, closed);
-    std::vector<glm::vec2> moves(points.size());
+      m_rest[i] = points[i] - m_once[i];
+    blur(m_rest, deviation, closed);
     for (std::size_t i = 0; i < points.size(); ++i)
-      moves[i] = once[i] + rest[i] - points[i];
-    return moves;
+      m_rest[i] = m_once[i] + m_rest[i] - points[i];
   }
 
   /// Holds the moves to the bounds.
@@ -423,6 +423,10 @@ class CurveMaker {
   std::vector<glm::vec2> m_moves;     ///< of the samples, px
   std::vector<float> m_pressures;     ///< of the samples
   std::vector<glm::vec2> m_outwards;  ///< of an outline's samples; zeros elsewhere
+  std::vector<glm::vec2> m_flat;
+  std::vector<glm::vec2> m_piece;
+  std::vector<glm::vec2> m_once;
+  std::vector<glm::vec2> m_rest;
   std::vector<JointPoint> m_points;
   std::vector<std::size_t> m_stops;  ///< points between which the pieces lie
 };

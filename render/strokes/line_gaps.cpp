@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <map>
+#include <tuple>
 #include <utility>
 
 #include "render/strokes/continuation.h"
@@ -92,41 +92,71 @@ struct Pair {
   std::size_t b;
 };
 
+/// Finds ends that lie near each other in the picture, by cells as wide as their reach.
+class EndGrid {
+ public:
+  EndGrid(const std::vector<LineEnd>& ends, float reach) : m_cells(ends.size()) {
+    m_order.reserve(ends.size());
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (glm::length(ends[i].pixel) > 1e6f)
+        continue;
+      m_cells[i] = {int(std::floor(ends[i].pixel.x / reach)),
+                    int(std::floor(ends[i].pixel.y / reach)), true};
+      m_order.push_back(std::uint32_t(i));
+    }
+    std::sort(m_order.begin(), m_order.end(),
+              [this](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  }
+
+  /// Calls `body` for each earlier end in the cells around that of end `i`.
+  template <class Body>
+  void forEachAround(std::size_t i, const Body& body) const {
+    const Cell& cell = m_cells[i];
+    if (!cell.known)
+      return;
+    for (int row = cell.row - 1; row <= cell.row + 1; ++row) {
+      auto at = std::lower_bound(m_order.begin(), m_order.end(), Key(row, cell.column - 1, 0),
+                                 [this](std::uint32_t a, const Key& k) { return key(a) < k; });
+      for (; at != m_order.end() && key(*at) < Key(row, cell.column + 2, 0); ++at)
+        if (*at < i)
+          body(*at);
+    }
+  }
+
+ private:
+  using Key = std::tuple<int, int, std::uint32_t>;
+  struct Cell {
+    int column = 0;
+    int row = 0;
+    bool known = false;  ///< not too far outside the picture
+  };
+  Key key(std::uint32_t i) const { return {m_cells[i].row, m_cells[i].column, i}; }
+
+  std::vector<Cell> m_cells;           ///< of each end
+  std::vector<std::uint32_t> m_order;  ///< the ends, by row, column and their own order
+};
+
 /// Returns the pairs of ends that continue each other, nearest first.
 std::vector<Pair> pairsOf(const std::vector<LineEnd>& ends, const std::vector<Segment>& segments,
                           const PictureView& view) {
   const float unit = view.outputUnit();
   const float reach = widestGap * unit;
-  std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
-  const auto cellOf = [&](const glm::vec2& p) {
-    return std::pair(int(std::floor(p.x / reach)), int(std::floor(p.y / reach)));
-  };
+  const EndGrid grid(ends, reach);
   std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (glm::length(ends[i].pixel) > 1e6f)
-      continue;
-    const auto [column, row] = cellOf(ends[i].pixel);
-    for (int y = row - 1; y <= row + 1; ++y)
-      for (int x = column - 1; x <= column + 1; ++x) {
-        const auto cell = cells.find({x, y});
-        if (cell == cells.end())
-          continue;
-        for (const std::size_t k : cell->second) {
-          // A crumb is no ring.
-          if (ends[k].chain == ends[i].chain && ends[i].links < fewestOfRing)
-            continue;
-          const glm::vec2 way = ends[k].pixel - ends[i].pixel;
-          const float distance = glm::length(way);
-          const float apart = glm::distance(placeOf(segments, ends[k]), placeOf(segments, ends[i]));
-          const float mm = view.millimetresPerPixel(placeOf(segments, ends[i]));
-          if (!goesOnIn(ends[i].direction, ends[k].direction, way, unit) ||
-              apart > depthShare * reach * mm)
-            continue;
-          pairs.push_back({distance, k, i});
-        }
-      }
-    cells[{column, row}].push_back(i);
-  }
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    grid.forEachAround(i, [&](std::size_t k) {
+      // A crumb is no ring.
+      if (ends[k].chain == ends[i].chain && ends[i].links < fewestOfRing)
+        return;
+      const glm::vec2 way = ends[k].pixel - ends[i].pixel;
+      const float distance = glm::length(way);
+      const float apart = glm::distance(placeOf(segments, ends[k]), placeOf(segments, ends[i]));
+      const float mm = view.millimetresPerPixel(placeOf(segments, ends[i]));
+      if (!goesOnIn(ends[i].direction, ends[k].direction, way, unit) ||
+          apart > depthShare * reach * mm)
+        return;
+      pairs.push_back({distance, k, i});
+    });
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
   return pairs;
