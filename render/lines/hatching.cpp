@@ -81,7 +81,10 @@ class Hatcher {
       }
     }
     forEachStroke(cells, [this](const LaidCell& cell, const LaidTile& tile, const LaidStroke& s) {
-      sample(cell.level, tile, s);
+      if (m_measured.empty())
+        sample(cell.level, tile, s);
+      else
+        recall(tile, s);
       keepPieces(tile.positions[s.seedPoint], s.seed);
     });
     return std::move(m_hatching);
@@ -101,9 +104,8 @@ class Hatcher {
   }
 
   void sample(int level, const LaidTile& tile, const LaidStroke& stroke) {
+    turnTo(tile, stroke);
     m_samples.assign(stroke.count, Sample());
-    m_points = std::span(tile.points).subspan(stroke.first, stroke.count);
-    m_positions = std::span(tile.positions).subspan(stroke.first, stroke.count);
     const std::uint32_t end = stroke.first + stroke.count;
     std::uint32_t from = stroke.first;
     for (const LaidRun* run = &tile.runs[stroke.firstRun]; from < end; from = run++->end)
@@ -112,6 +114,19 @@ class Hatcher {
     for (std::uint32_t i = 0; i < stroke.count; ++i)
       if (m_samples[i].weight > 0.0f && m_samples[i].angle < 1.0f)
         place(level, i);
+  }
+
+  void turnTo(const LaidTile& tile, const LaidStroke& stroke) {
+    m_points = std::span(tile.points).subspan(stroke.first, stroke.count);
+    m_positions = std::span(tile.positions).subspan(stroke.first, stroke.count);
+  }
+
+  /// Takes the samples of the next stroke that ink was measured on.
+  void recall(const LaidTile& tile, const LaidStroke& stroke) {
+    turnTo(tile, stroke);
+    const auto first = m_measured.begin() + std::ptrdiff_t(m_recalled);
+    m_samples.assign(first, first + stroke.count);
+    m_recalled += stroke.count;
   }
 
   /// Interpolates the fields at points of one cluster, which others behind the contour lack.
@@ -181,6 +196,7 @@ class Hatcher {
     const CoarseDepth depth(m_layout.surface(), m_camera);
     forEachStroke(cells, [&](const LaidCell& cell, const LaidTile& tile, const LaidStroke& stroke) {
       sample(cell.level, tile, stroke);
+      m_measured.insert(m_measured.end(), m_samples.begin(), m_samples.end());
       for (std::uint32_t i = 0; i < stroke.count; i += stride) {
         const Sample& s = m_samples[i];
         if (!s.inked() || !depth.sees(m_positions[i]))
@@ -213,15 +229,21 @@ class Hatcher {
     return share > 0.0f && share < 1.0f ? evenlyEntered(share) : share;
   }
 
-  HatchPoint pointAt(std::size_t i) const {
+  glm::vec3 normalAt(std::size_t i) const {
     const model::Surface& surface = m_layout.surface();
-    const Sample& s = m_samples[i];
     glm::vec3 normal = valueAt(*surface.mesh, surface.normals, m_layout.at(m_points[i]));
     normal /= std::max(glm::length(normal), 1e-20f);
-    if (m_request.twoSided && glm::dot(normal, directionTo(m_eye, m_positions[i])) < 0.0f)
-      normal = -normal;
-    return {m_positions[i], normal, halfWidth(s, enteredAt(s)),
-            varies() ? transitions(Gamma::clamped(s.gamma)).lines : 1.0f};
+    const bool away =
+        m_request.twoSided && glm::dot(normal, directionTo(m_eye, m_positions[i])) < 0.0f;
+    return away ? -normal : normal;
+  }
+
+  /// Returns what is drawn of a sample, without its normal.
+  HatchPoint pointAt(std::size_t i) const {
+    const Sample& s = m_samples[i];
+    return {.position = m_positions[i],
+            .halfWidth = halfWidth(s, enteredAt(s)),
+            .ink = varies() ? transitions(Gamma::clamped(s.gamma)).lines : 1.0f};
   }
 
   /// Takes over what is drawn of the samples, piece by piece.
@@ -243,7 +265,7 @@ class Hatcher {
                 end < m_samples.size() && m_samples[end].angle >= 1.0f);
       if (m_layout.length() > 0.0f)
         slim();
-      keepInk(seedPosition, seed);
+      keepInk(seedPosition, seed, i);
       i = end;
     }
   }
@@ -275,8 +297,8 @@ class Hatcher {
       point.halfWidth = std::min(point.halfWidth, opening * length);
   }
 
-  /// Keeps the points that have width, and one more at either end.
-  void keepInk(const glm::vec3& seedPosition, const HatchSeed& seed) {
+  /// Keeps the points that have width, and one more at either end; the piece begins at that sample.
+  void keepInk(const glm::vec3& seedPosition, const HatchSeed& seed, std::size_t sample) {
     const auto bare = [](const HatchPoint& p) { return !(p.halfWidth > 0.0f); };
     for (auto it = m_piece.begin(); it != m_piece.end();) {
       auto first = std::find_if_not(it, m_piece.end(), bare);
@@ -288,6 +310,8 @@ class Hatcher {
         --first;
       if (last != m_piece.end())
         ++last;
+      for (auto point = first; point != last; ++point)
+        point->normal = normalAt(sample + std::size_t(point - m_piece.begin()));
       m_hatching.strokes.push_back({.seed = seed,
                                     .seedPosition = seedPosition,
                                     .first = std::uint32_t(m_hatching.points.size()),
@@ -309,6 +333,8 @@ class Hatcher {
   std::span<const LaidPoint> m_points;     ///< of the stroke that is sampled
   std::span<const glm::vec3> m_positions;  ///< likewise
   std::vector<Sample> m_samples;
+  std::vector<Sample> m_measured;  ///< of all strokes, where their ink was measured
+  std::size_t m_recalled = 0;      ///< how many of these have been drawn
   std::vector<HatchPoint> m_piece;
   std::vector<glm::vec2> m_along;
   Hatching m_hatching;
