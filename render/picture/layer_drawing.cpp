@@ -36,7 +36,7 @@ void LayerPainter::clear(gpu::Device& device, std::span<const Layer> layers,
 }
 
 void LayerPainter::drawMember(gpu::Device& device, const MemberDraw& member,
-                              const passes::SurfaceView& view, DrawQueue& queue) const {
+                              const passes::SurfaceView& view, gpu::DrawQueue& queue) const {
   const PreparedStructure& shown = member.layer.members[member.index];
   const Coverage& coverage = member.layer.coverage[member.index];
   if (member.fill.gammaOffsets)
@@ -53,20 +53,20 @@ void LayerPainter::drawMember(gpu::Device& device, const MemberDraw& member,
   if (draw.visible.empty()) {
     m_surfacePass->draw(device, member.target, view, draw);
     for (const gpu::DrawRange& range : draw.ranges)
-      queue.addTriangles(device, range.count);
+      queue.addTriangles(range.count);
     return;
   }
   std::span<const std::uint32_t> left = draw.visible;
   while (!left.empty()) {
-    draw.visible = left.first(std::min(left.size(), DrawQueue::mostIndices));
+    draw.visible = left.first(std::min(left.size(), gpu::DrawQueue::mostIndices));
     m_surfacePass->draw(device, member.target, view, draw);
-    queue.addTriangles(device, draw.visible.size());
+    queue.addTriangles(draw.visible.size());
     left = left.subspan(draw.visible.size());
   }
 }
 
 void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,
-                               DrawQueue& queue) const {
+                               gpu::DrawQueue& queue) const {
   const passes::SurfaceView view{.viewProjection = input.view.viewProjection(),
                                  .eye = input.view.eyeVector(),
                                  .pictureSize = input.view.size(),
@@ -91,7 +91,7 @@ void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input,
 void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
                                 std::span<const Layer> layers,
                                 std::span<const std::size_t> changed) const {
-  DrawQueue queue;
+  gpu::DrawQueue queue;
   for (const std::size_t i : changed)
     if (layers[i].shows()) {
       drawSurface(device, input, layers[i], queue);
@@ -102,7 +102,7 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
   for (const std::size_t i : changed)
     if (layers[i].shows() && layers[i].filled) {
       device.copyDepth(m_atlas.surfaceTarget(), m_atlas.inkTarget(), layers[i].slot);
-      queue.addCopies(device, layers[i].slot);
+      queue.addCopies(layers[i].slot);
     }
 }
 
@@ -163,14 +163,14 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
     append(layers[i].strokes);
   }
   m_inkPass->upload(all);
-  DrawQueue queue;
+  gpu::DrawQueue queue;
   const auto drawAll = [&](std::span<const passes::InkDraw> draws, const gpu::Target& target) {
     for (const passes::InkDraw& draw : draws) {
       const std::size_t end = draw.first + draw.count;
       for (passes::InkDraw piece = draw; piece.first < end; piece.first += piece.count) {
-        piece.count = std::min(end - piece.first, DrawQueue::mostStrokes);
+        piece.count = std::min(end - piece.first, gpu::DrawQueue::mostStrokes);
         m_inkPass->draw(device, target, m_atlas.surfaceDepths(), piece);
-        queue.addStrokes(device, piece.count);
+        queue.addStrokes(piece.count);
       }
     }
   };

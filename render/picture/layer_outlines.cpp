@@ -60,7 +60,7 @@ void LayerPainter::drawNumbers(gpu::Device& device, const PictureInput& input,
                                  .eye = input.view.eyeVector(),
                                  .pictureSize = input.view.size()};
   const gpu::Target& target = *m_numbers.target;
-  DrawQueue queue;
+  gpu::DrawQueue queue;
   std::size_t place = 0;
   for (const Layer& layer : layers)
     for (std::size_t i = 0; i < layer.members.size(); ++i, ++place) {

@@ -6,12 +6,12 @@
 #include <functional>
 #include <map>
 
+#include "render/gpu/draw_queue.h"
 #include "render/passes/cap/cap_pass.h"
 #include "render/passes/ink/ink_pass.h"
 #include "render/passes/resolve/resolve_pass.h"
 #include "render/passes/surface/surface_pass.h"
 #include "render/picture/atlas.h"
-#include "render/picture/draw_queue.h"
 #include "render/picture/layer.h"
 #include "render/picture/picture_canvas.h"
 #include "render/picture/printed_hatching.h"
@@ -90,9 +90,9 @@ class LayerPainter {
     SurfaceFill fill;
   };
   void drawMember(gpu::Device& device, const MemberDraw& member, const passes::SurfaceView& view,
-                  DrawQueue& queue) const;
+                  gpu::DrawQueue& queue) const;
   void drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,
-                   DrawQueue& queue) const;
+                   gpu::DrawQueue& queue) const;
   void drawCaps(gpu::Device& device, const PictureInput& input, const Layer& layer) const;
   void drawSurfaces(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
                     std::span<const std::size_t> changed) const;

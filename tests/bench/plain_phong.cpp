@@ -2,7 +2,7 @@
 #include "tests/bench/plain_phong.h"
 
 #include "model/scene/visible_structures.h"
-#include "render/picture/draw_queue.h"
+#include "render/gpu/draw_queue.h"
 #include "render/strokes/picture_view.h"
 #include "render/strokes/prepared_surface.h"
 #include "render/strokes/surface_fill.h"
@@ -57,12 +57,12 @@ void PlainPhong::draw(const model::Scene& scene, const model::Camera& camera) {
                                  m_target->size().height);
   m_device->clear(*m_target,
                   {.colour = render::backgroundColour(render::Background::white), .depth = 1.0f});
-  render::DrawQueue queue;
+  render::gpu::DrawQueue queue;
   for (const model::VisibleStructure& structure : model::visibleStructures(scene)) {
     const SurfaceGeometry& geometry = geometryOf(*structure.node);
     m_pass->draw(*m_device, *m_target, {view.viewProjection(), view.eyeVector()}, geometry,
                  render::rgb(structure.style.colour));
-    queue.addTriangles(*m_device, geometry.indexCount());
+    queue.addTriangles(geometry.indexCount());
   }
   m_device->finish();
 }

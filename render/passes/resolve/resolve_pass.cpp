@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "render/gpu/draw_queue.h"
 #include "render/passes/shader_files.h"
 
 namespace sline::render::passes {
@@ -15,8 +16,6 @@ constexpr int filledFlag = 1 << 24;
 constexpr int inkedFlag = 1 << 25;
 constexpr int hiddenFlag = 1 << 26;
 constexpr int haloFlag = 1 << 27;
-/// The number of layers of tiles that are drawn in one batch; llvmpipe needs about 10 ms for them.
-constexpr int batchEntries = 400;
 
 std::int32_t pair(int low, int high) {
   assert(low >= 0 && low <= 0xffff && high >= 0 && high <= 0xffff);
@@ -105,7 +104,7 @@ void ResolvePass::upload(std::span<const ResolveTile> tiles,
   int waiting = 0;
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     waiting += tiles[i].count;
-    if (waiting >= batchEntries || i + 1 == tiles.size()) {
+    if (waiting >= gpu::DrawQueue::mostLayersOfTiles || i + 1 == tiles.size()) {
       m_batches.push_back(i + 1);
       waiting = 0;
     }
@@ -144,12 +143,12 @@ void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
 
 void ResolvePass::drawTiles(gpu::Device& device, const gpu::Target& target,
                             const gpu::Program& program, const gpu::DrawState& state) {
+  gpu::DrawQueue queue;
   std::size_t first = 0;
   for (const std::size_t end : m_batches) {
-    if (first > 0)
-      device.finish();
     m_geometry.startInstancesAt(first);
     device.quads({target, program, m_geometry, state}, end - first);
+    queue.addLayersOfTiles(gpu::DrawQueue::mostLayersOfTiles);
     first = end;
   }
 }

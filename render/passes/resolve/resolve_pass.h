@@ -67,8 +67,8 @@ class ResolvePass {
   static Result<std::unique_ptr<ResolvePass>> create(gpu::Dialect dialect);
 
   void upload(std::span<const ResolveTile> tiles, std::span<const ResolveEntry> entries);
-  /// Draws the layers. Pixels outside all tiles become background, unless they are to stay. It
-  /// waits for the GPU between batches of tiles, so that another context's drawing gets its turn.
+  /// Draws the layers. Pixels outside all tiles become background, unless they are to stay. The GPU
+  /// gets batches of tiles, a few at a time, so that another context's drawing gets its turn.
   void draw(gpu::Device& device, const gpu::Target& target, const ResolveInputs& inputs);
   /// Draws the line over what the target has, in the tiles that were uploaded; their layers hide
   /// it.
