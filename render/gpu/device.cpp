@@ -46,33 +46,6 @@ void applyBlend(Blend blend) {
   }
 }
 
-// OpenGL takes byte offsets as pointers.
-const void* indexOffset(const DrawRange& range) {
-  const std::size_t start = std::size_t(range.first) * sizeof(std::uint32_t);
-  return reinterpret_cast<const void*>(start);  // NOLINT(performance-no-int-to-ptr)
-}
-
-void drawElements(std::span<const DrawRange> ranges) {
-#ifndef __EMSCRIPTEN__
-  // Does the same as the loop below in one call, which saves the driver much of its work per call.
-  if (epoxy_is_desktop_gl()) {
-    std::vector<GLsizei> counts;
-    std::vector<const void*> offsets;
-    counts.reserve(ranges.size());
-    offsets.reserve(ranges.size());
-    for (const DrawRange& range : ranges) {
-      counts.push_back(GLsizei(range.count));
-      offsets.push_back(indexOffset(range));
-    }
-    glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
-                        GLsizei(ranges.size()));
-    return;
-  }
-#endif
-  for (const DrawRange& range : ranges)
-    glDrawElements(GL_TRIANGLES, GLsizei(range.count), GL_UNSIGNED_INT, indexOffset(range));
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Device>> Device::create() {
@@ -144,15 +117,14 @@ void Device::apply(const Draw& draw) {
   glBindVertexArray(draw.geometry.handle());
 }
 
-void Device::triangles(const Draw& draw, std::span<const DrawRange> ranges) {
-  if (ranges.empty())
+void Device::triangles(const Draw& draw, std::size_t count) {
+  if (count == 0)
     return;
   apply(draw);
   if (draw.geometry.indexed())
-    drawElements(ranges);
+    glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT, nullptr);
   else
-    for (const DrawRange& range : ranges)
-      glDrawArrays(GL_TRIANGLES, GLint(range.first), GLsizei(range.count));
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(count));
   glBindVertexArray(0);
 }
 

@@ -21,12 +21,6 @@ struct Limits {
   int viewportSide = 0;  ///< largest width and height of a viewport
 };
 
-/// Indices (or, without an index buffer, vertices) first … first + count − 1.
-struct DrawRange {
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-};
-
 class Device {
  public:
   /// Creates the device. The error names the driver and the version that it lacks.
@@ -51,8 +45,8 @@ class Device {
     const Geometry& geometry;
     const DrawState& state;
   };
-  /// Draws triangles.
-  void triangles(const Draw& draw, std::span<const DrawRange> ranges);
+  /// Draws triangles of the first `count` indices or, without an index buffer, vertices.
+  void triangles(const Draw& draw, std::size_t count);
   /// Draws a four-cornered strip per instance, corners told apart by gl_VertexID.
   void quads(const Draw& draw, std::size_t instances);
 

@@ -23,10 +23,9 @@ struct SurfaceView {
 
 struct SurfaceDraw {
   SurfaceGeometry& surface;
-  std::span<const gpu::DrawRange> ranges;
-  std::span<const std::uint32_t> visible;  ///< where not empty, only these triangles are drawn
-  PixelRect layer;                         ///< in picture pixels, y upwards
-  PixelRect slot;                          ///< the layer's place in the target, of the same size
+  std::span<const std::uint32_t> triangles;  ///< three vertices each
+  PixelRect layer;                           ///< in picture pixels, y upwards
+  PixelRect slot;                            ///< the layer's place in the target, of the same size
   SurfaceFill fill;
   std::span<const glm::vec4> sections;  ///< as in sections.glsl; at most 8
 };

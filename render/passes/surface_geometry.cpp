@@ -23,16 +23,8 @@ PackedShape packedShape(const glm::mat3& scaledShape) {
 }
 
 SurfaceGeometry::SurfaceGeometry(std::span<const SurfaceVertex> vertices, std::string_view name)
-    : m_vertices(gpu::BufferKind::vertices, name),
-      m_indices(gpu::BufferKind::indices, name),
-      m_visibleIndices(gpu::BufferKind::indices, name) {
+    : m_vertices(gpu::BufferKind::vertices, name), m_indices(gpu::BufferKind::indices, name) {
   m_vertices.fill(std::as_bytes(vertices));
-  rebuild();
-}
-
-void SurfaceGeometry::addWhole(std::span<const std::uint32_t> indices) {
-  m_indices.fill(std::as_bytes(indices));
-  m_indexCount = std::uint32_t(indices.size());
   rebuild();
 }
 
@@ -51,8 +43,9 @@ void SurfaceGeometry::setGammaOffsets(std::span<const float> offsets) {
     rebuild();
 }
 
-void SurfaceGeometry::showOnly(std::span<const std::uint32_t> indices) {
-  m_visibleIndices.stream(std::as_bytes(indices));
+void SurfaceGeometry::setTriangles(std::span<const std::uint32_t> indices) {
+  m_indices.stream(std::as_bytes(indices));
+  m_indexCount = indices.size();
 }
 
 void SurfaceGeometry::rebuild() {
@@ -71,9 +64,7 @@ void SurfaceGeometry::rebuild() {
     streams.push_back({.buffer = &*m_gammaOffsets,
                        .stride = sizeof(float),
                        .attributes = {{4, 1, AttributeType::float32, 0}}});
-  m_geometry = std::make_unique<gpu::Geometry>(streams, &m_indices, "surface");
-  m_visibleGeometry =
-      std::make_unique<gpu::Geometry>(std::move(streams), &m_visibleIndices, "visible surface");
+  m_geometry = std::make_unique<gpu::Geometry>(std::move(streams), &m_indices, "surface");
 }
 
 }  // namespace sline::render::passes

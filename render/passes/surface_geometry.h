@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds a surface as the passes draw it: 16 bytes a vertex, indices in the order of its clusters,
-// and on demand its curvature.
+// Holds a surface as the passes draw it: 16 bytes a vertex, on demand its curvature, and the
+// triangles that a view shows.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -31,33 +31,25 @@ class SurfaceGeometry {
  public:
   SurfaceGeometry(std::span<const SurfaceVertex> vertices, std::string_view name);
 
-  /// Adds the triangles of the whole surface; only surfaces with two sides are drawn whole.
-  void addWhole(std::span<const std::uint32_t> indices);
-  bool hasWhole() const { return m_indexCount > 0; }
-
   /// Adds one entry per vertex; only fills at 3 < Γ < 4 read it.
   void addShape(std::span<const PackedShape> shape);
   bool hasShape() const { return m_shape.has_value(); }
   /// Sets by how much Γ differs at each vertex; only fills over which it varies read it.
   void setGammaOffsets(std::span<const float> offsets);
-  /// Returns the whole surface, once `addWhole` was called.
+  /// Sets the triangles that the geometry has until the next call.
+  void setTriangles(std::span<const std::uint32_t> indices);
   const gpu::Geometry& geometry() const { return *m_geometry; }
-  /// Sets the triangles that `visibleGeometry` has until the next call.
-  void showOnly(std::span<const std::uint32_t> indices);
-  const gpu::Geometry& visibleGeometry() const { return *m_visibleGeometry; }
-  std::uint32_t indexCount() const { return m_indexCount; }
+  std::size_t indexCount() const { return m_indexCount; }
 
  private:
   void rebuild();
 
   gpu::Buffer m_vertices;
   gpu::Buffer m_indices;
-  gpu::Buffer m_visibleIndices;
   std::optional<gpu::Buffer> m_shape;
   std::optional<gpu::Buffer> m_gammaOffsets;
   std::unique_ptr<gpu::Geometry> m_geometry;
-  std::unique_ptr<gpu::Geometry> m_visibleGeometry;
-  std::uint32_t m_indexCount = 0;
+  std::size_t m_indexCount = 0;
 };
 
 }  // namespace sline::render::passes

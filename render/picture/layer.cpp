@@ -2,10 +2,10 @@
 #include "render/picture/layer.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
 #include "render/picture/printed_hatching.h"
+#include "render/picture/visible_triangles.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/hidden_lines.h"
 #include "render/strokes/surface_fill.h"
@@ -32,80 +32,33 @@ void markSurface(const PreparedStructure& shown, const PictureView& view, TileMa
 
 }  // namespace
 
-namespace {
-
-/// Appends the cluster's triangles that turn their outside to the eye. Software drivers shade
-/// vertices on one thread, and this leaves them half the work; a graphics card hardly gains or
-/// loses.
-void appendFacing(const model::Surface& surface, const model::Cluster& cluster,
-                  const model::EyePoint& eye, std::vector<std::uint32_t>& visible) {
-  const bool all = model::facing(cluster, eye) == model::Facing::front;
-  const auto positions = surface.mesh->positions();
-  for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
-    const auto& [a, b, c] =
-        surface.mesh->triangles()[surface.clusters.triangles[cluster.firstTriangle + i]];
-    if (!all) {
-      const glm::vec3 p = positions[a];
-      const glm::vec3 toEye = eye.atInfinity ? eye.value : eye.value - p;
-      if (!(glm::dot(glm::cross(positions[b] - p, positions[c] - p), toEye) > 0.0f))
-        continue;
-    }
-    visible.insert(visible.end(), {a, b, c});
-  }
-}
-
-void appendRange(const model::Cluster& cluster, std::vector<gpu::DrawRange>& ranges) {
-  const gpu::DrawRange range{3 * cluster.firstTriangle, 3 * cluster.triangleCount};
-  if (!ranges.empty() && ranges.back().first + ranges.back().count == range.first)
-    ranges.back().count += range.count;
-  else
-    ranges.push_back(range);
-}
-
-}  // namespace
-
-Coverage coverage(const PreparedStructure& shown, const PictureView& view,
-                  const PixelRect& region) {
-  const PixelRect within = withStrokeReach(shown, view, region);
-  Coverage found{.area = coveredArea(shown, view, within), .ranges = {}, .visible = {}};
-  if (!cullsBack(shown, view) && !isCutAway(shown, shown.mesh->bounds()))
-    forEachSeen(shown, view, within, [&](const model::Cluster& cluster, const PixelRect&) {
-      appendRange(cluster, found.ranges);
-    });
-  return found;
-}
-
-void findVisible(Layer& layer, const PictureView& view, const PixelRect& region) {
-  for (std::size_t i = 0; i < layer.members.size(); ++i) {
+void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region) {
+  layer.triangles.resize(layer.members.size());
+  parallelFor(layer.members.size(), 1, [&](std::size_t i) {
     const PreparedStructure& shown = layer.members[i];
-    if (!cullsBack(shown, view) || isCutAway(shown, shown.mesh->bounds()))
-      continue;
-    std::vector<std::uint32_t>& visible = layer.coverage[i].visible;
-    visible.clear();
-    forEachSeen(shown, view, withStrokeReach(shown, view, region),
-                [&](const model::Cluster& cluster, const PixelRect&) {
-                  appendFacing(shown.surface(), cluster, view.eye(), visible);
-                });
-  }
+    if (!isCutAway(shown, shown.mesh->bounds()))
+      layer.triangles[i] = visibleTriangles(shown, view, withStrokeReach(shown, view, region));
+  });
 }
 
 std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const PictureView& view,
                               const PixelRect& region, const PictureContent& parts) {
-  std::vector<Coverage> found(shown.size());
-  parallelFor(shown.size(), 1, [&](std::size_t i) { found[i] = coverage(shown[i], view, region); });
+  std::vector<PixelRect> found(shown.size());
+  parallelFor(shown.size(), 1, [&](std::size_t i) {
+    found[i] = coveredArea(shown[i], view, withStrokeReach(shown[i], view, region));
+  });
   // The layer of all opaque structures comes first: its depths win ties.
   std::vector<Layer> layers(1);
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    if (found[i].area.empty())
+    if (found[i].empty())
       continue;
     // Cut faces have outlines, so a cut structure has a layer of its own.
     const bool opaque = isOpaque(shown[i].style) && !shown[i].cut;
     if (!opaque)
       layers.emplace_back();
     Layer& layer = opaque ? layers.front() : layers.back();
-    layer.area = united(layer.area, found[i].area);
+    layer.area = united(layer.area, found[i]);
     layer.members.push_back(shown[i]);
-    layer.coverage.push_back(std::move(found[i]));
     layer.parts = parts;
     layer.filled = parts.fills && (hasFill(shown[i].style) || hasCaps(shown[i]));
   }

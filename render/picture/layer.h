@@ -30,19 +30,12 @@ struct PreparedStructure : DrawnStructure {
   }
 };
 
-/// Tells which part of a surface can be seen, from its clusters alone.
-struct Coverage {
-  PixelRect area;  ///< pixels of the whole picture that the surface or its strokes can touch
-  std::vector<gpu::DrawRange> ranges;  ///< for a surface with two sides
-  std::vector<std::uint32_t> visible;  ///< for a surface with an outside only: see `findVisible`
-};
-
 struct Layer {
   std::vector<PreparedStructure>
       members;  ///< one structure, or by id all that are opaque and without lines
-  std::vector<Coverage> coverage;
-  PixelRect area;  ///< in pixels of the whole picture
-  PixelRect slot;  ///< in the atlas
+  std::vector<std::vector<std::uint32_t>> triangles;  ///< of each member: see `findTriangles`
+  PixelRect area;                                     ///< in pixels of the whole picture
+  PixelRect slot;                                     ///< in the atlas
   PictureContent parts;
   TileMask mask;
   std::vector<Stroke> strokes;
@@ -65,17 +58,14 @@ struct Layer {
 std::vector<ListedLayer> listedLayers(std::span<const Layer> layers, const PixelRect& region,
                                       Background background);
 
-/// Finds which parts of the surface show within `region`, except for single triangles.
-Coverage coverage(const PreparedStructure& shown, const PictureView& view, const PixelRect& region);
-
 /// Returns the layers of the structures (sorted by id) within the region, leaving out those outside
-/// it. Areas and ranges are known, strokes and masks are not yet. Only `parts` of the layers will
+/// it. Areas are known, triangles, strokes and masks are not yet. Only `parts` of the layers will
 /// show.
 std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const PictureView& view,
                               const PixelRect& region, const PictureContent& parts);
-/// Finds the triangles that face the eye, as indices, where members have an outside only. As they
-/// are many, only layers about to be drawn need them, and only until they are drawn.
-void findVisible(Layer& layer, const PictureView& view, const PixelRect& region);
+/// Finds the members' visible triangles. As they are many, only layers about to be drawn need them,
+/// and only until they are drawn.
+void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region);
 /// Makes the layer's strokes and edges and finds its tiles. `lines` has an entry for each member
 /// that shows any.
 void completeLayer(Layer& layer, const PictureView& view, const PixelRect& region,

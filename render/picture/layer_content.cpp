@@ -31,8 +31,7 @@ void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
                       std::span<const std::size_t> changed) {
   std::map<CachedSurface*, LineNeeds> needs;
   for (const std::size_t i : changed)
-    for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
-      const PreparedStructure& shown = layers[i].members[k];
+    for (const PreparedStructure& shown : layers[i].members) {
       if (shownFill(input, shown).byForm || shown.printedHatching)
         shown.cached->needShape();
       if (needsLines(input, shown)) {
@@ -40,8 +39,6 @@ void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
         own.kinds.add(shownKinds(shown.style));
         own.hatching = own.hatching || hatches(input, shown);
       }
-      if (!layers[i].coverage[k].ranges.empty())
-        shown.cached->needWhole();
     }
   // Structures of one mesh share what is made here, so it is made before their lines.
   const std::vector<std::pair<CachedSurface*, LineNeeds>> each(needs.begin(), needs.end());

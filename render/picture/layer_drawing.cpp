@@ -38,30 +38,22 @@ void LayerPainter::clear(gpu::Device& device, std::span<const Layer> layers,
 void LayerPainter::drawMember(gpu::Device& device, const MemberDraw& member,
                               const passes::SurfaceView& view, gpu::DrawQueue& queue) const {
   const PreparedStructure& shown = member.layer.members[member.index];
-  const Coverage& coverage = member.layer.coverage[member.index];
   if (member.fill.gammaOffsets)
     shown.cached->showGammaOffsets(member.fill.gammaOffsets);
   const std::vector<glm::vec4> sections =
       shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
   passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
-                           .ranges = coverage.ranges,
-                           .visible = coverage.visible,
+                           .triangles = {},
                            .layer = member.layer.area,
                            .slot = member.slot,
                            .fill = member.fill,
                            .sections = sections};
-  if (draw.visible.empty()) {
-    m_surfacePass->draw(device, member.target, view, draw);
-    for (const gpu::DrawRange& range : draw.ranges)
-      queue.addTriangles(range.count);
-    return;
-  }
-  std::span<const std::uint32_t> left = draw.visible;
+  std::span<const std::uint32_t> left = member.layer.triangles[member.index];
   while (!left.empty()) {
-    draw.visible = left.first(std::min(left.size(), gpu::DrawQueue::mostIndices));
+    draw.triangles = left.first(std::min(left.size(), gpu::DrawQueue::mostIndices));
     m_surfacePass->draw(device, member.target, view, draw);
-    queue.addTriangles(draw.visible.size());
-    left = left.subspan(draw.visible.size());
+    queue.addTriangles(draw.triangles.size());
+    left = left.subspan(draw.triangles.size());
   }
 }
 

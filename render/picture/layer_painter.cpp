@@ -52,11 +52,8 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
     const auto same = std::find_if(m_kept.begin(), m_kept.end(),
                                    [&](const Layer& old) { return layer.drawnLike(old); });
     if (same != m_kept.end()) {
-      // Visibility was found anew; a new layout may yet ask for it.
-      std::vector<Coverage> coverage = std::move(layer.coverage);
       gone[std::size_t(same - m_kept.begin())] = false;
       layer = std::move(*same);
-      layer.coverage = std::move(coverage);
       continue;
     }
     changed.push_back(i);
@@ -202,7 +199,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   if (Status s = makeRoom(device); !s)
     return s.error();
   parallelFor(changed.size(), 1,
-              [&](std::size_t i) { findVisible(layers[changed[i]], input.view, region); });
+              [&](std::size_t i) { findTriangles(layers[changed[i]], input.view, region); });
   completeSurfaces(input, layers, changed);
   stopwatch.pass(device, "plan");
   if (input.isUnwanted())
@@ -233,8 +230,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   resolve(device, input.background, canvas(target, region, layers, changed), layers);
   stopwatch.pass(device, "resolve");
   for (Layer& layer : layers)
-    for (Coverage& drawn : layer.coverage)
-      drawn.visible = {};
+    layer.triangles = {};
   m_layersDrawn = int(changed.size());
   m_kept = std::move(layers);
   return Outcome::painted;

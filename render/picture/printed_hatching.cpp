@@ -134,8 +134,7 @@ void PrintedHatching::draw(gpu::Device& device, const Sight& sight, const Layer&
       .viewProjection = view.viewProjection(), .eye = view.eyeVector(), .pictureSize = view.size()};
   const passes::SurfaceDraw surface{
       .surface = *shown.cached->geometry,
-      .ranges = layer.coverage.front().ranges,
-      .visible = layer.coverage.front().visible,
+      .triangles = layer.triangles.front(),
       .layer = layer.area,
       .slot = layer.slot,
       .fill = {.filigree = shown.surface().filigreeSize,

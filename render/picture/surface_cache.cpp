@@ -15,12 +15,15 @@ namespace {
 
 /// Meshes of fewer triangles are prepared several at a time.
 constexpr std::size_t smallMesh = 200'000;
+constexpr std::size_t uploadGrain = 8192;
 
 std::unique_ptr<passes::SurfaceGeometry> upload(const model::Surface& surface) {
   const auto positions = surface.mesh->positions();
-  std::vector<passes::SurfaceVertex> vertices(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    vertices[i] = {positions[i], passes::packedNormal(surface.normals[i])};
+  const std::vector<std::uint32_t>& places = surface.clusters.vertices;
+  std::vector<passes::SurfaceVertex> vertices(places.size());
+  parallelFor(places.size(), uploadGrain, [&](std::size_t i) {
+    vertices[i] = {positions[places[i]], passes::packedNormal(surface.normals[places[i]])};
+  });
   return std::make_unique<passes::SurfaceGeometry>(vertices, "surface");
 }
 
@@ -30,33 +33,27 @@ void CachedSurface::needShape() {
   if (geometry->hasShape())
     return;
   const model::CurvatureColumns& curvature = surface->curvature;
-  std::vector<passes::PackedShape> shape(surface->normals.size());
-  for (std::size_t i = 0; i < shape.size(); ++i) {
-    const glm::vec3 e1 = curvature.e1[i];
-    const glm::vec3 e2 = glm::cross(surface->normals[i], e1);
-    const glm::vec2 k = surface->filigreeSize * curvature.k[i];
+  const std::vector<std::uint32_t>& places = surface->clusters.vertices;
+  std::vector<passes::PackedShape> shape(places.size());
+  parallelFor(places.size(), uploadGrain, [&](std::size_t i) {
+    const std::uint32_t v = places[i];
+    const glm::vec3 e1 = curvature.e1[v];
+    const glm::vec3 e2 = glm::cross(surface->normals[v], e1);
+    const glm::vec2 k = surface->filigreeSize * curvature.k[v];
     shape[i] =
         passes::packedShape(k.x * glm::outerProduct(e1, e1) + k.y * glm::outerProduct(e2, e2));
-  }
+  });
   geometry->addShape(shape);
 }
 
 void CachedSurface::showGammaOffsets(const GammaOffsetsPtr& offsets) {
   if (m_shownOffsets == offsets)
     return;
-  geometry->setGammaOffsets(*offsets);
+  std::vector<float> placed(surface->clusters.vertices.size());
+  std::transform(surface->clusters.vertices.begin(), surface->clusters.vertices.end(),
+                 placed.begin(), [&](std::uint32_t v) { return (*offsets)[v]; });
+  geometry->setGammaOffsets(placed);
   m_shownOffsets = offsets;
-}
-
-void CachedSurface::needWhole() {
-  if (geometry->hasWhole())
-    return;
-  std::vector<std::uint32_t> indices;
-  indices.reserve(3 * surface->clusters.triangles.size());
-  for (const std::uint32_t triangle : surface->clusters.triangles)
-    for (const std::uint32_t vertex : surface->mesh->triangles()[triangle])
-      indices.push_back(vertex);
-  geometry->addWhole(indices);
 }
 
 void SurfaceCache::prepareSmall(std::span<const model::VisibleStructure> structures,

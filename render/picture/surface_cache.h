@@ -17,14 +17,12 @@
 namespace sline::render {
 
 struct CachedSurface : PreparedSurface {
-  std::unique_ptr<passes::SurfaceGeometry> geometry;
+  std::unique_ptr<passes::SurfaceGeometry> geometry;  ///< its vertices are `Clusters::vertices`
 
   /// Uploads the curvature that fills at 3 < Γ < 4 need, once.
   void needShape();
   /// Uploads by how much Γ differs at each vertex, unless that is what was uploaded last.
   void showGammaOffsets(const GammaOffsetsPtr& offsets);
-  /// Uploads all triangles in the order of the clusters, for drawing without culling, once.
-  void needWhole();
 
  private:
   GammaOffsetsPtr m_shownOffsets;

@@ -48,7 +48,7 @@ SurfaceGeometry& PlainPhong::geometryOf(const model::Node& node) {
   for (const std::uint32_t triangle : surface->clusters.triangles)
     for (const std::uint32_t vertex : surface->mesh->triangles()[triangle])
       indices.push_back(vertex);
-  made->addWhole(indices);
+  made->setTriangles(indices);
   return *made;
 }
 

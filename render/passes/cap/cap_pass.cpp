@@ -66,8 +66,7 @@ void CapPass::draw(gpu::Device& device, const gpu::Target& target, const CapDraw
                              .scissor = draw.slot,
                              .depth = gpu::DepthTest::less,
                              .writeDepth = true};
-  const gpu::DrawRange all{0, draw.cap.pointCount()};
-  device.triangles({target, program, draw.cap.geometry(), state}, std::span(&all, 1));
+  device.triangles({target, program, draw.cap.geometry(), state}, draw.cap.pointCount());
 }
 
 }  // namespace sline::render::passes

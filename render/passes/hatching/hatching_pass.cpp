@@ -64,14 +64,9 @@ void drawSlot(gpu::Device& device, const HatchingFields& to, const gpu::Program&
   device.clear(to.target, {.depth = 1.0f, .area = here});
   const gpu::DrawState state{
       .viewport = here, .scissor = here, .depth = gpu::DepthTest::less, .writeDepth = true};
-  if (surface.visible.empty()) {
-    device.triangles({to.target, program, surface.surface.geometry(), state}, surface.ranges);
-    return;
-  }
-  surface.surface.showOnly(surface.visible);
-  const gpu::DrawRange all{0, std::uint32_t(surface.visible.size())};
-  device.triangles({to.target, program, surface.surface.visibleGeometry(), state},
-                   std::span(&all, 1));
+  surface.surface.setTriangles(surface.triangles);
+  device.triangles({to.target, program, surface.surface.geometry(), state},
+                   surface.triangles.size());
 }
 
 void drawWalk(gpu::Device& device, const gpu::Target& target, const HatchingFields& from,

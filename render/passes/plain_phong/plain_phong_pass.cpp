@@ -29,8 +29,7 @@ void PlainPhongPass::draw(gpu::Device& device, const gpu::Target& target, const 
   const gpu::DrawState state{.viewport = {0, 0, target.size().width, target.size().height},
                              .depth = gpu::DepthTest::less,
                              .writeDepth = true};
-  const gpu::DrawRange all{0, surface.indexCount()};
-  device.triangles({target, *m_program, surface.geometry(), state}, std::span(&all, 1));
+  device.triangles({target, *m_program, surface.geometry(), state}, surface.indexCount());
 }
 
 }  // namespace sline::render::passes

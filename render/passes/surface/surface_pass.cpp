@@ -137,13 +137,8 @@ void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const Sur
                              .depth = gpu::DepthTest::less,
                              .writeDepth = true,
                              .writeColour = fill.kind != SurfaceFill::Kind::depthOnly};
-  if (draw.visible.empty()) {
-    device.triangles({target, program, draw.surface.geometry(), state}, draw.ranges);
-    return;
-  }
-  draw.surface.showOnly(draw.visible);
-  const gpu::DrawRange all{0, std::uint32_t(draw.visible.size())};
-  device.triangles({target, program, draw.surface.visibleGeometry(), state}, std::span(&all, 1));
+  draw.surface.setTriangles(draw.triangles);
+  device.triangles({target, program, draw.surface.geometry(), state}, draw.triangles.size());
 }
 
 }  // namespace sline::render::passes
