@@ -193,7 +193,8 @@ void Program::set(std::string_view name, const glm::ivec4& value) const {
 }
 
 void Program::set(std::string_view name, const Texture& texture) const {
-  const bool integers = texture.format() == TextureFormat::rgba32i;
+  const bool integers =
+      texture.format() == TextureFormat::rgba32i || texture.format() == TextureFormat::r32i;
   const Slot& found = slot(name, integers ? UniformType::intTexture : UniformType::texture);
   glActiveTexture(GLenum(GL_TEXTURE0 + found.unit));
   glBindTexture(GL_TEXTURE_2D, texture.handle());

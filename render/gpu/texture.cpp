@@ -22,6 +22,8 @@ Layout layout(TextureFormat format) {
       return {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT};
     case TextureFormat::rg8:
       return {GL_RG8, GL_RG, GL_UNSIGNED_BYTE};
+    case TextureFormat::r32i:
+      return {GL_R32I, GL_RED_INTEGER, GL_INT};
     case TextureFormat::rgba32i:
       return {GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
     case TextureFormat::depth32f:
@@ -34,6 +36,7 @@ Layout layout(TextureFormat format) {
 int pixelSize(TextureFormat format) {
   switch (format) {
     case TextureFormat::rgba8:
+    case TextureFormat::r32i:
     case TextureFormat::depth32f:
       return 4;
     case TextureFormat::rgba16:

@@ -30,14 +30,20 @@ void markSurface(const PreparedStructure& shown, const PictureView& view, TileMa
       mask.mark(grown(view.bounds(cluster.bounds), edgeMargin));
 }
 
+/// Marks what strokes draw on, and so many pixels around.
+void markReach(const std::vector<Stroke>& strokes, int reach, TileMask& mask) {
+  for (const Stroke& stroke : strokes)
+    mask.mark(grown(strokeBounds(stroke), reach));
+}
+
 }  // namespace
 
-void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region) {
+void findTriangles(Layer& layer, const PictureView& view) {
   layer.triangles.resize(layer.members.size());
   parallelFor(layer.members.size(), 1, [&](std::size_t i) {
     const PreparedStructure& shown = layer.members[i];
     if (!isCutAway(shown, shown.mesh->bounds()))
-      layer.triangles[i] = visibleTriangles(shown, view, withStrokeReach(shown, view, region));
+      layer.triangles[i] = visibleTriangles(shown, view, layer.touched);
   });
 }
 
@@ -69,7 +75,8 @@ std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const Pi
 
 void completeLayer(Layer& layer, const PictureView& view, const PixelRect& region,
                    const std::map<model::NodeId, StructureLines>& lines) {
-  layer.mask = TileMask(region);
+  layer.mask = TileMask(region, layer.area);
+  layer.touched = layer.mask;
   layer.edges.resize(layer.members.size());
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
     const PreparedStructure& member = layer.members[i];
@@ -80,7 +87,9 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
     if (layer.parts.fills && showsEdges(member.style))
       layer.edges[i] =
           edges(member.surface(), view, member.style, lines.at(member.id).lines, layer.area);
+    markReach(layer.edges[i], strokeReach(member, view), layer.touched);
   }
+  layer.touched.mark(layer.mask);
   const PreparedStructure& first = layer.members.front();
   layer.inked = first.printedHatching;
   const PictureContent& parts = layer.parts;
@@ -98,9 +107,10 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
   }
   layer.hiddenInk = !layer.hidden.empty();
   layer.haloed = !layer.halos.empty();
-  for (const std::vector<Stroke>* strokes : {&layer.strokes, &layer.hidden, &layer.halos})
-    for (const Stroke& stroke : *strokes)
-      layer.mask.mark(strokeBounds(stroke));
+  for (const std::vector<Stroke>* strokes : {&layer.strokes, &layer.hidden, &layer.halos}) {
+    markReach(*strokes, 0, layer.mask);
+    markReach(*strokes, strokeReach(first, view), layer.touched);
+  }
 }
 
 }  // namespace sline::render

@@ -37,7 +37,8 @@ struct Layer {
   PixelRect area;                                     ///< in pixels of the whole picture
   PixelRect slot;                                     ///< in the atlas
   PictureContent parts;
-  TileMask mask;
+  TileMask mask;     ///< where it shows, of the region's grid and within its area
+  TileMask touched;  ///< where its strokes look at its surface, too
   std::vector<Stroke> strokes;
   std::vector<Stroke> hidden;              ///< outlines to be seen through what lies before them
   std::vector<Stroke> halos;               ///< where lines behind stop
@@ -48,6 +49,7 @@ struct Layer {
   bool haloed = false;     ///< has `halos`, as above
 
   bool shows() const { return filled || inked; }
+  bool hasInk() const { return inked || hiddenInk || haloed; }
   /// Tells whether what was drawn for `other` serves for this layer too.
   bool drawnLike(const Layer& other) const {
     return members == other.members && area == other.area;
@@ -63,10 +65,10 @@ std::vector<ListedLayer> listedLayers(std::span<const Layer> layers, const Pixel
 /// show.
 std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const PictureView& view,
                               const PixelRect& region, const PictureContent& parts);
-/// Finds the members' visible triangles. As they are many, only layers about to be drawn need them,
-/// and only until they are drawn.
-void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region);
-/// Makes the layer's strokes and edges and finds its tiles. `lines` has an entry for each member
+/// Finds the members' triangles within the squares that the layer touches. As they are many, only
+/// layers about to be drawn need them, and only until they are drawn.
+void findTriangles(Layer& layer, const PictureView& view);
+/// Makes the layer's strokes and edges and finds its squares. `lines` has an entry for each member
 /// that shows any.
 void completeLayer(Layer& layer, const PictureView& view, const PixelRect& region,
                    const std::map<model::NodeId, StructureLines>& lines);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws the surfaces, caps and ink of layers into the atlas.
 #include <algorithm>
-#include <optional>
 
 #include "render/picture/layer_content.h"
 #include "render/picture/layer_painter.h"
@@ -20,19 +19,29 @@ glm::vec3 keyLight(const PictureInput& input) {
   return input.keyLight ? input.light : glm::vec3(0.0f);
 }
 
+/// Appends squares of the layer as they lie in the atlas.
+void appendSquares(const Layer& layer, const TileMask& squares,
+                   std::vector<PixelRect>& rectangles) {
+  for (PixelRect rect : squares.rectangles()) {
+    rect.x += layer.slot.x - layer.area.x;
+    rect.y += layer.slot.y - layer.area.y;
+    rectangles.push_back(rect);
+  }
+}
+
 }  // namespace
 
-void LayerPainter::clear(gpu::Device& device, std::span<const Layer> layers,
-                         std::span<const std::size_t> changed) const {
-  const auto clearBoth = [&](std::optional<PixelRect> area) {
-    device.clear(m_atlas.surfaceTarget(), {.colour = glm::vec4(0.0f), .depth = 1.0f, .area = area});
-    device.clear(m_atlas.inkTarget(), {.colour = glm::vec4(0.0f), .depth = 1.0f, .area = area});
-  };
-  if (m_freshAtlas)
-    clearBoth(std::nullopt);
-  else
-    for (const std::size_t i : changed)
-      clearBoth(layers[i].slot);
+void LayerPainter::emptyInk(gpu::Device& device, std::span<const Layer> layers,
+                            std::span<const std::size_t> changed) const {
+  // Where a layer has a fill, its depth was copied.
+  for (const bool colour : {false, true})
+    for (const bool depth : {false, true}) {
+      std::vector<PixelRect> rectangles;
+      for (const std::size_t i : changed)
+        if (layers[i].shows() && layers[i].hasInk() == colour && layers[i].filled != depth)
+          appendSquares(layers[i], layers[i].mask, rectangles);
+      m_wipePass->draw(device, m_atlas.inkTarget(), {rectangles, colour, depth});
+    }
 }
 
 void LayerPainter::drawMember(gpu::Device& device, const MemberDraw& member,
@@ -86,6 +95,9 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
   gpu::DrawQueue queue;
   for (const std::size_t i : changed)
     if (layers[i].shows()) {
+      std::vector<PixelRect> squares;
+      appendSquares(layers[i], layers[i].touched, squares);
+      m_wipePass->draw(device, m_atlas.surfaceTarget(), {squares, layers[i].filled, true});
       drawSurface(device, input, layers[i], queue);
       drawCaps(device, input, layers[i]);
     }
@@ -96,6 +108,7 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
       device.copyDepth(m_atlas.surfaceTarget(), m_atlas.inkTarget(), layers[i].slot);
       queue.addCopies(layers[i].slot);
     }
+  emptyInk(device, layers, changed);
 }
 
 passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& layer,

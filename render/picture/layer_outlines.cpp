@@ -89,8 +89,11 @@ Status LayerPainter::outline(gpu::Device& device, const PictureInput& input,
     return Unit{};
   std::vector<std::size_t> all(layers.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
-  parallelFor(layers.size(), 1,
-              [&](std::size_t i) { findTriangles(layers[i], input.view, region); });
+  parallelFor(layers.size(), 1, [&](std::size_t i) {
+    layers[i].touched = TileMask(region, layers[i].area);
+    layers[i].touched.markAll();
+    findTriangles(layers[i], input.view);
+  });
   completeSurfaces(input, layers, all);
   if (Status s = m_numbers.resize({region.width, region.height}, true); !s)
     return s;

@@ -16,6 +16,9 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   auto surface = passes::SurfacePass::create(device.dialect());
   if (!surface)
     return surface.error();
+  auto wipe = passes::WipePass::create(device.dialect());
+  if (!wipe)
+    return wipe.error();
   auto cap = passes::CapPass::create(device.dialect());
   if (!cap)
     return cap.error();
@@ -26,6 +29,7 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   if (!resolve)
     return resolve.error();
   painter->m_surfacePass = std::move(*surface);
+  painter->m_wipePass = std::move(*wipe);
   painter->m_capPass = std::move(*cap);
   painter->m_inkPass = std::move(*ink);
   painter->m_resolvePass = std::move(*resolve);
@@ -35,6 +39,7 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
 std::unique_ptr<LayerPainter> LayerPainter::another(const AtlasLimits& limits) const {
   std::unique_ptr<LayerPainter> painter(new LayerPainter(limits));
   painter->m_surfacePass = m_surfacePass;
+  painter->m_wipePass = m_wipePass;
   painter->m_capPass = m_capPass;
   painter->m_inkPass = m_inkPass;
   painter->m_resolvePass = m_resolvePass;
@@ -74,15 +79,47 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
   return changed;
 }
 
+namespace {
+
+/// Gives layers places in which the region's squares begin at multiples of their own side: a row of
+/// a square's depth is then one line of a processor's cache, and drivers fill whole blocks.
+class AlignedPlaces {
+ public:
+  explicit AlignedPlaces(const PixelRect& region) : m_region(region) {}
+
+  gpu::TextureSize size(const Layer& layer) const {
+    const auto rounded = [](int pixels) { return (pixels + side - 1) / side * side; };
+    const glm::ivec2 margin = marginOf(layer);
+    return {rounded(margin.x + layer.area.width), rounded(margin.y + layer.area.height)};
+  }
+  void put(Layer& layer, const PixelRect& place) const {
+    const glm::ivec2 margin = marginOf(layer);
+    layer.slot = {place.x + margin.x, place.y + margin.y, layer.area.width, layer.area.height};
+  }
+
+ private:
+  static constexpr int side = passes::ResolvePass::tileSide;
+
+  glm::ivec2 marginOf(const Layer& layer) const {
+    const auto within = [](int pixels) { return (pixels % side + side) % side; };
+    return {within(layer.area.x - m_region.x), within(layer.area.y - m_region.y)};
+  }
+
+  PixelRect m_region;
+};
+
+}  // namespace
+
 bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& changed) {
+  const AlignedPlaces places(m_key.region);
   if (!m_freshAtlas) {
     const bool fits = std::all_of(changed.begin(), changed.end(), [&](std::size_t i) {
       if (!layers[i].slot.empty())
         return true;
-      const auto slot = m_atlas.add({layers[i].area.width, layers[i].area.height});
-      if (slot)
-        layers[i].slot = *slot;
-      return slot.has_value();
+      const auto place = m_atlas.add(places.size(layers[i]));
+      if (place)
+        places.put(layers[i], *place);
+      return place.has_value();
     });
     if (fits)
       return true;
@@ -90,12 +127,12 @@ bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& c
   std::vector<gpu::TextureSize> sizes;
   sizes.reserve(layers.size());
   for (const Layer& layer : layers)
-    sizes.push_back({layer.area.width, layer.area.height});
+    sizes.push_back(places.size(layer));
   const std::vector<PixelRect> slots = m_atlas.layOut(sizes);
   if (slots.size() != layers.size())
     return false;
   for (std::size_t i = 0; i < layers.size(); ++i)
-    layers[i].slot = slots[i];
+    places.put(layers[i], slots[i]);
   changed.resize(layers.size());
   std::iota(changed.begin(), changed.end(), std::size_t(0));
   m_freshAtlas = true;
@@ -167,12 +204,9 @@ void LayerPainter::letGo(gpu::Device& device) {
   const auto other = gpu::Target::create({{&others}, nullptr}, "scratch");
   if (!one.ok() || !other.ok())
     return;
-  std::vector<passes::ResolveTile> tiles;
-  for (int y = 0; y < side; y += passes::ResolvePass::tileSide)
-    for (int x = 0; x < side; x += passes::ResolvePass::tileSide)
-      tiles.push_back({.x = x, .y = y, .first = 0, .count = 1});
-  const passes::ResolveEntry entry = passes::resolveEntry({.area = {0, 0, side, side}});
-  m_resolvePass->upload(tiles, std::span(&entry, 1));
+  const passes::ResolveEntry entry = passes::resolveEntry({});
+  const passes::ResolveTile tile = passes::resolveTile({0, 0, side, side}, {&entry, 1}, 0);
+  m_resolvePass->upload({&tile, 1}, {&entry, 1});
   for (int i = 0; i < rounds; ++i)
     m_resolvePass->draw(device, i % 2 == 0 ? **one : **other,
                         {.colours = colours, .inks = inks, .depths = depths});
@@ -198,8 +232,6 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
     return Outcome::tooLarge;
   if (Status s = makeRoom(device); !s)
     return s.error();
-  parallelFor(changed.size(), 1,
-              [&](std::size_t i) { findTriangles(layers[changed[i]], input.view, region); });
   completeSurfaces(input, layers, changed);
   stopwatch.pass(device, "plan");
   if (input.isUnwanted())
@@ -212,10 +244,12 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
               [&](std::size_t i) { completeLayer(layers[changed[i]], input.view, region, lines); });
   own.clear();
   stopwatch.pass(device, "strokes");
+  parallelFor(changed.size(), 1,
+              [&](std::size_t i) { findTriangles(layers[changed[i]], input.view); });
+  stopwatch.pass(device, "plan");
   if (input.isUnwanted())
     return Outcome::givenUp;
 
-  clear(device, layers, changed);
   drawSurfaces(device, input, layers, changed);
   stopwatch.pass(device, "surface");
   if (input.isUnwanted())

@@ -11,6 +11,7 @@
 #include "render/passes/ink/ink_pass.h"
 #include "render/passes/resolve/resolve_pass.h"
 #include "render/passes/surface/surface_pass.h"
+#include "render/passes/surface/wipe_pass.h"
 #include "render/picture/atlas.h"
 #include "render/picture/layer.h"
 #include "render/picture/picture_canvas.h"
@@ -79,8 +80,8 @@ class LayerPainter {
   Status makeRoom(gpu::Device& device);
   bool place(std::vector<Layer>& layers, std::vector<std::size_t>& changed);
   void letGo(gpu::Device& device);
-  void clear(gpu::Device& device, std::span<const Layer> layers,
-             std::span<const std::size_t> changed) const;
+  void emptyInk(gpu::Device& device, std::span<const Layer> layers,
+                std::span<const std::size_t> changed) const;
   /// Says where and how the surface of a layer's member is drawn.
   struct MemberDraw {
     const gpu::Target& target;
@@ -116,6 +117,7 @@ class LayerPainter {
 
   Atlas m_atlas;
   std::shared_ptr<passes::SurfacePass> m_surfacePass;
+  std::shared_ptr<passes::WipePass> m_wipePass;
   std::shared_ptr<passes::CapPass> m_capPass;
   std::shared_ptr<passes::InkPass> m_inkPass;
   std::shared_ptr<passes::ResolvePass> m_resolvePass;

@@ -2,55 +2,163 @@
 #include "render/picture/tile_lists.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace sline::render {
 
 namespace {
 constexpr int side = passes::ResolvePass::tileSide;
+
+/// Divides by the side of a square and rounds down.
+int squareAt(int pixels) {
+  return pixels >= 0 ? pixels / side : -((-pixels + side - 1) / side);
+}
+
 }  // namespace
 
-TileMask::TileMask(const PixelRect& region)
-    : m_region(region),
-      m_columns((region.width + side - 1) / side),
-      m_rows((region.height + side - 1) / side),
-      m_marked(std::size_t(m_columns) * m_rows, 0) {}
+TileMask::TileMask(const PixelRect& region, const PixelRect& area)
+    : m_area(area),
+      m_firstColumn(squareAt(area.x - region.x)),
+      m_firstRow(squareAt(area.y - region.y)) {
+  m_corner = {region.x + side * m_firstColumn, region.y + side * m_firstRow};
+  m_columns = (area.right() - m_corner.x + side - 1) / side;
+  m_rows = (area.top() - m_corner.y + side - 1) / side;
+  m_marked.assign(std::size_t(m_columns) * m_rows, 0);
+}
+
+TileMask::Span TileMask::span(const PixelRect& pixels) const {
+  const PixelRect seen = intersection(pixels, m_area);
+  if (seen.empty())
+    return {};
+  return {.left = (seen.x - m_corner.x) / side,
+          .right = (seen.right() - 1 - m_corner.x) / side,
+          .bottom = (seen.y - m_corner.y) / side,
+          .top = (seen.top() - 1 - m_corner.y) / side};
+}
 
 void TileMask::mark(const PixelRect& area) {
-  const PixelRect seen = intersection(area, m_region);
-  if (seen.empty())
-    return;
-  const int left = (seen.x - m_region.x) / side;
-  const int right = (seen.right() - 1 - m_region.x) / side;
-  const int bottom = (seen.y - m_region.y) / side;
-  const int top = (seen.top() - 1 - m_region.y) / side;
-  for (int row = bottom; row <= top; ++row)
-    std::fill_n(m_marked.begin() + std::ptrdiff_t(row) * m_columns + left, right - left + 1,
+  const Span s = span(area);
+  for (int row = s.bottom; row <= s.top; ++row)
+    std::fill_n(m_marked.begin() + std::ptrdiff_t(row) * m_columns + s.left, s.right - s.left + 1,
                 std::uint8_t(1));
 }
 
 void TileMask::mark(const TileMask& other) {
-  assert(other.m_marked.size() == m_marked.size());
-  for (std::size_t i = 0; i < m_marked.size(); ++i)
-    m_marked[i] |= other.m_marked[i];
+  for (int row = 0; row < m_rows; ++row)
+    for (int column = 0; column < m_columns; ++column)
+      if (other.marked(m_firstColumn + column, m_firstRow + row))
+        m_marked[std::size_t(row) * m_columns + column] = 1;
 }
+
+bool TileMask::marksAny(const PixelRect& pixels) const {
+  const Span s = span(pixels);
+  for (int row = s.bottom; row <= s.top; ++row)
+    for (int column = s.left; column <= s.right; ++column)
+      if (m_marked[std::size_t(row) * m_columns + column] != 0)
+        return true;
+  return false;
+}
+
+std::vector<PixelRect> TileMask::rectangles() const {
+  std::vector<PixelRect> found;
+  std::size_t below = 0;  // where the rectangles start that end at the row before
+  for (int row = 0; row < m_rows; ++row) {
+    const std::size_t here = found.size();
+    const std::uint8_t* marked = m_marked.data() + std::size_t(row) * m_columns;
+    for (int column = 0; column < m_columns; ++column) {
+      if (marked[column] == 0)
+        continue;
+      const int first = column;
+      while (column < m_columns && marked[column] != 0)
+        ++column;
+      found.push_back(
+          {m_corner.x + side * first, m_corner.y + side * row, side * (column - first), side});
+    }
+    for (std::size_t i = here; i < found.size(); ++i)
+      for (std::size_t k = below; k < here; ++k)
+        if (found[k].x == found[i].x && found[k].width == found[i].width &&
+            found[k].top() == found[i].y) {
+          found[i] = united(found[k], found[i]);
+          found[k] = {};
+        }
+    below = here;
+  }
+  std::erase_if(found, [](const PixelRect& rect) { return rect.empty(); });
+  for (PixelRect& rect : found)
+    rect = intersection(rect, m_area);
+  return found;
+}
+
+PixelRect TileMask::square(int column, int row) const {
+  const glm::ivec2 region = m_corner - side * glm::ivec2(m_firstColumn, m_firstRow);
+  return intersection({side * column, side * row, side, side},
+                      {m_area.x - region.x, m_area.y - region.y, m_area.width, m_area.height});
+}
+
+namespace {
+
+/// Appends a square's list, in as many parts as the edges of its layers' areas cut it into.
+class SquareLister {
+ public:
+  SquareLister(std::span<const ListedLayer> layers, TileLists& lists)
+      : m_layers(layers), m_lists(lists) {
+    m_packed.reserve(layers.size());
+    for (const ListedLayer& layer : layers)
+      m_packed.push_back(passes::resolveEntry(layer.layer));
+  }
+
+  void add(int column, int row, const PixelRect& square) {
+    m_here.clear();
+    m_columns = {square.x, square.right()};
+    m_rows = {square.y, square.top()};
+    for (std::size_t i = 0; i < m_layers.size(); ++i)
+      if (m_layers[i].mask->marked(column, row)) {
+        m_here.push_back(i);
+        cutBy(intersection(m_layers[i].layer.area, square));
+      }
+    for (std::vector<int>* cuts : {&m_columns, &m_rows}) {
+      std::sort(cuts->begin(), cuts->end());
+      cuts->erase(std::unique(cuts->begin(), cuts->end()), cuts->end());
+    }
+    for (std::size_t y = 0; y + 1 < m_rows.size(); ++y)
+      for (std::size_t x = 0; x + 1 < m_columns.size(); ++x)
+        addPart(
+            {m_columns[x], m_rows[y], m_columns[x + 1] - m_columns[x], m_rows[y + 1] - m_rows[y]});
+  }
+
+ private:
+  void cutBy(const PixelRect& area) {
+    if (area.empty())
+      return;
+    m_columns.insert(m_columns.end(), {area.x, area.right()});
+    m_rows.insert(m_rows.end(), {area.y, area.top()});
+  }
+
+  void addPart(const PixelRect& part) {
+    const std::size_t first = m_lists.entries.size();
+    for (const std::size_t i : m_here)
+      if (!intersection(m_layers[i].layer.area, part).empty())
+        m_lists.entries.push_back(m_packed[i]);
+    m_lists.tiles.push_back(passes::resolveTile(part, m_lists.entries, first));
+  }
+
+  std::span<const ListedLayer> m_layers;
+  TileLists& m_lists;
+  std::vector<passes::ResolveEntry> m_packed;
+  std::vector<std::size_t> m_here;
+  std::vector<int> m_columns;
+  std::vector<int> m_rows;
+};
+
+}  // namespace
 
 TileLists tileLists(std::span<const ListedLayer> layers, const TileMask& wanted) {
   TileLists lists;
-  std::vector<passes::ResolveEntry> packed;
-  packed.reserve(layers.size());
-  for (const ListedLayer& layer : layers)
-    packed.push_back(passes::resolveEntry(layer.layer));
+  SquareLister lister(layers, lists);
   for (int row = 0; row < wanted.rows(); ++row)
     for (int column = 0; column < wanted.columns(); ++column) {
       if (!wanted.marked(column, row))
         continue;
-      passes::ResolveTile tile{column * side, row * side, std::int32_t(lists.entries.size()), 0};
-      for (std::size_t i = 0; i < layers.size(); ++i)
-        if (layers[i].mask->marked(column, row))
-          lists.entries.push_back(packed[i]);
-      tile.count = std::int32_t(lists.entries.size()) - tile.first;
-      lists.tiles.push_back(tile);
+      lister.add(column, row, wanted.square(column, row));
     }
   return lists;
 }

@@ -16,9 +16,9 @@ namespace {
 using model::Clusters;
 
 /// By how much a driver's vertices may lie beside ours, in pixels: it rounds them to 1/256.
-constexpr float slack = 1.0f / 32.0f;
+constexpr float slack = 1.0f / 256.0f;
 /// Farther from the picture's corner floats do not resolve the slack.
-constexpr float farthest = 65536.0f;
+constexpr float farthest = 8192.0f;
 /// The most middles of pixels that are looked at one by one.
 constexpr int mostMiddles = 4;
 
@@ -93,15 +93,19 @@ void findBoxes(std::size_t count, const std::array<std::uint8_t, 3>* triangles, 
 bool holdsMiddle(const SeenCluster& seen, std::size_t i) {
   const float turn = seen.area[i] < 0.0f ? -1.0f : 1.0f;
   const glm::vec2 first(float(seen.left[i]) + 0.5f, float(seen.bottom[i]) + 0.5f);
-  std::array<glm::vec3, 3> inside{};  // positive on the triangle's side of an edge, slack included
+  std::array<glm::vec3, 3> inside{};  // positive on the triangle's side of an edge
+  float around = 0.0f;
   for (std::size_t c = 0; c < 3; ++c) {
     const std::size_t next = (c + 1) % 3;
     const float dx = turn * (seen.cornerX[next][i] - seen.cornerX[c][i]);
     const float dy = turn * (seen.cornerY[next][i] - seen.cornerY[c][i]);
     inside[c] = {-dy, dx,
-                 dx * (first.y - seen.cornerY[c][i]) - dy * (first.x - seen.cornerX[c][i]) +
-                     2.0f * slack * (std::abs(dx) + std::abs(dy))};
+                 dx * (first.y - seen.cornerY[c][i]) - dy * (first.x - seen.cornerX[c][i])};
+    around += std::abs(dx) + std::abs(dy);
   }
+  // By no more than this do moves of corners within the slack change what lies within the box.
+  for (glm::vec3& edge : inside)
+    edge.z += slack * (std::abs(edge.x) + std::abs(edge.y) + around);
   for (int row = 0; row < seen.rows[i]; ++row)
     for (int column = 0; column < seen.columns[i]; ++column) {
       const glm::vec3 step(float(column), float(row), 1.0f);
@@ -163,11 +167,13 @@ class TriangleFinder {
 }  // namespace
 
 std::vector<std::uint32_t> visibleTriangles(const DrawnStructure& shown, const PictureView& view,
-                                            const PixelRect& region) {
+                                            const TileMask& squares) {
+  const bool cull = cullsBack(shown, view);
   std::vector<const model::Cluster*> clusters;
-  forEachSeen(shown, view, region, [&](const model::Cluster& cluster, const PixelRect&) {
-    clusters.push_back(&cluster);
-  });
+  for (const model::Cluster& cluster : shown.surface().clusters.items)
+    if ((!cull || model::facing(cluster, view.eye()) != model::Facing::back) &&
+        squares.marksAny(view.bounds(cluster.bounds)) && !isCutAway(shown, cluster.bounds))
+      clusters.push_back(&cluster);
   constexpr std::size_t piece = 128;
   std::vector<std::vector<std::uint32_t>> found((clusters.size() + piece - 1) / piece);
   parallelFor(found.size(), 1, [&](std::size_t i) {

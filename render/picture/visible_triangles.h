@@ -5,16 +5,17 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/picture/tile_lists.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/picture_view.h"
 
 namespace sline::render {
 
-/// Returns the triangles that may cover the middle of a pixel within the region, three indices into
+/// Returns the triangles that may cover the middle of a pixel in the squares, three indices into
 /// `Clusters::vertices` each; of a surface with an outside only, those that turn it to the eye. In
 /// a fine mesh most triangles lie between the middles of pixels; software drivers, which set
 /// triangles up on one thread, are spared them, and a graphics card does not lose either.
 std::vector<std::uint32_t> visibleTriangles(const DrawnStructure& shown, const PictureView& view,
-                                            const PixelRect& region);
+                                            const TileMask& squares);
 
 }  // namespace sline::render

@@ -9,7 +9,8 @@ uniform sampler2D numbers;       // red: number of the marked structure, 0 for n
 uniform sampler2D numberDepths;  // how deep it lies there
 uniform sampler2D colours;       // as in resolve.frag.glsl
 uniform sampler2D depths;
-uniform highp isampler2D entries;  // with a number in place of the ink: whom it does not hide
+uniform highp isampler2D offsets;
+uniform highp isampler2D looks;  // with a number in place of the ink: whom it does not hide
 uniform int rowBits;
 uniform ivec2 corner;  // of the region in the target
 uniform vec3 ink;
@@ -44,12 +45,12 @@ float seenAt(ivec2 pixel) {
   float seen = 1.0;
   for (int i = 0; i < list.y; ++i) {
     int index = list.x + i;
-    ivec4 entry = texelFetch(entries, ivec2(index & ((1 << rowBits) - 1), index >> rowBits), 0);
-    ivec2 low = ivec2(entry.y & 0xffff, entry.z & 0xffff);
-    ivec2 high = ivec2((entry.y >> 16) & 0xffff, (entry.z >> 16) & 0xffff);
-    if ((entry.w & filled) == 0 || (entry.w & 255) == own || any(lessThan(pixel, low)) || any(greaterThan(pixel, high)))
+    ivec2 place = ivec2(index & ((1 << rowBits) - 1), index >> rowBits);
+    int look = texelFetch(looks, place, 0).r;
+    if ((look & filled) == 0 || (look & 255) == own)
       continue;
-    ivec2 texel = pixel + ivec2(entry.x & 0xffff, (entry.x >> 16) & 0xffff) - 32768;
+    int offset = texelFetch(offsets, place, 0).r;
+    ivec2 texel = pixel + ivec2(offset & 0xffff, (offset >> 16) & 0xffff) - 32768;
     if (texelFetch(depths, texel, 0).r < depth - depthStep)
       seen *= 1.0 - texelFetch(colours, texel, 0).a;
   }

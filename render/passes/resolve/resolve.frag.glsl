@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blends the layers of a pixel front to back: it repeatedly takes the next-nearest depth among the
-// layers of its tile, ties by their order in the list (METHOD §10).
+// Blends the layers of a pixel front to back: a sweep over the layers of its tile finds the four
+// nearest, ties by their order in the list, and further sweeps those behind (METHOD §10).
 flat in ivec2 list;
+// Offsets from the picture to the atlas of the list's first layers: each is looked up in a texture
+// as well, but software drivers take as long for that as for all else that a sweep does with it.
+flat in ivec4 offsets0;
+flat in ivec4 offsets1;
+flat in ivec4 offsets2;
 
 uniform sampler2D colours;       // premultiplied fills
 uniform sampler2D inks;          // coverage; y: up to 0.5 that of hidden lines, above it a halo
 uniform sampler2D depths;        // 1 where a layer has nothing
-uniform highp isampler2D entries;
-uniform int rowBits;              // a row holds 1 << rowBits entries, as integer divisions are slow
-uniform vec4 background;         // premultiplied
-uniform int hiddenLines;         // 1: some layer has hidden lines
+uniform highp isampler2D offsets;  // of the lists' layers, from the picture to the atlas
+uniform highp isampler2D looks;
+uniform int rowBits;               // a row holds 1 << rowBits layers, as integer divisions are slow
+uniform vec4 background;           // premultiplied
+uniform int hiddenLines;           // 1: some layer has hidden lines
 
 out vec4 fragment;
 
@@ -19,89 +25,108 @@ const int hiddenInk = 1 << 26;
 const int haloed = 1 << 27;
 const float hiddenStrength = 0.5;
 
-ivec4 entryAt(int index) {
-  return texelFetch(entries, ivec2(index & ((1 << rowBits) - 1), index >> rowBits), 0);
+ivec2 placeOf(int index) {
+  return ivec2(index & ((1 << rowBits) - 1), index >> rowBits);
 }
 
-vec3 inkOf(ivec4 entry) {
-  return vec3((entry.w >> 16) & 255, (entry.w >> 8) & 255, entry.w & 255) / 255.0;
+int offsetOf(int index) {
+  return texelFetch(offsets, placeOf(index), 0).r;
+}
+
+ivec2 texelOf(int offset, ivec2 pixel) {
+  return pixel + ivec2(offset & 0xffff, (offset >> 16) & 0xffff) - 32768;
+}
+
+vec3 inkOf(int look) {
+  return vec3((look >> 16) & 255, (look >> 8) & 255, look & 255) / 255.0;
 }
 
 // `lines` is the share of lines that is left behind the halos of nearer layers.
-vec4 layerColour(ivec4 entry, ivec2 texel, inout float lines) {
-  vec4 colour = (entry.w & filled) != 0 ? texelFetch(colours, texel, 0) : vec4(0.0);
-  if ((entry.w & inked) != 0) {
+vec4 layerColour(int look, ivec2 texel, inout float lines) {
+  vec4 colour = (look & filled) != 0 ? texelFetch(colours, texel, 0) : vec4(0.0);
+  if ((look & inked) != 0) {
     vec2 coverage = texelFetch(inks, texel, 0).rg;
     coverage.r *= lines;
-    colour = vec4(inkOf(entry) * coverage.r, coverage.r) + colour * (1.0 - coverage.r);
-    if ((entry.w & haloed) != 0 && coverage.g > 0.75)
+    colour = vec4(inkOf(look) * coverage.r, coverage.r) + colour * (1.0 - coverage.r);
+    if ((look & haloed) != 0 && coverage.g > 0.75)
       lines = 0.0;
   }
   return colour;
-}
-
-void add(inout vec4 sum, int index, ivec2 pixel, inout float lines) {
-  ivec4 entry = entryAt(list.x + index);
-  ivec2 offset = ivec2(entry.x & 0xffff, (entry.x >> 16) & 0xffff) - 32768;
-  sum += layerColour(entry, pixel + offset, lines) * (1.0 - sum.a);
 }
 
 // Lays the hidden lines of all layers over the picture. A line that is seen has the same ink and
 // covers its own.
 vec4 withHiddenLines(vec4 colour, ivec2 pixel) {
   for (int i = 0; i < list.y; ++i) {
-    ivec4 entry = entryAt(list.x + i);
-    if ((entry.w & hiddenInk) == 0)
+    int look = texelFetch(looks, placeOf(list.x + i), 0).r;
+    if ((look & hiddenInk) == 0)
       continue;
-    ivec2 low = ivec2(entry.y & 0xffff, entry.z & 0xffff);
-    ivec2 high = ivec2((entry.y >> 16) & 0xffff, (entry.z >> 16) & 0xffff);
-    if (any(lessThan(pixel, low)) || any(greaterThan(pixel, high)))
-      continue;
-    ivec2 offset = ivec2(entry.x & 0xffff, (entry.x >> 16) & 0xffff) - 32768;
-    float stored = texelFetch(inks, pixel + offset, 0).g;
+    float stored = texelFetch(inks, texelOf(offsetOf(list.x + i), pixel), 0).g;
     float coverage = stored > 0.75 ? 0.0 : min(2.0 * stored, 1.0) * hiddenStrength;
-    colour = vec4(inkOf(entry) * coverage, coverage) + colour * (1.0 - coverage);
+    colour = vec4(inkOf(look) * coverage, coverage) + colour * (1.0 - coverage);
   }
   return colour;
+}
+
+// Holds the four nearest layers of a sweep, the nearest first: their places in the list (−1: none)
+// and offsets.
+struct Nearest {
+  vec4 depth;
+  vec4 index;
+  ivec4 offset;
+};
+
+// Puts a layer in its place among the nearest, if it lies behind the last one of the sweep before.
+void place(inout Nearest found, int offset, int i, ivec2 pixel, vec2 last) {
+  float depth = texelFetch(depths, texelOf(offset, pixel), 0).r;
+  float index = float(i);
+  if (depth < last.x || (depth == last.x && index <= last.y))
+    depth = 1.0;
+  // Whatever is farther moves on by one.
+  bvec4 before = lessThan(vec4(depth), found.depth);
+  bvec4 moving = bvec4(false, before.xyz);
+  vec4 movedDepth = mix(vec4(depth), found.depth.xxyz, moving);
+  vec4 movedIndex = mix(vec4(index), found.index.xxyz, moving);
+  found.offset.w = before.w ? (moving.w ? found.offset.z : offset) : found.offset.w;
+  found.offset.z = before.z ? (moving.z ? found.offset.y : offset) : found.offset.z;
+  found.offset.y = before.y ? (moving.y ? found.offset.x : offset) : found.offset.y;
+  found.offset.x = before.x ? offset : found.offset.x;
+  found.depth = mix(found.depth, movedDepth, before);
+  found.index = mix(found.index, movedIndex, before);
+}
+
+Nearest sweep(ivec2 pixel, vec2 last) {
+  Nearest found = Nearest(vec4(1.0), vec4(-1.0), ivec4(0));
+  ivec4 a = offsets0;
+  ivec4 b = offsets1;
+  ivec4 c = offsets2;
+  for (int i = 0; i < min(list.y, 12); ++i) {
+    place(found, a.x, i, pixel, last);
+    a = ivec4(a.yzw, b.x);
+    b = ivec4(b.yzw, c.x);
+    c = ivec4(c.yzw, 0);
+  }
+  for (int i = 12; i < list.y; ++i)
+    place(found, offsetOf(list.x + i), i, pixel, last);
+  return found;
 }
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 sum = vec4(0.0);
   float lines = 1.0;
-  // Each sweep finds the two nearest layers behind the last one.
-  float lastDepth = -1.0;
-  int lastIndex = -1;
-  for (int layer = 0; layer < list.y; layer += 2) {
-    vec2 nearest = vec2(1.0);
-    ivec2 index = ivec2(-1);
-    for (int i = 0; i < list.y; ++i) {
-      ivec4 entry = entryAt(list.x + i);
-      ivec2 low = ivec2(entry.y & 0xffff, entry.z & 0xffff);
-      ivec2 high = ivec2((entry.y >> 16) & 0xffff, (entry.z >> 16) & 0xffff);
-      if (any(lessThan(pixel, low)) || any(greaterThan(pixel, high)))
-        continue;
-      ivec2 offset = ivec2(entry.x & 0xffff, (entry.x >> 16) & 0xffff) - 32768;
-      float depth = texelFetch(depths, pixel + offset, 0).r;
-      bool behind = depth > lastDepth || (depth == lastDepth && i > lastIndex);
-      if (behind && depth < nearest.x) {
-        nearest = vec2(depth, nearest.x);
-        index = ivec2(i, index.x);
-      } else if (behind && depth < nearest.y) {
-        nearest.y = depth;
-        index.y = i;
-      }
+  vec2 last = vec2(-1.0);
+  for (int seen = 0; seen < list.y; seen += 4) {
+    Nearest found = sweep(pixel, last);
+    last = vec2(found.depth.w, found.index.w);
+    while (found.index.x >= 0.0 && sum.a <= 0.998) {
+      int look = texelFetch(looks, placeOf(list.x + int(found.index.x)), 0).r;
+      sum += layerColour(look, texelOf(found.offset.x, pixel), lines) * (1.0 - sum.a);
+      found.index = vec4(found.index.yzw, -1.0);
+      found.offset = found.offset.yzww;
     }
-    if (index.x < 0)
+    if (last.y < 0.0 || sum.a > 0.998)
       break;
-    add(sum, index.x, pixel, lines);
-    if (index.y < 0 || sum.a > 0.998)
-      break;
-    add(sum, index.y, pixel, lines);
-    if (sum.a > 0.998)
-      break;
-    lastDepth = nearest.y;
-    lastIndex = index.y;
   }
   fragment = sum + background * (1.0 - sum.a);
   if (hiddenLines != 0)

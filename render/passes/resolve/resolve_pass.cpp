@@ -28,11 +28,11 @@ gpu::ProgramRecipe resolveRecipe() {
           .vertexFile = "resolve.vert.glsl",
           .fragmentFile = "resolve.frag.glsl",
           .uniforms = {{"targetSize", UniformType::vec2},
-                       {"tileSide", UniformType::real},
                        {"colours", UniformType::texture},
                        {"inks", UniformType::texture},
                        {"depths", UniformType::texture},
-                       {"entries", UniformType::intTexture},
+                       {"offsets", UniformType::intTexture},
+                       {"looks", UniformType::intTexture},
                        {"rowBits", UniformType::integer},
                        {"hiddenLines", UniformType::integer},
                        {"background", UniformType::vec4}}};
@@ -44,12 +44,12 @@ gpu::ProgramRecipe outlineRecipe() {
           .vertexFile = "resolve.vert.glsl",
           .fragmentFile = "outline.frag.glsl",
           .uniforms = {{"targetSize", UniformType::vec2},
-                       {"tileSide", UniformType::real},
                        {"numbers", UniformType::texture},
                        {"numberDepths", UniformType::texture},
                        {"colours", UniformType::texture},
                        {"depths", UniformType::texture},
-                       {"entries", UniformType::intTexture},
+                       {"offsets", UniformType::intTexture},
+                       {"looks", UniformType::intTexture},
                        {"rowBits", UniformType::integer},
                        {"corner", UniformType::ivec2},
                        {"ink", UniformType::vec3},
@@ -68,19 +68,31 @@ float outlineScale(float casingHalfWidth) {
 }  // namespace
 
 ResolveEntry resolveEntry(const ResolveLayer& layer) {
-  const PixelRect& a = layer.area;
   const int ink = layer.ink.red << 16 | layer.ink.green << 8 | layer.ink.blue;
-  return {{pair(layer.offsetX + 32768, layer.offsetY + 32768), pair(a.x, a.right() - 1),
-           pair(a.y, a.top() - 1),
-           ink | (layer.filled ? filledFlag : 0) | (layer.inked ? inkedFlag : 0) |
-               (layer.hiddenInk ? hiddenFlag : 0) | (layer.haloed ? haloFlag : 0)}};
+  return {.offset = pair(layer.offsetX + 32768, layer.offsetY + 32768),
+          .look = ink | (layer.filled ? filledFlag : 0) | (layer.inked ? inkedFlag : 0) |
+                  (layer.hiddenInk ? hiddenFlag : 0) | (layer.haloed ? haloFlag : 0)};
+}
+
+ResolveTile resolveTile(const PixelRect& rectangle, std::span<const ResolveEntry> entries,
+                        std::size_t first) {
+  ResolveTile tile{.corner = pair(rectangle.x, rectangle.y),
+                   .size = pair(rectangle.width, rectangle.height),
+                   .first = std::int32_t(first),
+                   .count = std::int32_t(entries.size() - first)};
+  for (std::size_t i = 0; i < tile.offsets.size() && first + i < entries.size(); ++i)
+    tile.offsets[i] = entries[first + i].offset;
+  return tile;
 }
 
 ResolvePass::ResolvePass()
     : m_tiles(gpu::BufferKind::vertices, "tiles"),
       m_geometry({{.buffer = &m_tiles,
                    .stride = sizeof(ResolveTile),
-                   .attributes = {{0, 4, gpu::AttributeType::integer32, 0}},
+                   .attributes = {{0, 4, gpu::AttributeType::integer32, 0},
+                                  {1, 4, gpu::AttributeType::integer32, 16},
+                                  {2, 4, gpu::AttributeType::integer32, 32},
+                                  {3, 4, gpu::AttributeType::integer32, 48}},
                    .perInstance = true}},
                  nullptr, "tiles") {}
 
@@ -110,16 +122,21 @@ void ResolvePass::upload(std::span<const ResolveTile> tiles,
     }
   }
   const int rows = std::max(1, (int(entries.size()) + entriesPerRow - 1) / entriesPerRow);
-  if (!m_entries || m_entries->size().height < rows)
-    m_entries = std::make_unique<gpu::Texture>(gpu::TextureFormat::rgba32i,
-                                               gpu::TextureSize{entriesPerRow, rows + rows / 2},
-                                               "layers of tiles");
-  m_hiddenLines = std::any_of(entries.begin(), entries.end(), [](const ResolveEntry& entry) {
-    return (entry.packed[3] & hiddenFlag) != 0;
-  });
-  m_rows.assign(std::size_t(rows) * entriesPerRow, ResolveEntry{});
-  std::copy(entries.begin(), entries.end(), m_rows.begin());
-  m_entries->upload(std::as_bytes(std::span(m_rows)), rows);
+  if (!m_offsets || m_offsets->size().height < rows) {
+    const gpu::TextureSize size{entriesPerRow, rows + rows / 2};
+    m_offsets = std::make_unique<gpu::Texture>(gpu::TextureFormat::r32i, size, "places of layers");
+    m_looks = std::make_unique<gpu::Texture>(gpu::TextureFormat::r32i, size, "looks of layers");
+  }
+  std::vector<std::int32_t> offsets(std::size_t(rows) * entriesPerRow);
+  std::vector<std::int32_t> looks(offsets.size());
+  m_hiddenLines = false;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    offsets[i] = entries[i].offset;
+    looks[i] = entries[i].look;
+    m_hiddenLines = m_hiddenLines || (entries[i].look & hiddenFlag) != 0;
+  }
+  m_offsets->upload(std::as_bytes(std::span(offsets)), rows);
+  m_looks->upload(std::as_bytes(std::span(looks)), rows);
 }
 
 void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
@@ -130,11 +147,11 @@ void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
   if (m_batches.empty())
     return;
   m_program->set("targetSize", glm::vec2(float(size.width), float(size.height)));
-  m_program->set("tileSide", float(tileSide));
   m_program->set("colours", inputs.colours);
   m_program->set("inks", inputs.inks);
   m_program->set("depths", inputs.depths);
-  m_program->set("entries", *m_entries);
+  m_program->set("offsets", *m_offsets);
+  m_program->set("looks", *m_looks);
   m_program->set("rowBits", rowBits);
   m_program->set("hiddenLines", m_hiddenLines ? 1 : 0);
   m_program->set("background", inputs.background);
@@ -163,12 +180,12 @@ void ResolvePass::drawOutlines(gpu::Device& device, const gpu::Target& target,
     return;
   const PixelRect& region = inputs.region;
   m_outline->set("targetSize", glm::vec2(float(region.width), float(region.height)));
-  m_outline->set("tileSide", float(tileSide));
   m_outline->set("numbers", inputs.numbers);
   m_outline->set("numberDepths", inputs.numberDepths);
   m_outline->set("colours", inputs.colours);
   m_outline->set("depths", inputs.depths);
-  m_outline->set("entries", *m_entries);
+  m_outline->set("offsets", *m_offsets);
+  m_outline->set("looks", *m_looks);
   m_outline->set("rowBits", rowBits);
   m_outline->set("corner", glm::ivec2(region.x, region.y));
   m_outline->set("ink", inputs.ink);

@@ -3,6 +3,7 @@
 // independently of the order in which they were drawn (METHOD §10).
 #pragma once
 
+#include <array>
 #include <glm/vec4.hpp>
 #include <memory>
 #include <vector>
@@ -14,7 +15,8 @@ namespace sline::render::passes {
 
 /// One layer in one tile's list.
 struct ResolveEntry {
-  std::int32_t packed[4];
+  std::int32_t offset = 0;
+  std::int32_t look = 0;
 };
 
 struct ResolveLayer {
@@ -27,16 +29,21 @@ struct ResolveLayer {
   bool hiddenInk = false;  ///< has lines that show through what lies before them
   bool haloed = false;     ///< keeps lines behind it away from its outline
 };
-/// Packs a layer. Areas must lie within 65535 pixels and offsets within ±32767.
+/// Packs a layer. Offsets must lie within ±32767.
 ResolveEntry resolveEntry(const ResolveLayer& layer);
 
-/// A square of the target and its layers: entries first … first + count − 1, in order of their ids.
+/// A rectangle of the target and its layers: entries first … first + count − 1, in order of their
+/// ids. Each of them covers all of it.
 struct ResolveTile {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
+  std::int32_t corner = 0;  ///< x, and y in the upper 16 bits
+  std::int32_t size = 0;    ///< likewise width and height
   std::int32_t first = 0;
   std::int32_t count = 0;
+  std::array<std::int32_t, 12> offsets{};  ///< of the first of them
 };
+/// Returns the tile of the entries from `first` on. The rectangle must lie within 65535 pixels.
+ResolveTile resolveTile(const PixelRect& rectangle, std::span<const ResolveEntry> entries,
+                        std::size_t first);
 
 struct ResolveInputs {
   const gpu::Texture& colours;  ///< premultiplied fills
@@ -63,7 +70,7 @@ struct OutlineInputs {
 
 class ResolvePass {
  public:
-  static constexpr int tileSide = 32;
+  static constexpr int tileSide = 16;
   static Result<std::unique_ptr<ResolvePass>> create(gpu::Dialect dialect);
 
   void upload(std::span<const ResolveTile> tiles, std::span<const ResolveEntry> entries);
@@ -86,8 +93,8 @@ class ResolvePass {
   std::unique_ptr<gpu::Program> m_outline;
   gpu::Buffer m_tiles;
   gpu::Geometry m_geometry;
-  std::unique_ptr<gpu::Texture> m_entries;
-  std::vector<ResolveEntry> m_rows;    ///< the entries padded to whole rows
+  std::unique_ptr<gpu::Texture> m_offsets;
+  std::unique_ptr<gpu::Texture> m_looks;
   bool m_hiddenLines = false;          ///< an entry has some
   std::vector<std::size_t> m_batches;  ///< the end of each batch, after its last tile
 };

@@ -11,6 +11,8 @@
 #include "render/passes/plain_phong/plain_phong_pass.h"
 #include "render/passes/resolve/resolve_pass.h"
 #include "render/passes/surface/surface_pass.h"
+#include "render/passes/surface/wipe_pass.h"
+#include "render/picture/tile_lists.h"
 #include "render/strokes/stroke_maker.h"
 #include "tests/support/suite.h"
 
@@ -146,6 +148,7 @@ void PassesTest::shadersSpeakBothDialects() {
     QVERIFY2(pass.ok(), pass.ok() ? "" : pass.error().text().c_str());
   };
   check(passes::SurfacePass::create(d));
+  check(passes::WipePass::create(d));
   check(passes::HatchingPass::create(d));
   check(passes::InkPass::create(d));
   check(ResolvePass::create(d));
@@ -169,22 +172,20 @@ std::vector<std::uint8_t> PassesTest::resolved(const Case& c, const glm::vec4& b
     for (int x = 0; x < atlasWidth; ++x)
       if (const float d = c.pixels.depths[std::size_t(y) * atlasWidth + x]; d < 1.0f)
         m_device->clear(*depthTarget, {.depth = d, .area = PixelRect{x, y, 1, 1}});
-  std::vector<passes::ResolveEntry> entries;
-  std::vector<passes::ResolveTile> tiles;
-  constexpr int tile = ResolvePass::tileSide;
-  for (int y = 0; y < side; y += tile)
-    for (int x = 0; x < side; x += tile) {
-      passes::ResolveTile t{x, y, std::int32_t(entries.size()), 0};
-      for (const ResolveLayer& layer : c.layers)
-        if (!intersection(layer.area, {x, y, tile, tile}).empty())
-          entries.push_back(passes::resolveEntry(layer));
-      t.count = std::int32_t(entries.size()) - t.first;
-      tiles.push_back(t);
-    }
+  const PixelRect region{0, 0, side, side};
+  std::vector<TileMask> masks(c.layers.size(), TileMask(region));
+  std::vector<ListedLayer> listed;
+  for (std::size_t i = 0; i < c.layers.size(); ++i) {
+    masks[i].mark(c.layers[i].area);
+    listed.push_back({.mask = &masks[i], .layer = c.layers[i]});
+  }
+  TileMask wanted(region);
+  wanted.markAll();
+  const TileLists lists = tileLists(listed, wanted);
   gpu::Texture picture(gpu::TextureFormat::rgba8, {side, side}, "picture");
   auto target = std::move(gpu::Target::create({{&picture}, nullptr}, "picture").value());
   auto pass = std::move(ResolvePass::create(m_device->dialect()).value());
-  pass->upload(tiles, entries);
+  pass->upload(lists.tiles, lists.entries);
   pass->draw(*m_device, *target,
              {.colours = colours, .inks = inks, .depths = depths, .background = background});
   std::vector<std::uint8_t> rgba(4 * side * side);

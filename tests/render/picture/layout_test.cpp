@@ -19,6 +19,8 @@ class LayoutTest : public QObject {
   void packsWithoutOverlap();
   void refusesWhatDoesNotFit();
   void listsLayersInOrder();
+  void cutsSquaresAtEdgesOfAreas();
+  void masksReachBeyondTheRegion();
   void sphereBoundsHoldTheSphere_data();
   void sphereBoundsHoldTheSphere();
   void stagesOfGamma_data();
@@ -49,17 +51,19 @@ void LayoutTest::refusesWhatDoesNotFit() {
 }
 
 void LayoutTest::listsLayersInOrder() {
-  const PixelRect region{100, 0, 96, 64};
+  constexpr int square = passes::ResolvePass::tileSide;
+  const PixelRect region{100, 0, 3 * square, 2 * square};
   std::array<TileMask, 3> masks{TileMask(region), TileMask(region), TileMask(region)};
-  masks[0].mark({100, 0, 1, 1});      // first tile only
-  masks[1].mark({110, 10, 50, 10});   // first and second
-  masks[2].mark({-500, -500, 5, 5});  // outside of the region
-  masks[2].mark({131, 31, 2, 2});     // where four tiles meet
+  masks[0].mark({100, 0, 1, 1});                             // first tile only
+  masks[1].mark({100 + square / 2, square / 4, square, 4});  // first and second
+  masks[2].mark({-500, -500, 5, 5});                         // outside of the region
+  masks[2].mark({99 + square, square - 1, 2, 2});            // where four tiles meet
   std::vector<ListedLayer> layers;
   for (const TileMask& mask : masks)
-    layers.push_back(
-        {.mask = &mask,
-         .layer = {.area = {0, 0, 96, 64}, .offsetX = int(layers.size()), .inked = true}});
+    layers.push_back({.mask = &mask,
+                      .layer = {.area = {0, 0, 3 * square, 2 * square},
+                                .offsetX = int(layers.size()),
+                                .inked = true}});
   TileMask wanted(region);
   for (const TileMask& mask : masks)
     wanted.mark(mask);
@@ -68,14 +72,14 @@ void LayoutTest::listsLayersInOrder() {
   const auto offsets = [&](std::size_t tile) {
     QList<int> found;
     for (int i = 0; i < lists.tiles[tile].count; ++i)
-      found.append((lists.entries[std::size_t(lists.tiles[tile].first + i)].packed[0] & 0xffff) -
+      found.append((lists.entries[std::size_t(lists.tiles[tile].first + i)].offset & 0xffff) -
                    32768);
     return found;
   };
   QCOMPARE(offsets(0), (QList<int>{0, 1, 2}));
   QCOMPARE(offsets(1), (QList<int>{1, 2}));
   QCOMPARE(offsets(2), (QList<int>{2}));
-  QCOMPARE(lists.tiles[2].y, 32);
+  QCOMPARE(lists.tiles[2].corner >> 16, square);
   // Squares that are not wanted are left out, and wanted ones without layers are not.
   TileMask some(region);
   some.mark({100, 0, 1, 1});
@@ -85,6 +89,46 @@ void LayoutTest::listsLayersInOrder() {
   const TileLists bare = tileLists({}, some);
   QCOMPARE(bare.tiles.size(), std::size_t(1));
   QCOMPARE(bare.tiles.front().count, 0);
+}
+
+void LayoutTest::cutsSquaresAtEdgesOfAreas() {
+  constexpr int square = passes::ResolvePass::tileSide;
+  const PixelRect region{0, 0, square, square};
+  TileMask mask(region);
+  mask.markAll();
+  const std::vector<ListedLayer> layers{{.mask = &mask, .layer = {.area = {0, 0, 5, square}}},
+                                        {.mask = &mask, .layer = {.area = region, .offsetX = 7}}};
+  const TileLists lists = tileLists(layers, mask);
+  QCOMPARE(lists.tiles.size(), std::size_t(2));
+  QCOMPARE(lists.tiles[0].size & 0xffff, 5);
+  QCOMPARE(lists.tiles[0].count, 2);
+  QCOMPARE(lists.tiles[1].corner & 0xffff, 5);
+  QCOMPARE(lists.tiles[1].size & 0xffff, square - 5);
+  QCOMPARE(lists.tiles[1].count, 1);
+  QCOMPARE(lists.tiles[1].offsets[0], lists.entries.back().offset);
+  QCOMPARE(lists.entries.back().offset & 0xffff, 32768 + 7);
+}
+
+void LayoutTest::masksReachBeyondTheRegion() {
+  constexpr int square = passes::ResolvePass::tileSide;
+  const PixelRect region{50, 60, 4 * square, 4 * square};
+  const PixelRect area{50 - 3, 60 + 3, 2 * square, 2 * square};
+  TileMask mask(region, area);
+  QVERIFY(mask.rectangles().empty());
+  QVERIFY(!mask.marksAny(area));
+  mask.mark({0, 0, 49, 70});
+  QVERIFY(mask.marked(-1, 0));
+  QVERIFY(!mask.marked(0, 0));
+  QVERIFY(mask.marksAny({47, 63, 1, 1}));
+  QVERIFY(!mask.marksAny({50, 63, 1, 1}));
+  QCOMPARE(mask.rectangles(), (std::vector<PixelRect>{{47, 63, 3, square - 3}}));
+  // Squares one above the other are one rectangle, and the area cuts it.
+  mask.markAll();
+  QCOMPARE(mask.rectangles(), std::vector<PixelRect>{area});
+  TileMask whole(region);
+  whole.mark(mask);
+  QVERIFY(whole.marked(1, 2) && !whole.marked(2, 0) && !whole.marked(0, 3));
+  QCOMPARE(whole.square(1, 2), (PixelRect{square, 2 * square, square, square}));
 }
 
 void LayoutTest::sphereBoundsHoldTheSphere_data() {
