@@ -17,10 +17,10 @@ namespace sline::render::gpu {
 class DrawQueue {
  public:
   /// The largest sizes of a single draw, which cannot be interrupted.
-  static constexpr std::size_t mostIndices = 49'998;
+  static constexpr std::size_t mostIndices = 99'999;
   static_assert(mostIndices % 3 == 0, "pieces of a list of triangles hold whole triangles");
-  static constexpr std::size_t mostStrokes = 2'000;
-  static constexpr int mostLayersOfTiles = 200;
+  static constexpr std::size_t mostStrokes = 4'000;
+  static constexpr int mostLayersOfTiles = 1'600;
 
   void addTriangles(std::size_t indices) { add(indices); }
   void addStrokes(std::size_t count) { add(24 * count); }
@@ -28,11 +28,11 @@ class DrawQueue {
     add(std::size_t(area.width) * std::size_t(area.height) / 10);
   }
   /// Adds squares of the resolve pass, which blend so many layers in all.
-  void addLayersOfTiles(std::size_t layers) { add(250 * layers); }
+  void addLayersOfTiles(std::size_t layers) { add(63 * layers); }
 
  private:
-  /// Weights measure what keeps llvmpipe equally long: `longest` is about 5 ms on two cores.
-  static constexpr std::size_t longest = 49'998;
+  /// Weights measure what keeps llvmpipe equally long: `longest` is about 10 ms on two cores.
+  static constexpr std::size_t longest = 99'999;
 
   void add(std::size_t work) {
     m_waiting += work;

@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "render/gpu/device.h"
+#include "render/passes/surface_draw.h"
 
 namespace sline::render::passes {
 
