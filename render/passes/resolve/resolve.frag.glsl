@@ -68,6 +68,7 @@ vec4 withHiddenLines(vec4 colour, ivec2 pixel) {
   return colour;
 }
 
+#ifndef ONE_LAYER
 // Holds the four nearest layers of a sweep, the nearest first: their places in the list (−1: none)
 // and offsets.
 struct Nearest {
@@ -110,11 +111,17 @@ Nearest sweep(ivec2 pixel, vec2 last) {
     place(found, offsetOf(list.x + i), i, pixel, last);
   return found;
 }
+#endif
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 sum = vec4(0.0);
   float lines = 1.0;
+#ifdef ONE_LAYER
+  ivec2 texel = texelOf(offsets0.x, pixel);
+  if (texelFetch(depths, texel, 0).r < 1.0)
+    sum = layerColour(texelFetch(looks, placeOf(list.x), 0).r, texel, lines);
+#else
   vec2 last = vec2(-1.0);
   for (int seen = 0; seen < list.y; seen += 4) {
     Nearest found = sweep(pixel, last);
@@ -128,6 +135,7 @@ void main() {
     if (last.y < 0.0 || sum.a > 0.998)
       break;
   }
+#endif
   fragment = sum + background * (1.0 - sum.a);
   if (hiddenLines != 0)
     fragment = withHiddenLines(fragment, pixel);

@@ -102,6 +102,13 @@ Result<std::unique_ptr<ResolvePass>> ResolvePass::create(gpu::Dialect dialect) {
     return program.error();
   std::unique_ptr<ResolvePass> pass(new ResolvePass);
   pass->m_program = std::move(*program);
+  gpu::ProgramRecipe oneRecipe = resolveRecipe();
+  oneRecipe.name = "resolve one layer";
+  oneRecipe.fragmentFile = "resolve_one.frag.glsl";
+  auto one = gpu::Program::create(shaderFiles(), dialect, oneRecipe);
+  if (!one)
+    return one.error();
+  pass->m_one = std::move(*one);
   auto outline = gpu::Program::create(shaderFiles(), dialect, outlineRecipe());
   if (!outline)
     return outline.error();
@@ -111,12 +118,17 @@ Result<std::unique_ptr<ResolvePass>> ResolvePass::create(gpu::Dialect dialect) {
 
 void ResolvePass::upload(std::span<const ResolveTile> tiles,
                          std::span<const ResolveEntry> entries) {
-  m_tiles.stream(std::as_bytes(tiles));
+  std::vector<ResolveTile> sorted(tiles.begin(), tiles.end());
+  const auto others = std::stable_partition(
+      sorted.begin(), sorted.end(), [](const ResolveTile& tile) { return tile.count == 1; });
+  m_singles = std::size_t(others - sorted.begin());
+  m_tiles.stream(std::as_bytes(std::span(sorted)));
   m_batches.clear();
   int waiting = 0;
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    waiting += tiles[i].count;
-    if (waiting >= gpu::DrawQueue::mostLayersOfTiles || i + 1 == tiles.size()) {
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    waiting += sorted[i].count;
+    if (waiting >= gpu::DrawQueue::mostLayersOfTiles || i + 1 == sorted.size() ||
+        i + 1 == m_singles) {
       m_batches.push_back(i + 1);
       waiting = 0;
     }
@@ -139,6 +151,19 @@ void ResolvePass::upload(std::span<const ResolveTile> tiles,
   m_looks->upload(std::as_bytes(std::span(looks)), rows);
 }
 
+void ResolvePass::set(const gpu::Program& program, gpu::TextureSize size,
+                      const ResolveInputs& inputs) const {
+  program.set("targetSize", glm::vec2(float(size.width), float(size.height)));
+  program.set("colours", inputs.colours);
+  program.set("inks", inputs.inks);
+  program.set("depths", inputs.depths);
+  program.set("offsets", *m_offsets);
+  program.set("looks", *m_looks);
+  program.set("rowBits", rowBits);
+  program.set("hiddenLines", m_hiddenLines ? 1 : 0);
+  program.set("background", inputs.background);
+}
+
 void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
                        const ResolveInputs& inputs) {
   const gpu::TextureSize size = target.size();
@@ -146,24 +171,18 @@ void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
     device.clear(target, {.colour = inputs.background});
   if (m_batches.empty())
     return;
-  m_program->set("targetSize", glm::vec2(float(size.width), float(size.height)));
-  m_program->set("colours", inputs.colours);
-  m_program->set("inks", inputs.inks);
-  m_program->set("depths", inputs.depths);
-  m_program->set("offsets", *m_offsets);
-  m_program->set("looks", *m_looks);
-  m_program->set("rowBits", rowBits);
-  m_program->set("hiddenLines", m_hiddenLines ? 1 : 0);
-  m_program->set("background", inputs.background);
-  drawTiles(device, target, *m_program, {.viewport = {0, 0, size.width, size.height}});
+  set(*m_one, size, inputs);
+  set(*m_program, size, inputs);
+  drawTiles(device, target, {*m_one, *m_program}, {.viewport = {0, 0, size.width, size.height}});
 }
 
 void ResolvePass::drawTiles(gpu::Device& device, const gpu::Target& target,
-                            const gpu::Program& program, const gpu::DrawState& state) {
+                            const TilePrograms& programs, const gpu::DrawState& state) {
   gpu::DrawQueue queue;
   std::size_t first = 0;
   for (const std::size_t end : m_batches) {
     m_geometry.startInstancesAt(first);
+    const gpu::Program& program = end <= m_singles ? programs.one : programs.others;
     device.quads({target, program, m_geometry, state}, end - first);
     queue.addLayersOfTiles(gpu::DrawQueue::mostLayersOfTiles);
     first = end;
@@ -194,7 +213,7 @@ void ResolvePass::drawOutlines(gpu::Device& device, const gpu::Target& target,
                                   inputs.hiddenStrength));
   m_outline->set("scale", outlineScale(inputs.casingHalfWidth));
   m_outline->set("reach", outlineReach(inputs.casingHalfWidth));
-  drawTiles(device, target, *m_outline,
+  drawTiles(device, target, {*m_outline, *m_outline},
             {.viewport = region, .scissor = region, .blend = gpu::Blend::over});
 }
 

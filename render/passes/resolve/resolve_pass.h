@@ -87,8 +87,15 @@ class ResolvePass {
   ResolvePass();
   static constexpr int rowBits = 10;
   static constexpr int entriesPerRow = 1 << rowBits;
-  void drawTiles(gpu::Device& device, const gpu::Target& target, const gpu::Program& program,
+  /// Sets what the program for tiles of one layer and that for all others read alike.
+  void set(const gpu::Program& program, gpu::TextureSize size, const ResolveInputs& inputs) const;
+  struct TilePrograms {
+    const gpu::Program& one;  ///< for tiles of one layer
+    const gpu::Program& others;
+  };
+  void drawTiles(gpu::Device& device, const gpu::Target& target, const TilePrograms& programs,
                  const gpu::DrawState& state);
+  std::unique_ptr<gpu::Program> m_one;
   std::unique_ptr<gpu::Program> m_program;
   std::unique_ptr<gpu::Program> m_outline;
   gpu::Buffer m_tiles;
@@ -96,6 +103,7 @@ class ResolvePass {
   std::unique_ptr<gpu::Texture> m_offsets;
   std::unique_ptr<gpu::Texture> m_looks;
   bool m_hiddenLines = false;          ///< an entry has some
+  std::size_t m_singles = 0;           ///< tiles of one layer, which come first
   std::vector<std::size_t> m_batches;  ///< the end of each batch, after its last tile
 };
 
