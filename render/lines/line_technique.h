@@ -72,8 +72,8 @@ struct LineTechnique {
   std::unique_ptr<const PreparedLines> (*prepare)(const model::Surface& surface) = nullptr;
   /// Appends the segments of the whole surface: instead of `mayPass` and `extract`.
   void (*find)(const LineSearch& search, std::vector<Segment>& segments) = nullptr;
-  /// Replaces entries by ranks, so that lines enter evenly with `t`, which `entered` gave. Null: all
-  /// enter at once.
+  /// Replaces entries by ranks, so that lines enter evenly with `t`, which `entered` gave. Null:
+  /// all enter at once.
   void (*rank)(std::vector<Segment>& segments, const model::Surface& surface,
                const model::Camera& camera, float t) = nullptr;
 };
