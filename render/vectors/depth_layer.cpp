@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/lines/stages.h"
+#include "render/strokes/structure_lines.h"
 #include "render/vectors/fill_tones.h"
 
 namespace sline::render {
@@ -232,6 +234,20 @@ bool DepthLayer::variesInOpacity() const {
   return high - low > 0.02f;
 }
 
+namespace {
+
+/// Returns how far outside a structure its outline hides all: most of the pen's width, if it draws
+/// in full.
+float inkWidth(const DrawnStructure& shown, const LayerInput& input) {
+  constexpr float sure = 0.7f;
+  constexpr float whole = 0.99f;
+  const float strength = transitions(shown.style.gamma).lines * shown.style.opacity.value();
+  return strength < whole ? 0.0f
+                          : sure * penWidth(shown.surface(), input.view, shown.style.penWeight);
+}
+
+}  // namespace
+
 DepthLayer depthLayer(const DrawnStructure& shown, const LayerInput& input, const PixelRect& area) {
   DepthLayer layer;
   layer.area = area;
@@ -240,6 +256,7 @@ DepthLayer depthLayer(const DrawnStructure& shown, const LayerInput& input, cons
   drawing.drawCaps();
   drawing.fill();
   layer.halo = haloWidth(shown.surface(), input.view, shown.style);
+  layer.ink = inkWidth(shown, input);
   return layer;
 }
 

@@ -22,6 +22,8 @@ struct DepthLayer {
   std::size_t firstCapTone = 0;
   /// Pixels outside what it covers where lines behind it stop (METHOD §11.6).
   float halo = 0.0f;
+  /// Pixels outside what it covers where its outline's ink hides lines behind it.
+  float ink = 0.0f;
 
   std::ptrdiff_t index(int x, int y) const {
     if (x < area.x || y < area.y || x >= area.right() || y >= area.top())

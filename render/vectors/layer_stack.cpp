@@ -81,23 +81,33 @@ Veil LayerStack::before(const glm::vec2& pixel, float depth, std::size_t own) co
   return {glm::vec3(sum), 1.0f - sum.a};
 }
 
-bool LayerStack::haloed(const glm::vec2& pixel, float depth, std::size_t own) const {
+bool LayerStack::ringed(std::size_t layer, const glm::vec2& pixel, float depth, std::size_t own,
+                        float radius) const {
   // Outlines are looked for on two rings around the pixel.
   constexpr int directions = 12;
-  for (const std::size_t i : m_haloed) {
-    const DepthLayer& layer = m_layers[i];
-    if (i == own || layer.depthAt(pixel) < 1.0f)
-      continue;
-    for (int k = 0; k < 2 * directions; ++k) {
-      const float angle = 6.2831853f * float(k) / float(directions);
-      const float radius = layer.halo * (k < directions ? 1.0f : 0.5f);
-      const float there =
-          layer.depthAt(pixel + radius * glm::vec2(std::cos(angle), std::sin(angle)));
-      if (there < 1.0f && liesBefore(there, i, depth, own))
-        return true;
-    }
+  const DepthLayer& other = m_layers[layer];
+  if (layer == own || other.depthAt(pixel) < 1.0f)
+    return false;
+  for (int k = 0; k < 2 * directions; ++k) {
+    const float angle = 6.2831853f * float(k) / float(directions);
+    const float far = radius * (k < directions ? 1.0f : 0.5f);
+    const float there = other.depthAt(pixel + far * glm::vec2(std::cos(angle), std::sin(angle)));
+    if (there < 1.0f && liesBefore(there, layer, depth, own))
+      return true;
   }
   return false;
+}
+
+bool LayerStack::haloed(const glm::vec2& pixel, float depth, std::size_t own) const {
+  return std::any_of(m_haloed.begin(), m_haloed.end(),
+                     [&](std::size_t i) { return ringed(i, pixel, depth, own, m_layers[i].halo); });
+}
+
+bool LayerStack::inked(const glm::vec2& pixel, float depth, std::size_t own) const {
+  const auto& near = listAt(int(std::floor(pixel.x)), int(std::floor(pixel.y)));
+  return std::any_of(near.begin(), near.end(), [&](std::size_t i) {
+    return m_layers[i].ink > 0.0f && ringed(i, pixel, depth, own, m_layers[i].ink);
+  });
 }
 
 std::optional<std::size_t> LayerStack::hider(int x, int y, float depth, std::size_t own) const {

@@ -33,6 +33,8 @@ class LayerStack {
   Veil before(const glm::vec2& pixel, float depth, std::size_t own) const;
   /// Tells whether a line of `own` at that depth stops beside a nearer structure.
   bool haloed(const glm::vec2& pixel, float depth, std::size_t own) const;
+  /// Tells whether the outline of a nearer structure lies over a line of `own` at that depth.
+  bool inked(const glm::vec2& pixel, float depth, std::size_t own) const;
   /// Returns the layer that is seen instead of something at that depth: the one with the nearest
   /// opaque fill in front of it.
   std::optional<std::size_t> hider(int x, int y, float depth, std::size_t own) const;
@@ -46,6 +48,10 @@ class LayerStack {
  private:
   static constexpr int tileSide = 32;
   const std::vector<std::uint16_t>& listAt(int x, int y) const;
+  /// Tells whether the layer does not reach to the pixel, but to within the radius of it, and lies
+  /// before the depth there.
+  bool ringed(std::size_t layer, const glm::vec2& pixel, float depth, std::size_t own,
+              float radius) const;
 
   std::span<const DepthLayer> m_layers;
   int m_width = 0;

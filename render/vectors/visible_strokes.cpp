@@ -69,7 +69,8 @@ class StrokeSampler {
     if (m_scene.hidden) {
       sample.grade = 2 * sample.grade < veilGrades ? veilGrades : 0;
       sample.veil = {};
-    } else if (m_scene.stack.haloed(on, seenAt, m_scene.ownIndex)) {
+    } else if (m_scene.stack.haloed(on, seenAt, m_scene.ownIndex) ||
+               m_scene.stack.inked(sample.point.at, seenAt, m_scene.ownIndex)) {
       sample.grade = 0;
     }
     return sample;
