@@ -38,6 +38,8 @@ constexpr float wideStep = 2.5f;
 // pen draws, to strokes of at most that many.
 constexpr float simplification = 0.1f;
 constexpr float longestStroke = 16.0f;
+// Pieces of curves are shorter: they enter as a whole as Γ grows, and long ones are seen to jump.
+constexpr float longestPiece = 5.0f;
 // And at most this many off the place where it is looked up whether something hides the line; in
 // depth by half of what that forgives (StrokeMaker), in edges of triangles.
 constexpr float lookUpError = 0.5f;
@@ -229,7 +231,7 @@ void joinLines(const model::Surface& surface, const PictureView& view,
           .line = lookUpError,
           .depth = simplification * pixel +
                    (settings.outline ? outlineDepthError : lineDepthError) * surface.meanEdge,
-          .longest = longestStroke};
+          .longest = longestPiece};
       segments = curved(segments, chains, view, settings);
     } else {
       segments = simplified(segments, chains, simplification * pixel, longestStroke * pixel);
