@@ -70,6 +70,13 @@ PaintPtr samplePaint(const Mesh& mesh) {
   return std::make_shared<const Paint>(std::move(paint));
 }
 
+ViewWords sampleWords() {
+  return {.title = {"The pelvis", {{"de", "Das Becken"}}},
+          .text = {"Seen *from the front*", {{"de", "Von *vorn*"}}},
+          .notes = {"Begin with the bones", {}},
+          .seconds = 7.5f};
+}
+
 }  // namespace
 
 Scene sampleScene() {
@@ -109,12 +116,7 @@ Scene sampleScene() {
   focus.nearness = FocusNearness{.place = glm::vec3(1.5f, -2.0f, 0.1f), .falloffMm = 45.5f};
   focus.given.push_back({.node = one, .style = {.gamma = Gamma::clamped(4.5f)}});
   scene.setFocus(focus);
-  scene.setViews({{.name = "Overview",
-                   .camera = camera,
-                   .words = {.title = {"The pelvis", {{"de", "Das Becken"}}},
-                             .text = {"Seen *from the front*", {{"de", "Von *vorn*"}}},
-                             .notes = {"Begin with the bones", {}},
-                             .seconds = 7.5f}},
+  scene.setViews({{.name = "Overview", .camera = camera, .words = sampleWords()},
                   {.name = "Cut", .sections = std::vector<Section>{half}},
                   {.name = "Whole", .sections = std::vector<Section>{}},
                   {.name = "Bare",
