@@ -16,6 +16,9 @@ constexpr std::size_t shortestMark = 3;
 // Pixels, and the largest difference of a channel: a line behind fills changes its colour no
 // sooner.
 constexpr std::size_t shortestShade = 8;
+// Pixels over which a line must run under an outline so that it is left out there; where the two
+// cross, the order of painting serves.
+constexpr std::size_t longestCrossing = 12;
 constexpr float sameShade = 0.08f;
 // Fills in front of a line leave one of this many grades of it.
 constexpr int veilGrades = 8;
@@ -25,7 +28,8 @@ constexpr float thinnest = 0.06f;
 struct Sample {
   StrokePoint point;
   Veil veil;
-  int grade = 0;  ///< 0 hidden … veilGrades whole
+  int grade = 0;       ///< 0 hidden … veilGrades whole
+  bool inked = false;  ///< a nearer structure's outline lies over it
 };
 
 /// Returns what the function in depth.glsl returns.
@@ -69,9 +73,10 @@ class StrokeSampler {
     if (m_scene.hidden) {
       sample.grade = 2 * sample.grade < veilGrades ? veilGrades : 0;
       sample.veil = {};
-    } else if (m_scene.stack.haloed(on, seenAt, m_scene.ownIndex) ||
-               m_scene.stack.inked(sample.point.at, seenAt, m_scene.ownIndex)) {
+    } else if (m_scene.stack.haloed(on, seenAt, m_scene.ownIndex)) {
       sample.grade = 0;
+    } else {
+      sample.inked = m_scene.stack.inked(sample.point.at, seenAt, m_scene.ownIndex);
     }
     return sample;
   }
@@ -131,6 +136,19 @@ std::vector<Sample> samples(const InkChain& chain, const StrokeSampler& sampler)
       found.push_back(sampler.sampleAt(s, float(i) / float(steps)));
   }
   return found;
+}
+
+/// Hides what runs along under an outline.
+void hideInked(std::vector<Sample>& all) {
+  for (std::size_t from = 0; from < all.size();) {
+    std::size_t to = from + 1;
+    while (to < all.size() && all[to].inked == all[from].inked)
+      ++to;
+    if (all[from].inked && to - from > longestCrossing)
+      for (std::size_t i = from; i < to; ++i)
+        all[i].grade = 0;
+    from = to;
+  }
 }
 
 Veil meanVeil(std::span<const Sample> run) {
@@ -221,6 +239,7 @@ std::vector<VisibleStroke> visibleStrokes(const InkChain& chain, const StrokeSce
   std::vector<Sample> all = samples(chain, StrokeSampler(scene));
   if (all.size() == 2 && chain.front().a == chain.front().b)
     all.pop_back();  // a dot
+  hideInked(all);
   closeGaps(all);
   for (std::size_t from = 0; from < all.size();) {
     const std::size_t to = endOfRun(all, from);
