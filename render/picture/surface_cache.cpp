@@ -70,6 +70,7 @@ void SurfaceCache::prepareSmall(std::span<const model::VisibleStructure> structu
       missing.try_emplace(node.mesh, Missing{&cached, &node});
   }
   std::vector<Missing> each;
+  each.reserve(missing.size());
   for (const auto& entry : missing)
     each.push_back(entry.second);
   // The largest first, so that none is left alone at the end.

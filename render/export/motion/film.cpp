@@ -27,6 +27,7 @@ Error tooLongRests(double rests, double seconds) {
 std::vector<double> restsOf(const std::vector<model::View>& views, const FilmOptions& options) {
   const double usual = options.hold.value_or(0.4 * options.seconds / double(views.size()));
   std::vector<double> rests;
+  rests.reserve(views.size());
   for (const model::View& view : views)
     rests.push_back(view.words.seconds ? double(*view.words.seconds) : usual);
   return rests;
