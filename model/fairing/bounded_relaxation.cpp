@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec4.hpp>
 #include <utility>
 
 #include "model/base/parallel.h"
+#include "model/fairing/wide_vectors.h"
 
 namespace sline::model {
 
@@ -35,18 +35,12 @@ void relaxWithin(std::vector<glm::vec3>& positions, std::span<const glm::vec3> b
   constexpr int rounds = 20;
   constexpr float shrink = 0.6307f;  // Taubin's example: pass band 0.1
   constexpr float inflate = -0.6732f;
-  // Vectors of four are read and added in one go, those of three are not.
-  std::vector<glm::vec4> now(positions.size());
-  std::vector<glm::vec4> next(positions.size());
-  for (std::size_t v = 0; v < now.size(); ++v)
-    now[v] = glm::vec4(positions[v], 0.0f);
+  std::vector<glm::vec4> now = widened(positions);
+  std::vector<glm::vec4> next(now.size());
   const auto stepped = [&](std::size_t v, float weight) {
-    if (rings.onBorder(v) || rings[v].empty())
-      return now[v];
-    glm::vec4 sum(0.0f);
-    for (const std::uint32_t other : rings[v])
-      sum += now[other];
-    return now[v] + weight * (sum / float(rings[v].size()) - now[v]);
+    return rings.onBorder(v) || rings[v].empty()
+               ? now[v]
+               : now[v] + weight * (ringMean(now, rings[v]) - now[v]);
   };
   for (int round = 0; round < rounds; ++round) {
     parallelFor(now.size(), 3072, [&](std::size_t v) { next[v] = stepped(v, shrink); });
@@ -56,8 +50,7 @@ void relaxWithin(std::vector<glm::vec3>& positions, std::span<const glm::vec3> b
     });
     std::swap(now, next);
   }
-  for (std::size_t v = 0; v < now.size(); ++v)
-    positions[v] = glm::vec3(now[v]);
+  positions = narrowed(now);
 }
 
 }  // namespace sline::model

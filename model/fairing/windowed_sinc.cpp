@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/vec4.hpp>
 #include <numbers>
 
 #include "model/base/parallel.h"
+#include "model/fairing/wide_vectors.h"
 
 namespace sline::model {
 
@@ -70,25 +70,6 @@ std::vector<double> sincCoefficients(const SincFilter& filter) {
 }
 
 namespace {
-
-// Vectors of four are read and added in one go, those of three are not.
-std::vector<glm::vec4> widened(std::span<const glm::vec3> positions) {
-  std::vector<glm::vec4> wide(positions.size());
-  for (std::size_t i = 0; i < wide.size(); ++i)
-    wide[i] = glm::vec4(positions[i], 0.0f);
-  return wide;
-}
-
-std::vector<glm::vec3> narrowed(std::span<const glm::vec4> wide) {
-  return {wide.begin(), wide.end()};
-}
-
-glm::vec4 ringMean(const std::vector<glm::vec4>& x, std::span<const std::uint32_t> ring) {
-  glm::vec4 total(0.0f);
-  for (const std::uint32_t other : ring)
-    total += x[other];
-  return total / float(ring.size());
-}
 
 /// Returns the sum of the polynomials of those coefficients, applied to the positions.
 std::vector<glm::vec3> filtered(std::span<const glm::vec3> positions, const VertexRings& rings,
