@@ -111,7 +111,8 @@ class Search {
         m_in.view.project(place + mm * m_in.view.toPatient({0.0f, 0.0f, 1.0f}));
     return m_in.layers[index].depthAt(lifted.pixel) < lifted.depth ||
            m_stack.before(lifted.pixel, lifted.depth, index).transmittance < 0.5f ||
-           m_stack.haloed(lifted.pixel, lifted.depth, index);
+           m_stack.haloed(lifted.pixel, lifted.depth, index) ||
+           m_stack.inked(lifted.pixel, lifted.depth, index);
   }
 
   const InkFrame& m_in;
