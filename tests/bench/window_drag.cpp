@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs sline-bench-window, which measures the time from a move of the Γ slider, of the mouse that
 // turns, and of a section's arrow to the picture on screen, through the whole window, beside a full
-// frame through the same window. Needs a display (xvfb-run).
+// frame through the same window; and how long the window is busy with each step of a stroke of the
+// brush. Needs a display (xvfb-run).
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QtTest>
@@ -9,8 +10,11 @@
 
 #include "tests/bench/measure.h"
 #include "tests/gui/window_fixture.h"
+#include "widgets/gamma/brush_tool.h"
 #include "widgets/gamma/gamma_slider.h"
 #include "widgets/sections/section_handles.h"
+#include "widgets/viewport/tools/navigation.h"
+#include "widgets/viewport/tools/points.h"
 
 using namespace sline;
 
@@ -125,6 +129,57 @@ void dragSection(test::WindowFixture& f, const char* what, Qt::Key key) {
   f.settled();
 }
 
+/// Returns the pixel of the structure's vertex that is nearest to the eye.
+QPointF nearestOf(test::WindowFixture& f, model::NodeId id) {
+  const model::Camera& camera = f.viewport().camera();
+  const auto positions = f.session.scene().find(id)->mesh->positions();
+  const glm::vec3 nearest =
+      *std::min_element(positions.begin(), positions.end(), [&](const auto& a, const auto& b) {
+        return glm::distance(camera.eye, a) < glm::distance(camera.eye, b);
+      });
+  const glm::vec2 size(float(f.viewport().width()), float(f.viewport().height()));
+  return widgets::point(widgets::pixelOf(camera, nearest, size).value_or(0.5f * size));
+}
+
+/// Paints on a structure with a wide brush, after the brush has hovered there.
+void paint(test::WindowFixture& f, const char* name, model::NodeId id) {
+  constexpr float radius = 200.0f;  // pixels
+  constexpr int moves = 100;
+  f.session.select({id});
+  QTest::keyClick(&f.window, Qt::Key_B, Qt::ShiftModifier);
+  widgets::BrushTool& brush = f.window.brush();
+  brush.setBrush({.radius = radius});
+  f.settled();
+  const QPointF start = nearestOf(f, id);
+  QElapsedTimer hovering;
+  hovering.start();
+  while (!brush.lookedAhead()) {
+    test::sendMouse(f.viewport(), QEvent::MouseMove, start, Qt::NoButton);
+    QTest::qWait(1);
+  }
+  std::cout << "paint " << name << ": looked ahead after " << double(hovering.nsecsElapsed()) * 1e-6
+            << " ms of hovering";
+  QElapsedTimer clock;
+  clock.start();
+  test::sendMouse(f.viewport(), QEvent::MouseButtonPress, start);
+  std::cout << ", first step " << double(clock.nsecsElapsed()) * 1e-6 << " ms";
+  std::vector<double> steps;
+  widgets::Pointer pointer{.size = {float(f.viewport().width()), float(f.viewport().height())}};
+  for (int i = 1; i <= moves; ++i) {
+    pointer.pixel = {float(start.x()) + 2.0f * float(i), float(start.y()) + 0.5f * float(i)};
+    brush.passes(pointer);
+    clock.start();
+    brush.move(pointer);
+    steps.push_back(double(clock.nsecsElapsed()) * 1e-6);
+  }
+  const bench::Spread spread = bench::spreadOf(steps);
+  std::cout << ", others " << spread.median << " ms, p95 " << spread.p95 << " ms" << std::endl;
+  test::sendMouse(f.viewport(), QEvent::MouseButtonRelease, start);
+  f.session.undo();
+  brush.setActive(false);
+  f.settled();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -153,6 +208,7 @@ int main(int argc, char** argv) {
       std::cout << argv[i] << ": step " << step << " ms (drawing "
                 << bench::spreadOf(times.drawing).median << "), full frame " << full
                 << " ms, ratio " << step / full << ", layers " << times.mostLayers << std::endl;
+      paint(f, argv[i], id);
     }
   return 0;
 }

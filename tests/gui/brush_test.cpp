@@ -12,6 +12,7 @@
 #include "model/scene_file/scene_file.h"
 #include "tests/gui/gamma_fixture.h"
 #include "tests/gui/window_fixture.h"
+#include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "widgets/gamma/brush_tool.h"
 #include "widgets/viewport/tools/navigation.h"
@@ -71,6 +72,8 @@ class BrushTest : public QObject {
   void theBarClears();
   void whatIsLockedStays();
   void theSavedSceneHasIt();
+  void whereTheBrushHoversIsLookedAhead();
+  void whatIsLookedForAheadIsKnown();
 };
 
 void BrushTest::aStrokePaintsWhatOneSees() {
@@ -273,6 +276,61 @@ void BrushTest::theSavedSceneHasIt() {
     return bare;
   }()});
   QVERIFY(bytes.size() - plain.size() < paint.size());
+}
+
+void BrushTest::whereTheBrushHoversIsLookedAhead() {
+  BrushFixture f;
+  const QPointF middle = f.middle();
+  QVERIFY(!f.tool().lookedAhead());
+  f.stroke(middle, middle + QPointF(12, 0));
+  const model::Paint paint = *f.node().paint;
+  f.session.undo();
+  model::Camera camera = f.viewport().camera();
+  camera.eye.x += 1.0f;
+  f.viewport().setCamera(camera);
+  QVERIFY(f.settled());
+  const auto hovers = [&f](const QPointF& at) {
+    sendMouse(f.viewport(), QEvent::MouseMove, at, Qt::NoButton);
+    return f.tool().lookedAhead();
+  };
+  QTRY_VERIFY(hovers(middle));
+  f.stroke(middle, middle + QPointF(12, 0));
+  QVERIFY(!f.tool().lookedAhead());
+  QVERIFY(f.painted() > 20);
+  camera.eye.x -= 1.0f;
+  f.session.undo();
+  f.viewport().setCamera(camera);
+  QVERIFY(f.settled());
+  QTRY_VERIFY(hovers(middle));
+  f.stroke(middle, middle + QPointF(12, 0));
+  QVERIFY(*f.node().paint == paint);
+}
+
+void BrushTest::whatIsLookedForAheadIsKnown() {
+  const model::MeshPtr ring = torus(30.0f, 10.0f, 240, 96);
+  const widgets::BrushSight::From from{
+      .ground = widgets::brushGround(ring),
+      .camera = model::anatomicalCamera(model::AnatomicalView::anterior, ring->bounds(), 1.0f),
+      .size = {400.0f, 400.0f}};
+  const auto seen = [&ring](const widgets::BrushSight& sight) {
+    std::size_t count = 0;
+    for (std::uint32_t v = 0; v < ring->vertexCount(); ++v)
+      count += sight.sees(v) ? 1 : 0;
+    return count;
+  };
+  widgets::SightAhead ahead;
+  QCOMPARE(seen(*ahead.take(from)), std::size_t(0));
+  widgets::BrushSight::From other = from;
+  other.size.x = 500.0f;
+  ahead.want(other);
+  QTRY_VERIFY(ahead.arrived());
+  const widgets::BrushSightPtr known = ahead.take(other);
+  const std::size_t all = seen(*known);
+  // From the side a ring hides the inner half of what is turned to the eye.
+  QVERIFY(all > ring->vertexCount() / 5);
+  QVERIFY(all < 2 * ring->vertexCount() / 5);
+  QCOMPARE(ahead.take(other), known);
+  QCOMPARE(seen(*ahead.take(from)), std::size_t(0));
 }
 
 SLINE_TEST_WITH_WIDGETS(BrushTest)

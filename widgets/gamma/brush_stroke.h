@@ -10,10 +10,8 @@
 #include <vector>
 
 #include "model/base/units.h"
-#include "model/geometry/mesh_trees.h"
 #include "model/geometry/paint.h"
-#include "model/geometry/plane.h"
-#include "model/scene/camera.h"
+#include "widgets/gamma/brush_sight.h"
 
 namespace sline::widgets {
 
@@ -29,26 +27,10 @@ inline constexpr Limits<float> brushRadii{4.0f, 300.0f};
 /// Returns how strongly the brush works at that distance from its middle, 0 … its strength.
 float brushWeight(const Brush& brush, float pixels);
 
-/// Holds a surface ready to be painted on.
-struct BrushGround {
-  model::MeshPtr mesh;
-  model::BvhPtr tree;
-  std::vector<glm::vec3> normals;
-};
-using BrushGroundPtr = std::shared_ptr<const BrushGround>;
-BrushGroundPtr brushGround(const model::MeshPtr& mesh);
-
 class BrushStroke {
  public:
-  struct Start {
-    BrushGroundPtr ground;
-    model::PaintPtr before;  ///< what is painted on the mesh; null: nothing
-    model::Camera camera;
-    glm::vec2 size{1.0f};              ///< of the picture, pixels
-    std::vector<model::Plane> planes;  ///< of the sections that cut it
-    Brush brush;
-  };
-  explicit BrushStroke(Start start);
+  /// `before` is what is painted on the mesh; null: nothing.
+  BrushStroke(BrushSightPtr sight, const model::PaintPtr& before, const Brush& brush);
 
   /// Moves the brush from one pixel straight to another; tells whether that has changed the paint.
   /// However often a stroke passes a place, it works there once, as strongly as where it came
@@ -58,23 +40,10 @@ class BrushStroke {
   model::PaintPtr paint() const { return std::make_shared<const model::Paint>(m_paint); }
 
  private:
-  enum class Sight : std::uint8_t { unknown, seen, hidden };
-  void placeVertices();
-  void sortIntoCells();
-  std::size_t cellAt(float x, float y) const;
-  bool sees(std::uint32_t vertex) const;
-  /// Returns the corner nearest to where the line of sight meets the surface.
-  std::vector<std::uint32_t> cornerAt(const glm::vec2& pixel) const;
   bool cover(std::uint32_t vertex, float weight);
 
-  Start m_start;
-  float m_lift = 0.0f;              ///< millimetres from the surface, from where it is looked
-  std::vector<glm::vec2> m_pixels;  ///< of the vertices; not a number for those turned away
-  std::size_t m_columns = 1;        ///< cells of the picture
-  std::size_t m_rows = 1;
-  std::vector<std::uint32_t> m_cellStarts;  ///< in m_inCells, one more than there are cells
-  std::vector<std::uint32_t> m_inCells;     ///< vertices, cell by cell
-  std::vector<Sight> m_sights;
+  BrushSightPtr m_sight;
+  Brush m_brush;
   std::vector<float> m_covered;  ///< how strongly the stroke has worked at each vertex
   model::Paint m_before;
   model::Paint m_paint;

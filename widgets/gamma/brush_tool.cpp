@@ -52,6 +52,7 @@ void BrushTool::setActive(bool active) {
   if (active) {
     prepare();
   } else {
+    m_sights.forget();
     m_grounds = {};
     m_prepared.clear();
   }
@@ -134,6 +135,14 @@ std::optional<BrushTool::Place> BrushTool::targetAt(const glm::vec2& pixel,
   return nearest;
 }
 
+BrushSight::From BrushTool::sightOf(model::NodeId id, const glm::vec2& size) const {
+  const model::Scene& scene = m_session.scene();
+  return {.ground = m_grounds.get().at(scene.find(id)->mesh),
+          .camera = m_view.camera(),
+          .size = size,
+          .planes = planesThatCut(scene, id)};
+}
+
 bool BrushTool::grips(const Pointer& pointer) const {
   return m_active && targetAt(pointer.pixel, pointer.size).has_value();
 }
@@ -158,6 +167,8 @@ void BrushTool::show(const ShownPicture& picture) {
   } else if (at) {
     const auto target = targetAt(*at, picture.size);
     onTarget = target.has_value();
+    if (target && ready(false) && std::exchange(m_shownFrom, m_view.camera()) == m_view.camera())
+      m_sights.want(sightOf(target->id, picture.size));
     const model::Ray sight = sightThrough(m_view.camera(), *at, picture.size);
     const float scale = target && ready(false)
                             ? model::millimetresPerPixel(
@@ -199,12 +210,7 @@ bool BrushTool::begin(const Press& press) {
   m_target = target->id;
   Brush brush = m_brush;
   brush.erases = press.erases;
-  m_stroke.emplace(BrushStroke::Start{.ground = m_grounds.get().at(node.mesh),
-                                      .before = node.paint,
-                                      .camera = m_view.camera(),
-                                      .size = press.size,
-                                      .planes = planesThatCut(scene, target->id),
-                                      .brush = brush});
+  m_stroke.emplace(m_sights.take(sightOf(target->id, press.size)), node.paint, brush);
   m_path.insert(m_path.begin(), press.pixel);
   m_last = press.pixel;
   follow();

@@ -36,6 +36,9 @@ class BrushTool : public QObject, public Tool {
   /// Returns how many millimetres one pixel shows where the brush is; 0 beside the targets.
   float millimetresPerPixel() const { return m_millimetres; }
   bool painting() const { return m_stroke.has_value() || m_awaited.has_value(); }
+  /// Tells whether a stroke that begins where the brush has come to hover has nothing left to
+  /// prepare.
+  bool lookedAhead() const { return m_sights.arrived(); }
 
   bool press(const Pointer& pointer) override;
   void move(const Pointer& pointer) override;
@@ -71,6 +74,8 @@ class BrushTool : public QObject, public Tool {
   bool ready(bool wait) const;
   /// Returns the target under the pixel; where the surfaces are not ready, any in whose box it is.
   std::optional<Place> targetAt(const glm::vec2& pixel, const glm::vec2& size) const;
+  /// Returns from where one looks at a target whose surface is ready.
+  BrushSight::From sightOf(model::NodeId id, const glm::vec2& size) const;
   bool begin(const Press& press);
   /// Paints as far as the mouse has come.
   void follow();
@@ -83,6 +88,8 @@ class BrushTool : public QObject, public Tool {
   bool m_active = false;
   std::shared_future<Grounds> m_grounds;
   std::set<model::MeshPtr> m_prepared;  ///< the meshes of the grounds
+  SightAhead m_sights;
+  model::Camera m_shownFrom;  ///< the picture under the mouse
 
   std::optional<Press> m_awaited;  ///< of which the surfaces are not ready yet
   std::optional<BrushStroke> m_stroke;
