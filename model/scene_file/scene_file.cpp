@@ -5,6 +5,7 @@
 #include <set>
 
 #include "model/base/letters.h"
+#include "model/disk/memory_budget.h"
 #include "model/disk/whole_file.h"
 #include "model/scene_file/mesh_codec.h"
 #include "model/scene_file/paint_codec.h"
@@ -42,6 +43,7 @@ Result<Json> sceneJsonOf(const ZipReader& zip) {
 
 Result<MeshesByName> meshesOf(const ZipReader& zip, const Json& root) {
   MeshesByName meshes;
+  MemoryBudget memory;
   for (const std::string& name : meshesCalledFor(root)) {
     const ZipReader::Entry* entry = zip.find(name);
     if (!entry)
@@ -52,6 +54,8 @@ Result<MeshesByName> meshesOf(const ZipReader& zip, const Json& root) {
     Result<Mesh> mesh = decodedMesh(*bytes);
     if (!mesh.ok())
       return placed(mesh.error(), name);
+    if (const Status room = memory.claim(mesh->triangleCount()); !room.ok())
+      return placed(room.error(), name);
     meshes[name] = std::make_shared<const Mesh>(std::move(*mesh));
   }
   return meshes;

@@ -32,6 +32,9 @@ struct ImportOptions {
   Overlay overlay = Overlay::automatic;
   std::string assembly;  ///< for molecules, as ReadOptions::assembly
   ReadLimits limits;
+  /// Limits the surfaces of all files together with what is made of them (disk/memory_budget.h); 0
+  /// means the memory that is available.
+  std::uint64_t memoryBytes = 0;
   std::vector<Threshold> thresholds = {};  ///< structures that are made of scans
   bool keepScans = false;                  ///< scans become part of the scene (Scene::scans)
 };

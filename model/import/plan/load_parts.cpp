@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "model/disk/memory_budget.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/naming/laterality.h"
 #include "model/import/naming/names.h"
@@ -186,6 +187,17 @@ LoadedParts partsFrom(const Sources& sources, std::size_t index, Result<RawMeshe
   return loaded;
 }
 
+/// Leaves out the file's surfaces where memory has no room for them.
+void leaveOutTooLarge(LoadedParts& loaded, const SourceFile& source, MemoryBudget& memory) {
+  std::uint64_t triangles = 0;
+  for (const Part& part : loaded.parts)
+    triangles += part.raw.triangles.size();
+  if (const Status room = memory.claim(triangles); !room.ok()) {
+    loaded.parts.clear();
+    loaded.warnings = {{source.file.filename().string(), room.error().text()}};
+  }
+}
+
 }  // namespace
 
 LoadedParts loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
@@ -212,8 +224,10 @@ LoadedParts loadParts(const Sources& sources, const ImportOptions& options, Prog
     return sources.files[a].bytes > sources.files[b].bytes;
   });
   std::vector<LoadedParts> loaded(sources.files.size());
+  MemoryBudget memory(options.memoryBytes);
   forFewAtATime(order, meter, [&](std::size_t i) {
     loaded[i] = loadFile(sources, i, options, meter);
+    leaveOutTooLarge(loaded[i], sources.files[i], memory);
     meter.add(double(sources.files[i].bytes) + 1.0, sources.files[i].file.filename().string());
   });
   LoadedParts all;

@@ -64,7 +64,7 @@ std::vector<Part> readAgain(const ReadInputs& read, std::size_t file, const Impo
 bool ReadInputs::holdsFor(std::span<const fs::path> others, const ImportOptions& with) const {
   return std::equal(others.begin(), others.end(), inputs.begin(), inputs.end()) &&
          options.repair == with.repair && options.assembly == with.assembly &&
-         sameLimits(options.limits, with.limits);
+         options.memoryBytes == with.memoryBytes && sameLimits(options.limits, with.limits);
 }
 
 Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOptions& options,

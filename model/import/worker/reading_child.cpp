@@ -17,6 +17,7 @@
 #include <cstring>
 #include <string>
 
+#include "model/disk/memory_budget.h"
 #include "model/disk/process.h"
 #include "model/import/worker/child_main.h"
 #include "model/import/worker/confinement.h"
@@ -101,12 +102,6 @@ std::optional<pid_t> startChild(const std::filesystem::path& program, int exchan
     return id;
   errno = fault;
   return std::nullopt;
-}
-
-/// Returns the size in gigabytes with one decimal.
-std::string gigabytes(std::uint64_t bytes) {
-  const std::uint64_t tenths = bytes / 100'000'000;
-  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " GB";
 }
 
 /// Returns the limits with the usual values in place of their stand-ins.

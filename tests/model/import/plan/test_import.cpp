@@ -5,7 +5,9 @@
 #include <glm/geometric.hpp>
 #include <mutex>
 
+#include "model/disk/memory_budget.h"
 #include "model/import/plan/import.h"
+#include "model/scene_file/ply_writer.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -28,6 +30,7 @@ class ImportTest : public QObject {
   void errors_data();
   void errors();
   void partsThatFailAreWarnings();
+  void whatMemoryHasNoRoomForIsAWarning();
   void cleanMeshIsBitEqual();
   void unitGuess_data();
   void unitGuess();
@@ -79,6 +82,31 @@ void ImportTest::partsThatFailAreWarnings() {
   QCOMPARE(imported->scene.nodes().size(), std::size_t(1));
   QVERIFY(test::warningsOf(*imported).contains("spleen.obj"));
   QVERIFY(test::warningsOf(*imported).contains("nowhere.ply"));
+}
+
+void ImportTest::whatMemoryHasNoRoomForIsAWarning() {
+  const QTemporaryDir folder;
+  const MeshPtr large = test::sphere(20.0f, 5);
+  const MeshPtr small = test::sphere(10.0f, 3);
+  for (const auto& [name, mesh] : {std::pair("large.ply", large), std::pair("small.ply", small)}) {
+    QFile file(folder.filePath(name));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(plyText(*mesh, "SPACE=LPS")));
+  }
+  ImportOptions options;
+  const std::array inputs{path(folder)};
+  options.memoryBytes = (small->triangleCount() + 1) * bytesPerTriangle;
+  const auto some = importInputs(inputs, options);
+  QVERIFY(some.ok());
+  QCOMPARE(some->scene.structuresBelow(rootId).size(), std::size_t(1));
+  QCOMPARE(some->report.warnings.size(), std::size_t(1));
+  QCOMPARE(some->report.warnings.front().file, std::string("large.ply"));
+  QVERIFY(some->report.warnings.front().reason.find("of memory, and 0.0 GB are left") !=
+          std::string::npos);
+  options.memoryBytes = 1;
+  const auto none = importInputs(inputs, options);
+  QVERIFY(!none.ok());
+  QVERIFY(none.error().text().find("of memory") != std::string::npos);
 }
 
 void ImportTest::cleanMeshIsBitEqual() {
