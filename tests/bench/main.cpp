@@ -15,7 +15,6 @@
 #include "model/look/opening_look.h"
 #include "render/gpu/headless/context.h"
 #include "render/picture/picture.h"
-#include "render/vectors/vector_drawing.h"
 #include "tests/bench/gamma_drag.h"
 #include "tests/bench/known_lines.h"
 #include "tests/bench/large_tree.h"
@@ -25,12 +24,12 @@
 #include "tests/bench/meshing.h"
 #include "tests/bench/occlusion.h"
 #include "tests/bench/opening.h"
-#include "tests/bench/plain_phong.h"
+#include "tests/bench/performance_page.h"
 #include "tests/bench/report.h"
 #include "tests/bench/stage.h"
 #include "tests/bench/techniques.h"
 #include "tests/bench/turning.h"
-#include "tests/bench/vtk_phong.h"
+#include "tests/bench/yardsticks.h"
 #include "tests/support/process_memory.h"
 
 using namespace sline;
@@ -54,6 +53,8 @@ struct Options {
   std::string technique;
   bench::LeaderCourse leaders;
   bool json = false;
+  std::filesystem::path page;
+  std::vector<std::string> subdivided;  ///< how often, and the file
 };
 
 std::optional<glm::ivec2> parsedSize(const std::string& text) {
@@ -71,35 +72,11 @@ int fail(const Error& error) {
   return 1;
 }
 
-/// Calls draw for every step of the turn, after one frame to warm up; returns the times in
-/// milliseconds.
-template <class Draw>
-Result<std::vector<double>> timed(int frames, const model::Camera& start, const Draw& draw) {
-  if (const Status status = draw(bench::turned(start, 0.5f / float(frames))); !status)
-    return status.error();
-  std::vector<double> times;
-  for (int i = 0; i < frames; ++i) {
-    const model::Camera camera = bench::turned(start, float(i) / float(frames));
-    const bench::Stopwatch watch;
-    if (const Status status = draw(camera); !status)
-      return status.error();
-    times.push_back(watch.milliseconds());
-  }
-  return times;
-}
-
-struct Stage {
-  model::Scene scene;
-  model::Camera camera;
-  render::PictureSettings settings;
-  int frames;
-};
-
-Status measureFrames(render::Picture& picture, const Stage& stage, bench::Report& report) {
+Status measureFrames(render::Picture& picture, const bench::Stage& stage, bench::Report& report) {
   std::vector<double> lines;
   std::map<std::string, std::vector<double>> passes;
   std::vector<std::string> order;
-  const auto frame = timed(stage.frames, stage.camera, [&](const model::Camera& camera) {
+  const auto frame = bench::timed(stage.frames, stage.camera, [&](const model::Camera& camera) {
     const Status status = picture.draw(stage.scene, camera, stage.settings);
     lines.push_back(picture.timings().lines);
     for (const auto& pass : picture.timings().passes) {
@@ -120,57 +97,17 @@ Status measureFrames(render::Picture& picture, const Stage& stage, bench::Report
   return Unit{};
 }
 
-Status measurePhong(const Stage& stage, bench::Report& report) {
-  auto plain = bench::PlainPhong::create(stage.settings.width, stage.settings.height);
-  if (!plain)
-    return plain.error();
-  const auto phong = timed(stage.frames, stage.camera, [&](const model::Camera& camera) {
-    (*plain)->draw(stage.scene, camera);
-    return Status(Unit{});
-  });
-  if (!phong)
-    return phong.error();
-  report.phong = bench::spreadOf(*phong);
-  return Unit{};
-}
-
-/// Measures a vector drawing from the front, on a page of the picture's shape.
-Status measureVectors(const Stage& stage, bench::Report& report) {
-  const float aspect = float(stage.settings.width) / float(stage.settings.height);
-  const bench::Stopwatch watch;
-  const auto drawing =
-      render::drawVectors(stage.scene, stage.camera, {.sizeMm = {90.0f * aspect, 90.0f}});
-  report.vectorsMs = watch.milliseconds();
-  return drawing ? Status(Unit{}) : drawing.error();
-}
-
-/// Measures VTK in a context of its own, since VTK relies on a fresh one's state.
-Status measureVtk(const Stage& stage, bench::Report& report) {
-  auto context = render::gpu::HeadlessContext::create();
-  if (!context)
-    return context.error();
-  bench::VtkPhong vtk(stage.scene, stage.settings.width, stage.settings.height);
-  const auto times = timed(stage.frames, stage.camera, [&](const model::Camera& camera) {
-    vtk.draw(camera);
-    return Status(Unit{});
-  });
-  report.vtkPhong = bench::spreadOf(times.value());
-  if (vtk.covered() < 0.001)
-    return Error{.reason = "VTK's yardstick drew nothing",
-                 .remedy = "Check that VTK's OpenGL2 module works with this driver"};
-  return Unit{};
-}
-
 /// Imports and counts; the camera stands before the whole scene.
-Result<Stage> importStage(const Options& options, const glm::ivec2& size, bench::Report& report) {
+Result<bench::Stage> importStage(const Options& options, const glm::ivec2& size,
+                                 bench::Report& report) {
   const bench::Stopwatch watch;
   const auto imported = model::importInputs(options.inputs, {});
   if (!imported)
     return imported.error();
   report.importMs = watch.milliseconds();
-  Stage stage{.scene = bench::withGamma(imported->scene, options.gamma),
-              .settings = {.width = size.x, .height = size.y},
-              .frames = options.frames};
+  bench::Stage stage{.scene = bench::withGamma(imported->scene, options.gamma),
+                     .settings = {.width = size.x, .height = size.y},
+                     .frames = options.frames};
   for (const model::NodeId id : stage.scene.structuresBelow(model::rootId)) {
     ++report.structures;
     report.triangles += stage.scene.find(id)->mesh->triangleCount();
@@ -359,19 +296,36 @@ Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   report.preprocessMs = prepareWatch.milliseconds();
   if (const Status status = measureFrames(**picture, *stage, report); !status)
     return status.error();
-  if (const Status status = measurePhong(*stage, report); !status)
+  if (const Status status = bench::measurePhong(*stage, report); !status)
     return status.error();
-  if (const Status status = measureVectors(*stage, report); !status)
+  if (const Status status = bench::measureVectors(*stage, report); !status)
     return status.error();
-  const Status vtk = measureVtk(*stage, report);
+  if (const Status status = bench::measureDrag(**picture, *stage, report); !status)
+    return status.error();
+  if (const Status status = bench::measureReopening(*stage, report); !status)
+    return status.error();
+  const Status vtk = bench::measureVtk(*stage, report);
   (*context)->makeCurrent();
   if (!vtk)
     return vtk.error();
   return report;
 }
 
+/// Writes the surfaces of the inputs as one, subdivided so often.
+Status runSubdivision(const Options& options) {
+  const auto imported = importAsFiled(options);
+  if (!imported)
+    return imported.error();
+  return bench::writeSubdivided(imported->scene, std::stoi(options.subdivided[0]),
+                                options.subdivided[1]);
+}
+
 /// Does what was asked for instead of a turn, if anything was.
 std::optional<Status> runInstead(const Options& options, const glm::ivec2& size) {
+  if (!options.page.empty())
+    return bench::writePerformancePage(options.page, options.inputs);
+  if (!options.subdivided.empty())
+    return runSubdivision(options);
   if (options.drags > 0)
     return runDrags(options, size);
   if (!options.leaders.foci.empty())
@@ -448,6 +402,12 @@ void addOptions(CLI::App& app, Options& options) {
       ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
   addLeaderOptions(app, options.leaders);
   app.add_flag("--json", options.json, "Print JSON");
+  app.add_option("--subdivided", options.subdivided,
+                 "Instead: write the surface, subdivided N times, as a PLY file")
+      ->type_name("N FILE")
+      ->expected(2);
+  app.add_option("--page", options.page,
+                 "Instead: make the guide's page about speed of the INPUTs, which --json printed");
 }
 }  // namespace
 

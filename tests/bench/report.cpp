@@ -50,6 +50,8 @@ std::string asJson(const Report& r) {
                  {"phong_ms", json(r.phong)},
                  {"vtk_phong_ms", json(r.vtkPhong)},
                  {"vectors_ms", r.vectorsMs},
+                 {"gamma_ratio", r.gammaRatio},
+                 {"reopen_ms", r.reopenMs},
                  {"driver", r.driver}};
   return all.dump(2) + "\n";
 }
@@ -68,9 +70,10 @@ std::string asText(const Report& r) {
     line(out, "  " + name, spread);
   line(out, "plain Phong", r.phong);
   line(out, "VTK's Phong", r.vtkPhong);
-  out << "vector drawing " << r.vectorsMs << " ms\n";
+  out << "vector drawing " << r.vectorsMs << " ms, reopening " << r.reopenMs << " ms\n";
   out << std::setprecision(2) << "frame / smaller yardstick " << r.frameRatio()
-      << ", vector drawing / frame " << r.vectorsRatio() << '\n';
+      << ", vector drawing / frame " << r.vectorsRatio() << ", step of Γ / frame " << r.gammaRatio
+      << '\n';
   return out.str();
 }
 

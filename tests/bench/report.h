@@ -22,7 +22,9 @@ struct Report {
   std::vector<std::pair<std::string, Spread>> passes;
   Spread phong;
   Spread vtkPhong;
-  double vectorsMs = 0.0;  ///< lines as paths, hidden ones removed, and fills as shapes
+  double reopenMs = 0.0;    ///< a scene file's bytes to a scene
+  double gammaRatio = 0.0;  ///< a step of one structure's Γ over a picture, the mean of some
+  double vectorsMs = 0.0;   ///< lines as paths, hidden ones removed, and fills as shapes
   std::string driver;
 
   double bytesPerTriangle() const;
