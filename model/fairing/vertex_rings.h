@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/fairing/half_edges.h"
@@ -15,6 +16,12 @@ namespace sline::model {
 class VertexRings {
  public:
   VertexRings(std::size_t vertexCount, std::span<const Triangle> triangles, const HalfEdges& edges);
+  /// The neighbours of vertex v are those from first[v] to first[v + 1].
+  VertexRings(std::vector<std::uint32_t> first, std::vector<std::uint32_t> neighbours,
+              std::vector<char> border)
+      : m_first(std::move(first)),
+        m_neighbours(std::move(neighbours)),
+        m_border(std::move(border)) {}
 
   std::size_t vertexCount() const { return m_border.size(); }
   std::span<const std::uint32_t> operator[](std::size_t vertex) const {

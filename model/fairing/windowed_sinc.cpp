@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "model/base/parallel.h"
+#include "model/fairing/coarse_rings.h"
 #include "model/fairing/wide_vectors.h"
 
 namespace sline::model {
@@ -13,8 +15,24 @@ namespace sline::model {
 namespace {
 
 constexpr std::size_t grain = 3072;
+// Beyond this deviation, in edges, a Gaussian looks at groups of vertices.
+constexpr float farthestFine = 8.0f;
+// How much longer than edges the ways between groups must be.
+constexpr float leastRatio = 1.5f;
 // The most steps of a Gaussian; enough for a deviation of 27 edges.
 constexpr int mostTerms = 240;
+
+float rootMeanSquareEdge(std::span<const glm::vec3> positions, const VertexRings& rings) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    for (const std::uint32_t other : rings[v]) {
+      const glm::dvec3 way = positions[v] - positions[other];
+      sum += glm::dot(way, way);
+      ++count;
+    }
+  return float(std::sqrt(sum / double(std::max<std::size_t>(1, count))));
+}
 
 /// Returns the value of the Chebyshev series at k: cos(n·acos(1 − k/2)) is T_n there.
 double response(const std::vector<double>& c, double k) {
@@ -146,7 +164,34 @@ std::vector<double> gaussianCoefficients(float deviation) {
 
 std::vector<glm::vec3> gaussian(std::span<const glm::vec3> positions, const VertexRings& rings,
                                 float deviation) {
-  return filtered(positions, rings, gaussianCoefficients(deviation));
+  if (!(deviation > farthestFine))
+    return filtered(positions, rings, gaussianCoefficients(deviation));
+  const CoarseRings coarse(rings);
+  const std::vector<glm::vec3> means = coarse.means(positions);
+  const float edge = std::max(rings.meanEdge(positions), 1e-20f);
+  const float ratio = rootMeanSquareEdge(means, coarse.rings()) / edge;
+  // Nothing is gained where vertices do not gather, or have no neighbours.
+  if (!(ratio > leastRatio))
+    return filtered(positions, rings, gaussianCoefficients(deviation));
+  // Means over groups widen the Gaussian twice, once when they are made and once when all vertices
+  // of a group take theirs. A last Gaussian as wide as groups lie apart smooths what is left of
+  // them: a wave of that length keeps e^(−2π²) of its height.
+  const auto groups = coarse.groups();
+  double apart = 0.0;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const glm::dvec3 way = positions[v] - means[groups[v]];
+    apart += glm::dot(way, way);
+  }
+  // Along each of the surface's two axes, in squared edges.
+  const double within = apart / (2.0 * double(positions.size()) * double(edge) * double(edge));
+  const double rest =
+      double(deviation) * double(deviation) - double(ratio) * double(ratio) - 2.0 * within;
+  const std::vector<glm::vec3> smooth =
+      gaussian(means, coarse.rings(), float(std::sqrt(std::max(rest, 0.0)) / double(ratio)));
+  std::vector<glm::vec3> spread(positions.size());
+  for (std::size_t v = 0; v < spread.size(); ++v)
+    spread[v] = rings.onBorder(v) ? positions[v] : smooth[groups[v]];
+  return filtered(spread, rings, gaussianCoefficients(ratio));
 }
 
 void averageOverRings(std::vector<float>& values, const VertexRings& rings, int times) {

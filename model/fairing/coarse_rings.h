@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gathers neighbouring vertices into groups, so that filters that reach far look at fewer of them:
+// each group is a vertex with its ring, and those left between groups join one of them, as in
+// aggregation multigrid (P. Vaněk, J. Mandel, M. Brezina, "Algebraic multigrid by smoothed
+// aggregation", 1996).
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "model/fairing/vertex_rings.h"
+
+namespace sline::model {
+
+class CoarseRings {
+ public:
+  explicit CoarseRings(const VertexRings& fine);
+
+  /// Returns the groups' neighbours; a group with a vertex of a border counts as one.
+  const VertexRings& rings() const { return m_rings; }
+  /// Returns the group of each vertex.
+  std::span<const std::uint32_t> groups() const { return m_groups; }
+  /// Returns the mean of each group.
+  std::vector<glm::vec3> means(std::span<const glm::vec3> positions) const;
+
+ private:
+  static std::vector<std::uint32_t> groupsOf(const VertexRings& fine);
+  static VertexRings ringsOf(const VertexRings& fine, std::span<const std::uint32_t> groups);
+
+  std::vector<std::uint32_t> m_groups;
+  VertexRings m_rings;
+};
+
+}  // namespace sline::model
