@@ -70,16 +70,4 @@ VertexRings CoarseRings::ringsOf(const VertexRings& fine, std::span<const std::u
   return {std::move(first), std::move(neighbours), std::move(border)};
 }
 
-std::vector<glm::vec3> CoarseRings::means(std::span<const glm::vec3> positions) const {
-  std::vector<glm::vec3> means(m_rings.vertexCount(), glm::vec3(0.0f));
-  std::vector<std::uint32_t> counts(means.size(), 0);
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    means[m_groups[v]] += positions[v];
-    ++counts[m_groups[v]];
-  }
-  for (std::size_t group = 0; group < means.size(); ++group)
-    means[group] /= float(counts[group]);
-  return means;
-}
-
 }  // namespace sline::model

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
@@ -23,7 +22,8 @@ class CoarseRings {
   /// Returns the group of each vertex.
   std::span<const std::uint32_t> groups() const { return m_groups; }
   /// Returns the mean of each group.
-  std::vector<glm::vec3> means(std::span<const glm::vec3> positions) const;
+  template <class Value>
+  std::vector<Value> means(const std::vector<Value>& values) const;
 
  private:
   static std::vector<std::uint32_t> groupsOf(const VertexRings& fine);
@@ -32,5 +32,18 @@ class CoarseRings {
   std::vector<std::uint32_t> m_groups;
   VertexRings m_rings;
 };
+
+template <class Value>
+std::vector<Value> CoarseRings::means(const std::vector<Value>& values) const {
+  std::vector<Value> means(m_rings.vertexCount(), Value(0.0f));
+  std::vector<std::uint32_t> counts(means.size(), 0);
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    means[m_groups[v]] += values[v];
+    ++counts[m_groups[v]];
+  }
+  for (std::size_t group = 0; group < means.size(); ++group)
+    means[group] /= float(counts[group]);
+  return means;
+}
 
 }  // namespace sline::model

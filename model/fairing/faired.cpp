@@ -21,15 +21,15 @@ constexpr std::size_t fairingGrain = 3072;
 // Waves shorter than this many slices are taken out.
 constexpr float shortestWave = 23.0f;
 // What a neighbourhood moves by in common is given back: the standard deviation of its weights, in
-// slices.
+// slices, and its limits in edges.
 constexpr float neighbourhoodReach = 4.0f;
+constexpr float leastReach = 2.9f;
+constexpr float mostReach = 7.2f;
 // Steps of averaging that take the slices' own direction out of the normals.
 constexpr int normalSteps = 6;
 // Limits of the filter's work where triangles are small beside slices.
 constexpr int fewestSteps = 20;
 constexpr int mostSteps = 120;
-// The variance that one step of averaging over rings adds, in squared mean edges.
-constexpr float variancePerStep = 0.43f;
 
 std::vector<glm::vec3> evenNormals(std::span<const glm::vec3> positions,
                                    std::span<const Triangle> triangles, const VertexRings& rings) {
@@ -87,10 +87,9 @@ MeshPtr faired(const MeshPtr& mesh, float sliceDistance) {
   std::vector<float> move(count);
   for (std::size_t v = 0; v < count; ++v)
     move[v] = glm::dot(after[v] - before[v], normals[v]);
-  std::vector<float> common = move;
-  const float reach = neighbourhoodReach * sliceDistance / edge;
-  averageOverRings(common, rings,
-                   std::clamp(int(reach * reach / variancePerStep), fewestSteps, mostSteps));
+  const std::vector<float> common =
+      gaussian(move, before, rings,
+               std::clamp(neighbourhoodReach * sliceDistance / edge, leastReach, mostReach));
   for (std::size_t v = 0; v < count; ++v)
     after[v] = rings.onBorder(v) ? before[v] : before[v] + (move[v] - common[v]) * normals[v];
   const std::vector<float> limits(count, fairingShare * sliceDistance);

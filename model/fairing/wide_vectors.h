@@ -23,8 +23,9 @@ inline std::vector<glm::vec3> narrowed(std::span<const glm::vec4> wide) {
 }
 
 /// Returns the mean over a ring, which is not empty.
-inline glm::vec4 ringMean(std::span<const glm::vec4> points, std::span<const std::uint32_t> ring) {
-  glm::vec4 total(0.0f);
+template <class Value>
+Value ringMean(const std::vector<Value>& points, std::span<const std::uint32_t> ring) {
+  Value total(0.0f);
   for (const std::uint32_t other : ring)
     total += points[other];
   return total / float(ring.size());

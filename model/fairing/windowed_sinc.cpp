@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <numbers>
+#include <utility>
 
 #include "model/base/parallel.h"
 #include "model/fairing/coarse_rings.h"
@@ -16,23 +18,11 @@ namespace {
 
 constexpr std::size_t grain = 3072;
 // Beyond this deviation, in edges, a Gaussian looks at groups of vertices.
-constexpr float farthestFine = 8.0f;
+constexpr double farthestFine = 6.0;
 // How much longer than edges the ways between groups must be.
-constexpr float leastRatio = 1.5f;
+constexpr double leastSpacing = 1.5;
 // The most steps of a Gaussian; enough for a deviation of 27 edges.
 constexpr int mostTerms = 240;
-
-float rootMeanSquareEdge(std::span<const glm::vec3> positions, const VertexRings& rings) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < positions.size(); ++v)
-    for (const std::uint32_t other : rings[v]) {
-      const glm::dvec3 way = positions[v] - positions[other];
-      sum += glm::dot(way, way);
-      ++count;
-    }
-  return float(std::sqrt(sum / double(std::max<std::size_t>(1, count))));
-}
 
 /// Returns the value of the Chebyshev series at k: cos(n·acos(1 − k/2)) is T_n there.
 double response(const std::vector<double>& c, double k) {
@@ -89,16 +79,20 @@ std::vector<double> sincCoefficients(const SincFilter& filter) {
 
 namespace {
 
-/// Returns the sum of the polynomials of those coefficients, applied to the positions.
-std::vector<glm::vec3> filtered(std::span<const glm::vec3> positions, const VertexRings& rings,
-                                const std::vector<double>& c) {
-  const std::size_t count = positions.size();
+enum class Borders { stay, follow };
+
+/// Returns the sum of the polynomials of those coefficients, applied to the values.
+template <class Value>
+std::vector<Value> filtered(std::vector<Value> before, const VertexRings& rings,
+                            const std::vector<double>& c, Borders borders = Borders::stay) {
+  const std::size_t count = before.size();
   // The recurrence is x_0 = x; x_1 = x − K·x/2; x_{n+1} = (2 − K)·x_n − x_{n−1} with K = 1 − mean
   // over the ring.
-  std::vector<glm::vec4> before = widened(positions);
-  std::vector<glm::vec4> now(count);
-  std::vector<glm::vec4> sum(count);
-  const auto isFixed = [&](std::size_t v) { return rings.onBorder(v) || rings[v].empty(); };
+  std::vector<Value> now(count);
+  std::vector<Value> sum(count);
+  const auto isFixed = [&](std::size_t v) {
+    return rings[v].empty() || (borders == Borders::stay && rings.onBorder(v));
+  };
   parallelFor(count, grain, [&](std::size_t v) {
     now[v] = isFixed(v) ? before[v] : 0.5f * (before[v] + ringMean(before, rings[v]));
     sum[v] = float(c[0]) * before[v] + float(c[1]) * now[v];
@@ -106,17 +100,16 @@ std::vector<glm::vec3> filtered(std::span<const glm::vec3> positions, const Vert
   for (std::size_t n = 2; n < c.size(); ++n) {
     const float weight = float(c[n]);
     parallelFor(count, grain, [&](std::size_t v) {
-      const glm::vec4 next = isFixed(v) ? now[v] : now[v] + ringMean(now, rings[v]) - before[v];
+      const Value next = isFixed(v) ? now[v] : now[v] + ringMean(now, rings[v]) - before[v];
       before[v] = next;
       sum[v] += weight * next;
     });
     std::swap(before, now);
   }
-  std::vector<glm::vec3> result = narrowed(sum);
   for (std::size_t v = 0; v < count; ++v)
     if (isFixed(v))
-      result[v] = positions[v];
-  return result;
+      sum[v] = now[v];
+  return sum;
 }
 
 template <class Value>
@@ -137,61 +130,110 @@ void averaged(std::vector<Value>& values, const VertexRings& rings, int times) {
 
 std::vector<glm::vec3> windowedSinc(std::span<const glm::vec3> positions, const VertexRings& rings,
                                     const SincFilter& filter) {
-  return filtered(positions, rings, sincCoefficients(filter));
+  return narrowed(filtered(widened(positions), rings, sincCoefficients(filter)));
 }
 
 std::vector<double> gaussianCoefficients(float deviation) {
   // A step of averaging over rings adds half a squared edge to the variance along each axis, so the
-  // Gaussian is exp(−2σ²k); with k = 2 (1 − cos θ) its Chebyshev series is a Fourier series, of
-  // which the terms beyond some 4 √(4σ²) vanish.
+  // Gaussian is exp(−2σ²k); with k = 2 (1 − cos θ) its Chebyshev series is a Fourier series of
+  // modified Bessel functions, I_n(4σ²), of which the terms beyond some 4 √(4σ²) vanish. Backwards
+  // their recurrence is stable (J. C. P. Miller), and their sum is known.
   const double spread = 4.0 * double(deviation) * double(deviation);
   const int terms = std::clamp(int(std::ceil(4.3 * std::sqrt(spread))) + 6, 8, mostTerms);
-  constexpr int samples = 2048;
   std::vector<double> c(std::size_t(terms) + 1, 0.0);
+  double after = 0.0;
+  double now = 1e-300;
   double total = 0.0;
-  for (int n = 0; n <= terms; ++n) {
-    for (int i = 0; i < samples; ++i) {
-      const double theta = std::numbers::pi * (i + 0.5) / samples;
-      c[std::size_t(n)] += std::exp(-spread * (1.0 - std::cos(theta))) * std::cos(n * theta);
+  for (int n = 2 * terms; n >= 0; --n) {
+    if (n <= terms) {
+      c[std::size_t(n)] = (n == 0 ? 1.0 : 2.0) * now;
+      total += c[std::size_t(n)];
     }
-    c[std::size_t(n)] *= (n == 0 ? 1.0 : 2.0) / samples;
-    total += c[std::size_t(n)];
+    const double before = after + 2.0 * double(n) / std::max(spread, 1e-12) * now;
+    after = std::exchange(now, before);
+    if (now > 1e200) {
+      now *= 1e-250;
+      after *= 1e-250;
+      total *= 1e-250;
+      for (double& value : c)
+        value *= 1e-250;
+    }
   }
   for (double& value : c)
     value /= total;
   return c;
 }
 
-std::vector<glm::vec3> gaussian(std::span<const glm::vec3> positions, const VertexRings& rings,
-                                float deviation) {
+namespace {
+
+/// How far apart groups of vertices lie, in edges.
+struct GroupSpacing {
+  double apart = 0.0;
+  double within = 0.0;  ///< the variance of a group's vertices along each of the surface's two axes
+};
+
+GroupSpacing spacingOf(const CoarseRings& coarse, const std::vector<glm::vec4>& means,
+                       const std::vector<glm::vec4>& positions, const VertexRings& rings) {
+  const auto squared = [](const glm::vec4& a, const glm::vec4& b) {
+    const glm::dvec4 way = a - b;
+    return glm::dot(way, way);
+  };
+  const auto meanSquaredEdge = [&](const std::vector<glm::vec4>& at, const VertexRings& along) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < at.size(); ++v)
+      for (const std::uint32_t other : along[v]) {
+        sum += squared(at[v], at[other]);
+        ++count;
+      }
+    return sum / double(std::max<std::size_t>(1, count));
+  };
+  const double edge = std::max(meanSquaredEdge(positions, rings), 1e-30);
+  double within = 0.0;
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    within += squared(positions[v], means[coarse.groups()[v]]);
+  return {std::sqrt(meanSquaredEdge(means, coarse.rings()) / edge),
+          within / (2.0 * edge * double(std::max<std::size_t>(1, positions.size())))};
+}
+
+/// Returns the values averaged with a Gaussian's weights over the surface of those positions.
+template <class Value>
+std::vector<Value> averagedFar(const std::vector<Value>& values,
+                               const std::vector<glm::vec4>& positions, const VertexRings& rings,
+                               double deviation, Borders borders) {
   if (!(deviation > farthestFine))
-    return filtered(positions, rings, gaussianCoefficients(deviation));
+    return filtered(values, rings, gaussianCoefficients(float(deviation)), borders);
   const CoarseRings coarse(rings);
-  const std::vector<glm::vec3> means = coarse.means(positions);
-  const float edge = std::max(rings.meanEdge(positions), 1e-20f);
-  const float ratio = rootMeanSquareEdge(means, coarse.rings()) / edge;
+  const std::vector<glm::vec4> places = coarse.means(positions);
+  const GroupSpacing spacing = spacingOf(coarse, places, positions, rings);
   // Nothing is gained where vertices do not gather, or have no neighbours.
-  if (!(ratio > leastRatio))
-    return filtered(positions, rings, gaussianCoefficients(deviation));
+  if (!(spacing.apart > leastSpacing))
+    return filtered(values, rings, gaussianCoefficients(float(deviation)), borders);
   // Means over groups widen the Gaussian twice, once when they are made and once when all vertices
   // of a group take theirs. A last Gaussian as wide as groups lie apart smooths what is left of
   // them: a wave of that length keeps e^(−2π²) of its height.
-  const auto groups = coarse.groups();
-  double apart = 0.0;
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const glm::dvec3 way = positions[v] - means[groups[v]];
-    apart += glm::dot(way, way);
-  }
-  // Along each of the surface's two axes, in squared edges.
-  const double within = apart / (2.0 * double(positions.size()) * double(edge) * double(edge));
-  const double rest =
-      double(deviation) * double(deviation) - double(ratio) * double(ratio) - 2.0 * within;
-  const std::vector<glm::vec3> smooth =
-      gaussian(means, coarse.rings(), float(std::sqrt(std::max(rest, 0.0)) / double(ratio)));
-  std::vector<glm::vec3> spread(positions.size());
+  const double rest = deviation * deviation - spacing.apart * spacing.apart - 2.0 * spacing.within;
+  const std::vector<Value> smooth =
+      averagedFar(coarse.means(values), places, coarse.rings(),
+                  std::sqrt(std::max(rest, 0.0)) / spacing.apart, borders);
+  std::vector<Value> spread(values);
   for (std::size_t v = 0; v < spread.size(); ++v)
-    spread[v] = rings.onBorder(v) ? positions[v] : smooth[groups[v]];
-  return filtered(spread, rings, gaussianCoefficients(ratio));
+    if (borders == Borders::follow || !rings.onBorder(v))
+      spread[v] = smooth[coarse.groups()[v]];
+  return filtered(std::move(spread), rings, gaussianCoefficients(float(spacing.apart)), borders);
+}
+
+}  // namespace
+
+std::vector<glm::vec3> gaussian(std::span<const glm::vec3> positions, const VertexRings& rings,
+                                float deviation) {
+  const std::vector<glm::vec4> wide = widened(positions);
+  return narrowed(averagedFar(wide, wide, rings, double(deviation), Borders::stay));
+}
+
+std::vector<float> gaussian(const std::vector<float>& values, std::span<const glm::vec3> positions,
+                            const VertexRings& rings, float deviation) {
+  return averagedFar(values, widened(positions), rings, double(deviation), Borders::follow);
 }
 
 void averageOverRings(std::vector<float>& values, const VertexRings& rings, int times) {

@@ -33,6 +33,10 @@ std::vector<double> sincCoefficients(const SincFilter& filter);
 std::vector<glm::vec3> gaussian(std::span<const glm::vec3> positions, const VertexRings& rings,
                                 float deviation);
 
+/// Returns the values of a surface's vertices averaged likewise, those of borders too.
+std::vector<float> gaussian(const std::vector<float>& values, std::span<const glm::vec3> positions,
+                            const VertexRings& rings, float deviation);
+
 /// Returns such coefficients of exp(−2σ²k), σ the deviation.
 std::vector<double> gaussianCoefficients(float deviation);
 
