@@ -40,6 +40,9 @@ void applyBlend(Blend blend) {
   if (blend == Blend::over) {
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  } else if (blend == Blend::erase) {
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   } else if (blend == Blend::maximum) {
     glBlendEquation(GL_MAX);
     glBlendFunc(GL_ONE, GL_ONE);

@@ -12,6 +12,7 @@ enum class Blend {
   off,
   over,     ///< premultiplied source over the destination
   maximum,  ///< per channel the larger of both
+  erase,    ///< the destination but for the source's alpha
 };
 enum class Cull { none, back };
 

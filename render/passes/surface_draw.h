@@ -25,7 +25,7 @@ struct SurfaceDraw {
   SurfaceGeometry& surface;
   std::span<const std::uint32_t> triangles;  ///< three vertices each
   PixelRect layer;                           ///< in picture pixels, y upwards
-  PixelRect slot;                            ///< the layer's place in the target, of the same size
+  PixelRect slot;  ///< the layer's place in the target; smaller by a whole factor for a step
   SurfaceFill fill;
   std::span<const glm::vec4> sections;  ///< as in sections.glsl; at most 8
 };

@@ -18,7 +18,8 @@ int roundedToStep(int pixels) {
   return (pixels + sizeStep - 1) / sizeStep * sizeStep;
 }
 
-std::vector<PixelRect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
+std::vector<PixelRect> Atlas::layOut(std::span<const gpu::TextureSize> sizes, int surfaceStep) {
+  m_surfaceStep = surfaceStep;
   std::size_t area = 0;
   int widest = 1;
   for (const gpu::TextureSize& size : sizes) {
@@ -61,12 +62,21 @@ bool Atlas::release() {
   m_surfaceTarget.reset();
   m_inkTarget.reset();
   m_edgeTarget.reset();
-  for (auto* texture : {&m_colours, &m_inks, &m_surfaceDepths, &m_layerDepths})
+  m_coarseTarget.reset();
+  for (auto* texture :
+       {&m_colours, &m_inks, &m_surfaceDepths, &m_layerDepths, &m_coarseColours, &m_coarseDepths})
     texture->reset();
   return any;
 }
 
 Status Atlas::allocate() {
+  if (!m_colours)
+    if (Status s = allocateFine(); !s)
+      return s;
+  return coarse() && !m_coarseColours ? allocateCoarse() : Status(Unit{});
+}
+
+Status Atlas::allocateFine() {
   const auto make = [this](std::unique_ptr<gpu::Texture>& texture, gpu::TextureFormat format,
                            const char* name) {
     texture = std::make_unique<gpu::Texture>(format, m_wanted, name);
@@ -87,6 +97,22 @@ Status Atlas::allocate() {
   if (!edge)
     return edge.error();
   m_edgeTarget = std::move(*edge);
+  return Unit{};
+}
+
+Status Atlas::allocateCoarse() {
+  // The smallest step needs the most; larger ones come and go without new textures.
+  constexpr int smallest = 2;
+  const gpu::TextureSize all = m_colours->size();
+  const gpu::TextureSize size{(all.width + smallest - 1) / smallest,
+                              (all.height + smallest - 1) / smallest};
+  m_coarseColours = std::make_unique<gpu::Texture>(m_colours->format(), size, "coarse fills");
+  m_coarseDepths =
+      std::make_unique<gpu::Texture>(gpu::TextureFormat::depth32f, size, "coarse surface depth");
+  auto made = gpu::Target::create({{m_coarseColours.get()}, m_coarseDepths.get()}, "coarse");
+  if (!made)
+    return made.error();
+  m_coarseTarget = std::move(*made);
   return Unit{};
 }
 

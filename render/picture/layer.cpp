@@ -30,6 +30,11 @@ void markSurface(const PreparedStructure& shown, const PictureView& view, TileMa
       mask.mark(grown(view.bounds(cluster.bounds), edgeMargin));
 }
 
+/// Returns how far the strokes' tests look at the surface.
+int testReach(const PreparedStructure& shown, const PictureView& view, int step) {
+  return strokeReach(shown, view) + 2 * (step - 1);
+}
+
 /// Marks what strokes draw on, and so many pixels around.
 void markReach(const std::vector<Stroke>& strokes, int reach, TileMask& mask) {
   for (const Stroke& stroke : strokes)
@@ -38,12 +43,23 @@ void markReach(const std::vector<Stroke>& strokes, int reach, TileMask& mask) {
 
 }  // namespace
 
-void findTriangles(Layer& layer, const PictureView& view) {
+SurfacePlace surfacePlace(const Layer& layer, const PixelRect& slot) {
+  const int step = layer.surfaceStep;
+  const PixelRect coarse = coarser(slot, step);
+  return {{layer.area.x - slot.x + step * coarse.x, layer.area.y - slot.y + step * coarse.y,
+           step * coarse.width, step * coarse.height},
+          coarse};
+}
+
+void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region) {
+  const int step = layer.surfaceStep;
+  const auto within = [step](int pixels) { return (pixels % step + step) % step; };
+  const SampleGrid grid{{within(region.x), within(region.y)}, step};
   layer.triangles.resize(layer.members.size());
   parallelFor(layer.members.size(), 1, [&](std::size_t i) {
     const PreparedStructure& shown = layer.members[i];
     if (!isCutAway(shown, shown.mesh->bounds()))
-      layer.triangles[i] = visibleTriangles(shown, view, layer.touched);
+      layer.triangles[i] = visibleTriangles(shown, view, layer.touched, grid);
   });
 }
 
@@ -87,7 +103,7 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
     if (layer.parts.fills && showsEdges(member.style))
       layer.edges[i] =
           edges(member.surface(), view, member.style, lines.at(member.id).lines, layer.area);
-    markReach(layer.edges[i], strokeReach(member, view), layer.touched);
+    markReach(layer.edges[i], testReach(member, view, layer.surfaceStep), layer.touched);
   }
   layer.touched.mark(layer.mask);
   const PreparedStructure& first = layer.members.front();
@@ -109,7 +125,7 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
   layer.haloed = !layer.halos.empty();
   for (const std::vector<Stroke>* strokes : {&layer.strokes, &layer.hidden, &layer.halos}) {
     markReach(*strokes, 0, layer.mask);
-    markReach(*strokes, strokeReach(first, view), layer.touched);
+    markReach(*strokes, testReach(first, view, layer.surfaceStep), layer.touched);
   }
 }
 

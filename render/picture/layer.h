@@ -37,8 +37,9 @@ struct Layer {
   PixelRect area;                                     ///< in pixels of the whole picture
   PixelRect slot;                                     ///< in the atlas
   PictureContent parts;
-  TileMask mask;     ///< where it shows, of the region's grid and within its area
-  TileMask touched;  ///< where its strokes look at its surface, too
+  int surfaceStep = 1;  ///< see PictureSettings
+  TileMask mask;        ///< where it shows, of the region's grid and within its area
+  TileMask touched;     ///< where its strokes look at its surface, too
   std::vector<Stroke> strokes;
   std::vector<Stroke> hidden;              ///< outlines to be seen through what lies before them
   std::vector<Stroke> halos;               ///< where lines behind stop
@@ -56,6 +57,15 @@ struct Layer {
   }
 };
 
+/// Says where a layer's surface is drawn: so many pixels of the picture, in a place for one pixel
+/// per step.
+struct SurfacePlace {
+  PixelRect pixels;
+  PixelRect slot;
+};
+/// Returns the place for the layer's area, which begins at `slot` where there is no step.
+SurfacePlace surfacePlace(const Layer& layer, const PixelRect& slot);
+
 /// Returns what the resolve pass must know of those layers that show in the region.
 std::vector<ListedLayer> listedLayers(std::span<const Layer> layers, const PixelRect& region,
                                       Background background);
@@ -67,7 +77,7 @@ std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const Pi
                               const PixelRect& region, const PictureContent& parts);
 /// Finds the members' triangles within the squares that the layer touches. As they are many, only
 /// layers about to be drawn need them, and only until they are drawn.
-void findTriangles(Layer& layer, const PictureView& view);
+void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region);
 /// Makes the layer's strokes and edges and finds its squares. `lines` has an entry for each member
 /// that shows any.
 void completeLayer(Layer& layer, const PictureView& view, const PixelRect& region,

@@ -29,6 +29,26 @@ void appendSquares(const Layer& layer, const TileMask& squares,
   }
 }
 
+/// Returns what of a layer's surface must be empty before it is drawn. Enlarging looks at one more
+/// pixel around.
+std::vector<PixelRect> surfaceSquares(const Layer& layer) {
+  std::vector<PixelRect> squares;
+  appendSquares(layer, layer.touched, squares);
+  if (layer.surfaceStep > 1)
+    for (PixelRect& rect : squares)
+      rect = grown(coarser(rect, layer.surfaceStep), 1);
+  return squares;
+}
+
+/// Says how the edges of a structure's fill are drawn.
+void paintEdges(const PictureInput& input, const PreparedStructure& shown, passes::InkDraw& draw) {
+  const SurfaceFill fill = shownFill(input, shown);
+  // A fill that is enlarged is trimmed instead: its pixels have no edges to be softened.
+  draw.kind = draw.surfaceStep > 1 ? passes::InkKind::trims : passes::InkKind::edges;
+  draw.paint = glm::vec4(fill.colour, (fill.gammaOffsets ? 1.0f : fill.complete) * fill.opacity);
+  draw.key = keyLight(input);
+}
+
 }  // namespace
 
 void LayerPainter::emptyInk(gpu::Device& device, std::span<const Layer> layers,
@@ -53,8 +73,8 @@ void LayerPainter::drawMember(gpu::Device& device, const MemberDraw& member,
       shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
   passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
                            .triangles = {},
-                           .layer = member.layer.area,
-                           .slot = member.slot,
+                           .layer = member.place.pixels,
+                           .slot = member.place.slot,
                            .fill = member.fill,
                            .sections = sections};
   std::span<const std::uint32_t> left = member.layer.triangles[member.index];
@@ -72,20 +92,21 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
                                  .eye = input.view.eyeVector(),
                                  .pictureSize = input.view.size(),
                                  .key = input.view.toPatient(keyLight(input))};
+  const SurfacePlace place = surfacePlace(layer, layer.slot);
   for (std::size_t i = 0; i < layer.members.size(); ++i)
     drawMember(device,
-               {m_atlas.surfaceTarget(), layer, i, layer.slot, shownFill(input, layer.members[i])},
-               view, queue);
+               {m_atlas.surfaceTarget(), layer, i, place, shownFill(input, layer.members[i])}, view,
+               queue);
 }
 
-void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input,
-                            const Layer& layer) const {
+void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input, const Layer& layer,
+                            const gpu::Target& target, const SurfacePlace& place) const {
   for (const PreparedStructure& shown : layer.members) {
     if (!hasCaps(shown))
       continue;
-    const CapDraws caps = capDraws(shown, input.view, input.background, layer.area, layer.slot);
+    const CapDraws caps = capDraws(shown, input.view, input.background, place.pixels, place.slot);
     for (const passes::CapDraw& draw : caps.draws)
-      m_capPass->draw(device, m_atlas.surfaceTarget(), draw);
+      m_capPass->draw(device, target, draw);
   }
 }
 
@@ -93,29 +114,65 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
                                 std::span<const Layer> layers,
                                 std::span<const std::size_t> changed) const {
   gpu::DrawQueue queue;
+  const bool enlarged = input.surfaceStep > 1;
   for (const std::size_t i : changed)
     if (layers[i].shows()) {
-      std::vector<PixelRect> squares;
-      appendSquares(layers[i], layers[i].touched, squares);
-      m_wipePass->draw(device, m_atlas.surfaceTarget(), {squares, layers[i].filled, true});
+      m_wipePass->draw(device, m_atlas.surfaceTarget(),
+                       {surfaceSquares(layers[i]), layers[i].filled, true});
       drawSurface(device, input, layers[i], queue);
-      drawCaps(device, input, layers[i]);
+      if (!enlarged)
+        drawCaps(device, input, layers[i], m_atlas.surfaceTarget(),
+                 {layers[i].area, layers[i].slot});
     }
   // Where a layer has a fill, it lies as deep as its surface; elsewhere only its ink counts. All
   // copies come after all surfaces: a software driver starts anew at each change of target.
+  if (enlarged)
+    enlargeSurfaces(device, input, layers, changed, queue);
+  else
+    for (const std::size_t i : changed)
+      if (layers[i].shows() && layers[i].filled) {
+        device.copyDepth(m_atlas.surfaceTarget(), m_atlas.inkTarget(), layers[i].slot);
+        queue.addCopies(layers[i].slot);
+      }
+  emptyInk(device, layers, changed);
+}
+
+void LayerPainter::enlargeSurfaces(gpu::Device& device, const PictureInput& input,
+                                   std::span<const Layer> layers,
+                                   std::span<const std::size_t> changed,
+                                   gpu::DrawQueue& queue) const {
   for (const std::size_t i : changed)
     if (layers[i].shows() && layers[i].filled) {
-      device.copyDepth(m_atlas.surfaceTarget(), m_atlas.inkTarget(), layers[i].slot);
+      std::vector<PixelRect> squares;
+      appendSquares(layers[i], layers[i].mask, squares);
+      m_enlargePass->draw(device, m_atlas.edgeTarget(),
+                          {.colours = m_atlas.coarseColours(),
+                           .depths = m_atlas.surfaceDepths(),
+                           .step = input.surfaceStep,
+                           .rectangles = squares});
       queue.addCopies(layers[i].slot);
     }
-  emptyInk(device, layers, changed);
+  // Cut faces are few and flat: they are drawn in the picture's own pixels instead, and for the
+  // lines that they hide in coarse ones.
+  for (const std::size_t i : changed)
+    if (layers[i].shows() && layers[i].filled)
+      drawCaps(device, input, layers[i], m_atlas.edgeTarget(), {layers[i].area, layers[i].slot});
+  for (const std::size_t i : changed)
+    if (layers[i].shows())
+      drawCaps(device, input, layers[i], m_atlas.surfaceTarget(),
+               surfacePlace(layers[i], layers[i].slot));
 }
 
 passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& layer,
                                       const PreparedStructure& shown) {
-  const ContourProbes probes = contourProbes(shown.surface(), input.view, shown.style);
+  ContourProbes probes = contourProbes(shown.surface(), input.view, shown.style);
+  // Pixels of a surface with a step reach farther beyond its outline.
+  const float more = float(input.surfaceStep - 1);
+  probes.probe += more;
+  probes.reach += more;
   return {.layer = layer.area,
           .slot = layer.slot,
+          .surfaceStep = input.surfaceStep,
           .projection = input.view.depthTerms(),
           .probe = probes.probe,
           .reach = probes.reach,
@@ -140,11 +197,7 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
       passes::InkDraw draw = inkDraw(input, layers[i], shown);
       draw.first = all.size();
       draw.count = layers[i].edges[k].size();
-      const SurfaceFill fill = shownFill(input, shown);
-      draw.kind = passes::InkKind::edges;
-      draw.paint =
-          glm::vec4(fill.colour, (fill.gammaOffsets ? 1.0f : fill.complete) * fill.opacity);
-      draw.key = keyLight(input);
+      paintEdges(input, shown, draw);
       append(layers[i].edges[k]);
       edges.push_back(draw);
     }
@@ -163,6 +216,10 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
     const std::size_t contours = firstContour(layers[i].strokes);
     add(passes::InkKind::surfaceLines, contours);
     add(passes::InkKind::contours, layers[i].strokes.size() - contours);
+    if (layers[i].surfaceStep > 1 && layers[i].filled) {
+      edges.push_back(strokes.back());
+      edges.back().kind = passes::InkKind::trims;
+    }
     append(layers[i].halos);
     append(layers[i].hidden);
     append(layers[i].strokes);

@@ -68,7 +68,7 @@ void LayerPainter::drawNumbers(gpu::Device& device, const PictureInput& input,
       const SurfaceFill fill = numberFill(place);
       const PixelRect slot{layer.area.x - region.x, layer.area.y - region.y, layer.area.width,
                            layer.area.height};
-      drawMember(device, {target, layer, i, slot, fill}, view, queue);
+      drawMember(device, {target, layer, i, {layer.area, slot}, fill}, view, queue);
       if (!hasCaps(shown))
         continue;
       const CapDraws caps = capDraws(shown, input.view, input.background, layer.area, slot);
@@ -92,7 +92,7 @@ Status LayerPainter::outline(gpu::Device& device, const PictureInput& input,
   parallelFor(layers.size(), 1, [&](std::size_t i) {
     layers[i].touched = TileMask(region, layers[i].area);
     layers[i].touched.markAll();
-    findTriangles(layers[i], input.view);
+    findTriangles(layers[i], input.view, region);
   });
   completeSurfaces(input, layers, all);
   if (Status s = m_numbers.resize({region.width, region.height}, true); !s)

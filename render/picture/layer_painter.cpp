@@ -19,6 +19,9 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   auto wipe = passes::WipePass::create(device.dialect());
   if (!wipe)
     return wipe.error();
+  auto enlarge = passes::EnlargePass::create(device.dialect());
+  if (!enlarge)
+    return enlarge.error();
   auto cap = passes::CapPass::create(device.dialect());
   if (!cap)
     return cap.error();
@@ -30,6 +33,7 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
     return resolve.error();
   painter->m_surfacePass = std::move(*surface);
   painter->m_wipePass = std::move(*wipe);
+  painter->m_enlargePass = std::move(*enlarge);
   painter->m_capPass = std::move(*cap);
   painter->m_inkPass = std::move(*ink);
   painter->m_resolvePass = std::move(*resolve);
@@ -40,6 +44,7 @@ std::unique_ptr<LayerPainter> LayerPainter::another(const AtlasLimits& limits) c
   std::unique_ptr<LayerPainter> painter(new LayerPainter(limits));
   painter->m_surfacePass = m_surfacePass;
   painter->m_wipePass = m_wipePass;
+  painter->m_enlargePass = m_enlargePass;
   painter->m_capPass = m_capPass;
   painter->m_inkPass = m_inkPass;
   painter->m_resolvePass = m_resolvePass;
@@ -82,13 +87,20 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
 namespace {
 
 /// Gives layers places in which the region's squares begin at multiples of their own side: a row of
-/// a square's depth is then one line of a processor's cache, and drivers fill whole blocks.
+/// a square's depth is then one line of a processor's cache, and drivers fill whole blocks. Steps
+/// of the surfaces begin with the region, too, and one stays empty behind each layer, because what
+/// is enlarged looks at those around it.
 class AlignedPlaces {
  public:
-  explicit AlignedPlaces(const PixelRect& region) : m_region(region) {}
+  AlignedPlaces(const PixelRect& region, int step)
+      : m_region(region),
+        m_side(std::lcm(passes::ResolvePass::tileSide, step)),
+        m_gap(step > 1 ? step : 0) {}
 
   gpu::TextureSize size(const Layer& layer) const {
-    const auto rounded = [](int pixels) { return (pixels + side - 1) / side * side; };
+    const auto rounded = [this](int pixels) {
+      return (pixels + m_gap + m_side - 1) / m_side * m_side;
+    };
     const glm::ivec2 margin = marginOf(layer);
     return {rounded(margin.x + layer.area.width), rounded(margin.y + layer.area.height)};
   }
@@ -98,20 +110,20 @@ class AlignedPlaces {
   }
 
  private:
-  static constexpr int side = passes::ResolvePass::tileSide;
-
   glm::ivec2 marginOf(const Layer& layer) const {
-    const auto within = [](int pixels) { return (pixels % side + side) % side; };
+    const auto within = [this](int pixels) { return (pixels % m_side + m_side) % m_side; };
     return {within(layer.area.x - m_region.x), within(layer.area.y - m_region.y)};
   }
 
   PixelRect m_region;
+  int m_side;  ///< the places' corners are multiples of it
+  int m_gap;
 };
 
 }  // namespace
 
 bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& changed) {
-  const AlignedPlaces places(m_key.region);
+  const AlignedPlaces places(m_key.region, m_key.surfaceStep);
   if (!m_freshAtlas) {
     const bool fits = std::all_of(changed.begin(), changed.end(), [&](std::size_t i) {
       if (!layers[i].slot.empty())
@@ -128,7 +140,7 @@ bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& c
   sizes.reserve(layers.size());
   for (const Layer& layer : layers)
     sizes.push_back(places.size(layer));
-  const std::vector<PixelRect> slots = m_atlas.layOut(sizes);
+  const std::vector<PixelRect> slots = m_atlas.layOut(sizes, m_key.surfaceStep);
   if (slots.size() != layers.size())
     return false;
   for (std::size_t i = 0; i < layers.size(); ++i)
@@ -214,9 +226,7 @@ void LayerPainter::letGo(gpu::Device& device) {
 }
 
 Status LayerPainter::makeRoom(gpu::Device& device) {
-  if (!m_atlas.outgrown())
-    return Unit{};
-  if (m_atlas.release())
+  if (m_atlas.outgrown() && m_atlas.release())
     letGo(device);
   return m_atlas.allocate();
 }
@@ -225,9 +235,11 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
                                                   const PixelRect& region,
                                                   const gpu::Target& target, Stopwatch& stopwatch) {
   std::vector<Layer> layers = planLayers(input.shown, input.view, region, input.parts);
+  for (Layer& layer : layers)
+    layer.surfaceStep = input.surfaceStep;
   std::vector<std::size_t> changed =
       reuse(layers, {input.view.camera(), input.view.bounds(), input.view.size(), input.background,
-                     input.light, input.keyLight, input.parts, region});
+                     input.light, input.keyLight, input.parts, input.surfaceStep, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
   if (Status s = makeRoom(device); !s)
@@ -245,7 +257,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   own.clear();
   stopwatch.pass(device, "strokes");
   parallelFor(changed.size(), 1,
-              [&](std::size_t i) { findTriangles(layers[changed[i]], input.view); });
+              [&](std::size_t i) { findTriangles(layers[changed[i]], input.view, region); });
   stopwatch.pass(device, "plan");
   if (input.isUnwanted())
     return Outcome::givenUp;

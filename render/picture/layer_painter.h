@@ -10,6 +10,7 @@
 #include "render/passes/cap/cap_pass.h"
 #include "render/passes/ink/ink_pass.h"
 #include "render/passes/resolve/resolve_pass.h"
+#include "render/passes/surface/enlarge_pass.h"
 #include "render/passes/surface/surface_pass.h"
 #include "render/passes/surface/wipe_pass.h"
 #include "render/picture/atlas.h"
@@ -28,6 +29,7 @@ struct PictureInput {
   glm::vec3 light{0.0f};
   bool keyLight = false;
   PictureContent parts;
+  int surfaceStep = 1;  ///< see PictureSettings
   /// Keeps lines between the regions of one picture, by structure; null to keep none.
   std::map<model::NodeId, StructureLines>* lines = nullptr;
   /// Set from another thread when the picture is no longer wanted; may be null.
@@ -71,6 +73,7 @@ class LayerPainter {
     glm::vec3 light{0.0f};
     bool keyLight = false;
     PictureContent parts;
+    int surfaceStep = 1;
     PixelRect region;
     bool operator==(const Key&) const = default;
   };
@@ -87,14 +90,18 @@ class LayerPainter {
     const gpu::Target& target;
     const Layer& layer;
     std::size_t index = 0;  ///< in the layer's members
-    PixelRect slot;         ///< the layer's place in the target
+    SurfacePlace place;     ///< in the target
     SurfaceFill fill;
   };
   void drawMember(gpu::Device& device, const MemberDraw& member, const passes::SurfaceView& view,
                   gpu::DrawQueue& queue) const;
   void drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,
                    gpu::DrawQueue& queue) const;
-  void drawCaps(gpu::Device& device, const PictureInput& input, const Layer& layer) const;
+  void drawCaps(gpu::Device& device, const PictureInput& input, const Layer& layer,
+                const gpu::Target& target, const SurfacePlace& place) const;
+  void enlargeSurfaces(gpu::Device& device, const PictureInput& input,
+                       std::span<const Layer> layers, std::span<const std::size_t> changed,
+                       gpu::DrawQueue& queue) const;
   void drawSurfaces(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
                     std::span<const std::size_t> changed) const;
   static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer,
@@ -118,6 +125,7 @@ class LayerPainter {
   Atlas m_atlas;
   std::shared_ptr<passes::SurfacePass> m_surfacePass;
   std::shared_ptr<passes::WipePass> m_wipePass;
+  std::shared_ptr<passes::EnlargePass> m_enlargePass;
   std::shared_ptr<passes::CapPass> m_capPass;
   std::shared_ptr<passes::InkPass> m_inkPass;
   std::shared_ptr<passes::ResolvePass> m_resolvePass;

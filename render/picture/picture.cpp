@@ -37,6 +37,7 @@ Status checkRequest(const model::Camera& camera, const PictureSettings& settings
     return Error{.reason = "a picture of " + std::to_string(settings.width) + "×" +
                            std::to_string(settings.height) + " pixels cannot be drawn",
                  .remedy = "Ask for 1 to 65535 pixels each way"};
+  assert(settings.surfaceStep >= 1 && settings.surfaceStep <= 4);
   if (const auto fault = model::cameraFault(camera))
     return Error{.where = "camera", .reason = std::string(*fault), .remedy = "Correct the camera"};
   return Unit{};
@@ -178,8 +179,11 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   }
   std::vector<PreparedStructure>& visible = *prepared;
   model::Box bounds;
+  int step = settings.surfaceStep;
   for (PreparedStructure& s : visible) {
     s.printedHatching = showsPrintedHatching(s.style, settings);
+    if (s.printedHatching)
+      step = 1;  // its ink is found from the surface, pixel by pixel
     bounds.add(s.mesh->bounds());
   }
   const model::KeyLight own = scene.keyLight().value_or(model::KeyLight());
@@ -194,6 +198,7 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
                            .light = settings.environment.light.value_or(own.towards),
                            .keyLight = settings.environment.keyLight.value_or(own.shades),
                            .parts = settings.parts,
+                           .surfaceStep = step,
                            .lines = whole ? nullptr : &lines,
                            .unwanted = output.unwanted};
   Status done = Unit{};

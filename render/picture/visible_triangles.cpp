@@ -22,7 +22,8 @@ constexpr float farthest = 8192.0f;
 /// The most middles of pixels that are looked at one by one.
 constexpr int mostMiddles = 4;
 
-/// Holds a cluster's vertices as they lie in the picture, and its triangles' boxes.
+/// Holds a cluster's vertices as they lie in the picture, counted in steps of the grid, which are
+/// pixels below, and its triangles' boxes.
 struct SeenCluster {
   std::array<std::array<float, Clusters::maximumVertices>, 3> position;
   std::array<float, Clusters::maximumVertices> x;
@@ -44,10 +45,13 @@ std::int32_t below(float x) {
 }
 
 /// Projects the vertices. Returns false where some lie behind the eye or too far away to tell.
-bool project(const model::Cluster& cluster, const model::Surface& surface, const PictureView& view,
-             SeenCluster& seen) {
+bool project(const model::Cluster& cluster, const DrawnStructure& shown, const PictureView& view,
+             const SampleGrid& grid, SeenCluster& seen) {
   const glm::mat4& m = view.viewProjection();
   const glm::vec2 half = 0.5f * view.size();
+  const model::Surface& surface = shown.surface();
+  const glm::vec2 corner(grid.corner);
+  const float perPixel = 1.0f / float(grid.step);
   const std::uint32_t* vertices = surface.clusters.vertices.data() + cluster.firstVertex;
   const auto positions = surface.mesh->positions();
   for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)
@@ -64,6 +68,8 @@ bool project(const model::Cluster& cluster, const model::Surface& surface, const
     seen.y[i] = (y / w + 1.0f) * half.y;
     lost |= std::int32_t(!(w > nearest)) | std::int32_t(!(std::abs(seen.x[i]) < farthest)) |
             std::int32_t(!(std::abs(seen.y[i]) < farthest));
+    seen.x[i] = (seen.x[i] - corner.x) * perPixel;
+    seen.y[i] = (seen.y[i] - corner.y) * perPixel;
   }
   return lost == 0;
 }
@@ -119,14 +125,14 @@ bool holdsMiddle(const SeenCluster& seen, std::size_t i) {
 /// Appends the triangles of clusters.
 class TriangleFinder {
  public:
-  TriangleFinder(const DrawnStructure& shown, const PictureView& view)
-      : m_shown(shown), m_view(view), m_cull(cullsBack(shown, view)) {}
+  TriangleFinder(const DrawnStructure& shown, const PictureView& view, const SampleGrid& grid)
+      : m_shown(shown), m_view(view), m_grid(grid), m_cull(cullsBack(shown, view)) {}
 
   void append(const model::Cluster& cluster, std::vector<std::uint32_t>& visible) {
     const Clusters& clusters = m_shown.surface().clusters;
     const auto* triangles = clusters.localTriangles.data() + cluster.firstTriangle;
     const bool mixed = m_cull && model::facing(cluster, m_view.eye()) != model::Facing::front;
-    const bool known = project(cluster, m_shown.surface(), m_view, m_seen);
+    const bool known = project(cluster, m_shown, m_view, m_grid, m_seen);
     if (known)
       findBoxes(cluster.triangleCount, triangles, m_seen);
     for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
@@ -160,6 +166,7 @@ class TriangleFinder {
 
   const DrawnStructure& m_shown;
   const PictureView& m_view;
+  const SampleGrid& m_grid;
   bool m_cull;
   SeenCluster m_seen;
 };
@@ -167,7 +174,7 @@ class TriangleFinder {
 }  // namespace
 
 std::vector<std::uint32_t> visibleTriangles(const DrawnStructure& shown, const PictureView& view,
-                                            const TileMask& squares) {
+                                            const TileMask& squares, const SampleGrid& grid) {
   const bool cull = cullsBack(shown, view);
   std::vector<const model::Cluster*> clusters;
   for (const model::Cluster& cluster : shown.surface().clusters.items)
@@ -177,7 +184,7 @@ std::vector<std::uint32_t> visibleTriangles(const DrawnStructure& shown, const P
   constexpr std::size_t piece = 128;
   std::vector<std::vector<std::uint32_t>> found((clusters.size() + piece - 1) / piece);
   parallelFor(found.size(), 1, [&](std::size_t i) {
-    TriangleFinder finder(shown, view);
+    TriangleFinder finder(shown, view, grid);
     const std::size_t end = std::min(clusters.size(), (i + 1) * piece);
     for (std::size_t k = i * piece; k < end; ++k)
       finder.append(*clusters[k], found[i]);

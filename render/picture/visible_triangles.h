@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "render/picture/tile_lists.h"
@@ -11,11 +12,18 @@
 
 namespace sline::render {
 
-/// Returns the triangles that may cover the middle of a pixel in the squares, three indices into
+/// Says where surfaces are sampled: in the middles of squares of `step` pixels, one of which has
+/// its lower left corner at `corner`.
+struct SampleGrid {
+  glm::ivec2 corner{0};
+  int step = 1;
+};
+
+/// Returns the triangles that may cover a sample in the squares, three indices into
 /// `Clusters::vertices` each; of a surface with an outside only, those that turn it to the eye. In
-/// a fine mesh most triangles lie between the middles of pixels; software drivers, which set
+/// a fine mesh most triangles lie between the samples; software drivers, which set
 /// triangles up on one thread, are spared them, and a graphics card does not lose either.
 std::vector<std::uint32_t> visibleTriangles(const DrawnStructure& shown, const PictureView& view,
-                                            const TileMask& squares);
+                                            const TileMask& squares, const SampleGrid& grid = {});
 
 }  // namespace sline::render

@@ -43,4 +43,12 @@ inline PixelRect grown(const PixelRect& r, int margin) {
   return {r.x - margin, r.y - margin, r.width + 2 * margin, r.height + 2 * margin};
 }
 
+/// Returns the squares of `step` pixels that the rectangle touches, counted from pixel 0.
+inline PixelRect coarser(const PixelRect& r, int step) {
+  const auto below = [step](int x) { return x >= 0 ? x / step : -((step - 1 - x) / step); };
+  const int x = below(r.x);
+  const int y = below(r.y);
+  return {x, y, below(r.right() + step - 1) - x, below(r.top() + step - 1) - y};
+}
+
 }  // namespace sline::render

@@ -43,6 +43,9 @@ struct PictureSettings {
   Environment environment;
   HatchingMethod hatching = HatchingMethod::strokes;
   PictureContent parts;
+  /// Surfaces are drawn with one pixel for so many of the picture each way, 1 … 4, as is enough
+  /// while they move; lines are as sharp as ever.
+  int surfaceStep = 1;
 };
 
 /// Draws a picture for measures, which need not know how it is drawn.

@@ -9,7 +9,8 @@ uniform vec4 colour;      // premultiplied
 uniform vec4 strokeColour;  // premultiplied; alpha 0: no hatching
 uniform vec4 stripes;     // stripe number = ⟨xyz, place⟩; w: share of the odd stripes
 uniform float halfWidth;  // px, of a stroke
-uniform vec2 toMiddle;    // from atlas pixels to picture pixels from the picture's middle
+uniform float pixelStep;  // pixels of the picture for one of the atlas
+uniform vec2 toMiddle;    // from these to picture pixels from the picture's middle
 uniform vec3 depthPlane;  // window depth = ⟨depthPlane, (x, y, 1)⟩
 
 out vec4 fragment;
@@ -31,5 +32,5 @@ void main() {
   if (cutAway(place))
     discard;
   fragment = mix(colour, strokeColour, coverage);
-  gl_FragDepth = clamp(dot(depthPlane, vec3(gl_FragCoord.xy + toMiddle, 1.0)), 0.0, 1.0);
+  gl_FragDepth = clamp(dot(depthPlane, vec3(pixelStep * gl_FragCoord.xy + toMiddle, 1.0)), 0.0, 1.0);
 }

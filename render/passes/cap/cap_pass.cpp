@@ -21,6 +21,7 @@ gpu::ProgramRecipe capRecipe() {
                        {"strokeColour", UniformType::vec4},
                        {"stripes", UniformType::vec4},
                        {"halfWidth", UniformType::real},
+                       {"pixelStep", UniformType::real},
                        {"toMiddle", UniformType::vec2},
                        {"depthPlane", UniformType::vec3}}};
 }
@@ -58,9 +59,11 @@ void CapPass::draw(gpu::Device& device, const gpu::Target& target, const CapDraw
   program.set("strokeColour", draw.strokeColour);
   program.set("stripes", draw.stripes);
   program.set("halfWidth", draw.strokeHalfWidth);
-  program.set("toMiddle",
-              glm::vec2(float(draw.layer.x - draw.slot.x), float(draw.layer.y - draw.slot.y)) -
-                  0.5f * draw.pictureSize);
+  const float step = float(draw.layer.width) / float(draw.slot.width);
+  program.set("pixelStep", step);
+  program.set("toMiddle", glm::vec2(float(draw.layer.x), float(draw.layer.y)) -
+                              step * glm::vec2(float(draw.slot.x), float(draw.slot.y)) -
+                              0.5f * draw.pictureSize);
   program.set("depthPlane", draw.depthPlane);
   const gpu::DrawState state{.viewport = draw.slot,
                              .scissor = draw.slot,

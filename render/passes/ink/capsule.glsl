@@ -10,6 +10,7 @@ flat in vec4 lineOutwards;
 flat in vec4 lineStrokes;
 
 uniform sampler2D surfaceDepth;
+uniform float surfaceStep;  // px for one of surfaceDepth, each way
 uniform ivec4 slot;       // the layer's place in the atlas: first and last pixel
 uniform ivec2 toAtlas;    // from picture pixels to atlas pixels
 
@@ -45,7 +46,7 @@ float depthAt(vec2 pixel) {
   ivec2 texel = ivec2(floor(pixel)) + toAtlas;
   if (any(lessThan(texel, slot.xy)) || any(greaterThan(texel, slot.zw)))
     return 1.0;
-  return texelFetch(surfaceDepth, texel, 0).r;
+  return texelFetch(surfaceDepth, ivec2((vec2(texel) + 0.5) / surfaceStep), 0).r;
 }
 
 // Tells whether a surface of that depth leaves the line in sight.

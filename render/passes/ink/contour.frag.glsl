@@ -19,7 +19,7 @@ void main() {
   float inner = lineDepths.w - 1.0;  // share that remains within the surface's own mask
   if (inner < 1.0) {
     bool within = depthAt(c.on + (wide + probe) * outward) < 1.0 ||
-        (depthAt(c.pixel) < 1.0 && length(c.pixel - c.place) > 1.0);
+        (depthAt(c.pixel) < 1.0 && length(c.pixel - c.place) > surfaceStep);
     if (within) {
       // Thinner strokes keep one pixel and lose opacity instead.
       float thin = c.halfWidth * inner;

@@ -17,11 +17,19 @@ gpu::ProgramRecipe inkRecipe(InkKind kind) {
                             .fragmentFile = "surface_line.frag.glsl",
                             .uniforms = {{"layer", UniformType::vec4},
                                          {"surfaceDepth", UniformType::texture},
+                                         {"surfaceStep", UniformType::real},
                                          {"slot", UniformType::ivec4},
                                          {"toAtlas", UniformType::ivec2},
                                          {"projection", UniformType::vec4}}};
   if (kind == InkKind::surfaceLines)
     return recipe;
+  if (kind == InkKind::trims) {
+    recipe.name = "trims of fills";
+    recipe.vertexFile = "trim.vert.glsl";
+    recipe.fragmentFile = "trim.frag.glsl";
+    recipe.uniforms.pop_back();
+    return recipe;
+  }
   recipe.uniforms.push_back({"reach", UniformType::vec2});
   recipe.uniforms.push_back({"sheet", UniformType::real});
   if (kind == InkKind::contours || kind == InkKind::hidden) {
@@ -44,7 +52,7 @@ gpu::ProgramRecipe inkRecipe(InkKind kind) {
 /// Returns the same program on rough paper; nothing for what is no ink. It is another, as software
 /// rasterisers work out the paper even where it is smooth.
 std::optional<gpu::ProgramRecipe> grainedRecipe(InkKind kind) {
-  if (kind == InkKind::halos || kind == InkKind::edges)
+  if (kind == InkKind::halos || kind == InkKind::edges || kind == InkKind::trims)
     return std::nullopt;
   gpu::ProgramRecipe recipe = inkRecipe(kind);
   recipe.fragmentFile = kind == InkKind::surfaceLines ? "surface_line_grained.frag.glsl"
@@ -88,6 +96,21 @@ float kindOf(const Stroke& stroke) {
       break;
   }
   return 0.0f;
+}
+
+gpu::Blend blendOf(InkKind kind) {
+  switch (kind) {
+    case InkKind::edges:
+      return gpu::Blend::over;
+    case InkKind::trims:
+      return gpu::Blend::erase;
+    case InkKind::surfaceLines:
+    case InkKind::contours:
+    case InkKind::hidden:
+    case InkKind::halos:
+      break;
+  }
+  return gpu::Blend::maximum;
 }
 
 std::vector<gpu::Stream> streams(const gpu::Buffer& buffer) {
@@ -146,11 +169,13 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
   program.set("layer", glm::vec4(float(draw.layer.x), float(draw.layer.y), float(draw.layer.width),
                                  float(draw.layer.height)));
   program.set("surfaceDepth", surfaceDepth);
+  program.set("surfaceStep", float(draw.surfaceStep));
   program.set("slot",
               glm::ivec4(draw.slot.x, draw.slot.y, draw.slot.right() - 1, draw.slot.top() - 1));
   program.set("toAtlas", glm::ivec2(draw.slot.x - draw.layer.x, draw.slot.y - draw.layer.y));
-  program.set("projection", draw.projection);
-  if (draw.kind != InkKind::surfaceLines) {
+  if (draw.kind != InkKind::trims)
+    program.set("projection", draw.projection);
+  if (draw.kind != InkKind::surfaceLines && draw.kind != InkKind::trims) {
     program.set("reach", draw.reach);
     program.set("sheet", draw.sheet);
   }
@@ -169,12 +194,12 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
   m_geometry.startInstancesAt(draw.first);
   // Segments come farthest first, so the depth that remains is the nearest line's although every
   // coverage counts.
-  const gpu::DrawState state{
-      .viewport = draw.slot,
-      .scissor = draw.slot,
-      .depth = gpu::DepthTest::always,
-      .writeDepth = draw.kind != InkKind::hidden,
-      .blend = draw.kind == InkKind::edges ? gpu::Blend::over : gpu::Blend::maximum};
+  const bool trims = draw.kind == InkKind::trims;
+  const gpu::DrawState state{.viewport = draw.slot,
+                             .scissor = draw.slot,
+                             .depth = trims ? gpu::DepthTest::off : gpu::DepthTest::always,
+                             .writeDepth = !trims && draw.kind != InkKind::hidden,
+                             .blend = blendOf(draw.kind)};
   device.quads({target, program, m_geometry, state}, draw.count);
 }
 

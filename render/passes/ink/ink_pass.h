@@ -16,9 +16,10 @@
 namespace sline::render::passes {
 
 /// Tells what strokes draw: ink, the soft edges of a fill along its contours, outlines that show
-/// through what lies before them, or where lines behind an outline stop.
-enum class InkKind { surfaceLines, contours, edges, hidden, halos };
-inline constexpr std::size_t inkKindCount = 5;
+/// through what lies before them, where lines behind an outline stop, or where a fill ends that was
+/// enlarged.
+enum class InkKind { surfaceLines, contours, edges, hidden, halos, trims };
+inline constexpr std::size_t inkKindCount = 6;
 
 struct InkDraw {
   InkKind kind = InkKind::surfaceLines;  ///< that of all its strokes
@@ -26,6 +27,7 @@ struct InkDraw {
   std::size_t count = 0;
   PixelRect layer;  ///< as in SurfaceDraw
   PixelRect slot;
+  int surfaceStep = 1;         ///< pixels of the layer for one of its surface's depth, each way
   glm::vec4 projection{0.0f};  ///< projection matrix [2][2], [3][2], [2][3], [3][3]
   float probe = 3.0f;  ///< px outside a contour at which its own mask makes it an inner contour
   glm::vec2 reach{1.0f, 4.0f};  ///< px outside a contour at which the surface has fallen away

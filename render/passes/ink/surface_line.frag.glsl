@@ -6,9 +6,10 @@
 #endif
 
 bool surfaceLineVisible(Capsule c) {
-  vec2 corner = c.on - 0.5;
-  float behind = max(max(depthAt(corner), depthAt(corner + vec2(1.0, 0.0))),
-                     max(depthAt(corner + vec2(0.0, 1.0)), depthAt(corner + vec2(1.0, 1.0))));
+  vec2 corner = c.on - 0.5 * surfaceStep;
+  vec2 next = vec2(surfaceStep, 0.0);
+  float behind = max(max(depthAt(corner), depthAt(corner + next.xy)),
+                     max(depthAt(corner + next.yx), depthAt(corner + next.xx)));
   return inSight(c, behind);
 }
 

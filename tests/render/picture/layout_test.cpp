@@ -18,6 +18,7 @@ class LayoutTest : public QObject {
  private slots:
   void packsWithoutOverlap();
   void refusesWhatDoesNotFit();
+  void coarserRectanglesHoldAll();
   void listsLayersInOrder();
   void cutsSquaresAtEdgesOfAreas();
   void masksReachBeyondTheRegion();
@@ -48,6 +49,17 @@ void LayoutTest::refusesWhatDoesNotFit() {
   QVERIFY(packer.place(60, 60));
   QVERIFY(!packer.place(60, 60));
   QVERIFY(packer.place(40, 60));
+}
+
+void LayoutTest::coarserRectanglesHoldAll() {
+  QCOMPARE(coarser({-4, 3, 9, 6}, 3), (PixelRect{-2, 1, 4, 2}));
+  for (int step = 1; step <= 4; ++step)
+    for (int x = -9; x < 9; ++x)
+      for (int width = 1; width < 9; ++width) {
+        const PixelRect c = coarser({x, 0, width, 1}, step);
+        QVERIFY(step * c.x <= x && x < step * (c.x + 1));
+        QVERIFY(step * c.right() >= x + width && step * (c.right() - 1) < x + width);
+      }
 }
 
 void LayoutTest::listsLayersInOrder() {

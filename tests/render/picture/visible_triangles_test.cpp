@@ -23,6 +23,7 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p) {
 }
 
 /// Tells whether the triangle, which turns its outside to the eye, holds the middle of a pixel.
+/// Corners are in steps of the grid.
 bool holdsMiddle(const Corners& c) {
   const glm::dvec2 low = glm::min(glm::min(c[0], c[1]), c[2]);
   const glm::dvec2 high = glm::max(glm::max(c[0], c[1]), c[2]);
@@ -43,14 +44,17 @@ class VisibleTrianglesTest : public QObject {
   void holdAllThatCoverAPixel_data() {
     QTest::addColumn<int>("projection");
     QTest::addColumn<int>("height");
-    QTest::newRow("fine, perspective") << int(model::Projection::perspective) << 60;
-    QTest::newRow("fine, parallel") << int(model::Projection::orthographic) << 61;
-    QTest::newRow("coarse") << int(model::Projection::perspective) << 2000;
+    QTest::addColumn<int>("step");
+    QTest::newRow("fine, perspective") << int(model::Projection::perspective) << 60 << 1;
+    QTest::newRow("fine, parallel") << int(model::Projection::orthographic) << 61 << 1;
+    QTest::newRow("coarse") << int(model::Projection::perspective) << 2000 << 1;
+    QTest::newRow("every third pixel") << int(model::Projection::perspective) << 180 << 3;
   }
 
   void holdAllThatCoverAPixel() {
     QFETCH(int, projection);
     QFETCH(int, height);
+    QFETCH(int, step);
     PreparedSurface prepared;
     DrawnStructure shown;
     shown.mesh = test::sphere(40.0f, 5);
@@ -61,7 +65,8 @@ class VisibleTrianglesTest : public QObject {
     const PictureView view(camera, shown.mesh->bounds(), height, height);
     TileMask squares(view.whole());
     squares.markAll();
-    const std::vector<std::uint32_t> visible = visibleTriangles(shown, view, squares);
+    const SampleGrid grid{{0, step / 2}, step};
+    const std::vector<std::uint32_t> visible = visibleTriangles(shown, view, squares, grid);
 
     const model::Clusters& clusters = prepared.surface->clusters;
     std::set<std::array<std::uint32_t, 3>> found;
@@ -73,7 +78,9 @@ class VisibleTrianglesTest : public QObject {
     for (const auto& triangle : shown.mesh->triangles()) {
       Corners corners;
       for (std::size_t c = 0; c < 3; ++c)
-        corners[c] = glm::dvec2(view.project(shown.mesh->positions()[triangle[c]]).pixel);
+        corners[c] = (glm::dvec2(view.project(shown.mesh->positions()[triangle[c]]).pixel) -
+                      glm::dvec2(grid.corner)) /
+                     double(step);
       if (!(turn(corners[0], corners[1], corners[2]) > 1e-6))
         continue;
       ++facing;
@@ -85,7 +92,7 @@ class VisibleTrianglesTest : public QObject {
     QVERIFY(needed > 100);
     // Few more are drawn: those with the middle of a pixel close to an edge.
     QVERIFY2(double(found.size()) < 1.02 * double(facing), "triangles are drawn that face away");
-    if (height <= 61)
+    if (height / step <= 61)
       QVERIFY2(
           needed < facing / 2 && double(found.size()) < 1.5 * double(needed),
           qPrintable(QString("%1 of %2, %3 needed").arg(found.size()).arg(facing).arg(needed)));
