@@ -39,6 +39,7 @@ struct Options {
   std::vector<std::filesystem::path> inputs;
   int frames = 60;
   std::string size = "1280x720";
+  int moving = 1;
   std::optional<float> gamma;
   int drags = 0;
   float meshingMm = 0.0f;
@@ -106,7 +107,7 @@ Result<bench::Stage> importStage(const Options& options, const glm::ivec2& size,
     return imported.error();
   report.importMs = watch.milliseconds();
   bench::Stage stage{.scene = bench::withGamma(imported->scene, options.gamma),
-                     .settings = {.width = size.x, .height = size.y},
+                     .settings = {.width = size.x, .height = size.y, .surfaceStep = options.moving},
                      .frames = options.frames};
   for (const model::NodeId id : stage.scene.structuresBelow(model::rootId)) {
     ++report.structures;
@@ -378,6 +379,10 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_flag("--known-lines", options.knownLines,
                "Without INPUT: recall and precision of each technique on a surface of which all "
                "lines are known");
+  app.add_option("--moving", options.moving,
+                 "Draw as while the camera moves: lines as ever, surfaces with one pixel for so "
+                 "many of the picture, each way")
+      ->check(CLI::Range(2, 4));
   app.add_option("--steady-lines", options.turning,
                  "Instead: turn by so many steps of half a degree and say what lines pop")
       ->check(CLI::Range(1, 720));
