@@ -6,7 +6,9 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QtTest>
+#include <cmath>
 #include <iostream>
+#include <map>
 
 #include "tests/bench/measure.h"
 #include "tests/gui/window_fixture.h"
@@ -85,12 +87,15 @@ void dragInPicture(test::WindowFixture& f, const char* what, QPoint from, glm::v
   constexpr int interval = 16;
   std::vector<double> gaps;
   std::vector<double> drawing;
+  std::map<std::pair<float, int>, int> fineness;  // pictures by scale and step of the surfaces
   QElapsedTimer clock;
   const QObject listener;
   QObject::connect(&f.viewport(), &widgets::Viewport::pictureShown, &listener, [&] {
     gaps.push_back(double(clock.nsecsElapsed()) * 1e-6);
     clock.start();
     drawing.push_back(f.viewport().lastMilliseconds());
+    const widgets::Fineness& last = f.viewport().lastFineness();
+    ++fineness[{last.scale, last.surfaceStep}];
   });
   test::sendMouse(f.viewport(), QEvent::MouseButtonPress, from);
   clock.start();
@@ -108,7 +113,11 @@ void dragInPicture(test::WindowFixture& f, const char* what, QPoint from, glm::v
   const bench::Spread spread = bench::spreadOf(gaps);
   std::cout << what << ": " << gaps.size() << " pictures, one each " << spread.median
             << " ms (drawing " << bench::spreadOf(drawing).median << "), p95 " << spread.p95
-            << " ms; fine after " << fine << " ms" << std::endl;
+            << " ms; fine after " << fine << " ms;";
+  for (const auto& [look, count] : fineness)
+    std::cout << ' ' << count << " at " << std::lround(100.0f * look.first)
+              << " % size, surfaces at 1/" << look.second;
+  std::cout << std::endl;
 }
 
 /// Pushes a section through the middle by its arrow.

@@ -3,18 +3,26 @@
 
 namespace sline::widgets {
 
-/// Decides how fine pictures are while the camera moves: coarser where a full one takes long, full
-/// again when it rests. The first of a scene is coarse: a full one that takes long would hold up
-/// the move.
+/// Says how fine a picture is drawn.
+struct Fineness {
+  float scale = 1.0f;   ///< the share of the full width and height
+  int surfaceStep = 1;  ///< see render::PictureSettings
+  bool operator==(const Fineness&) const = default;
+  bool full() const { return *this == Fineness{}; }
+};
+
+/// Decides how fine pictures are while the camera moves, and full again when it rests: where a full
+/// one takes long, surfaces are coarser, under lines as sharp as ever; only where that takes too
+/// long, too, all is smaller. The first of a scene has coarse surfaces: a full one that takes long
+/// would hold up the move.
 class MotionQuality {
  public:
-  /// Notes how long a picture took that was drawn anew at that scale.
-  void took(double milliseconds, float scale);
-  /// Returns the share of the full width and height to draw while moving: 1, 3/4, 1/2 or 1/3.
-  float scale() const { return m_scale; }
+  /// Notes how long a picture took that was drawn anew that fine.
+  void took(double milliseconds, const Fineness& fineness);
+  Fineness fineness() const { return m_fineness; }
 
  private:
-  float m_scale = 0.5f;
+  Fineness m_fineness{.surfaceStep = 3};
 };
 
 }  // namespace sline::widgets

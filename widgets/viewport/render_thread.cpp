@@ -155,7 +155,7 @@ void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& re
   else if (*done)
     emit drawn({.number = request.number,
                 .milliseconds = double(clock.nsecsElapsed()) * 1e-6,
-                .scale = request.scale,
+                .fineness = request.fineness,
                 .moving = request.moving,
                 .camera = request.camera,
                 .layersDrawn = painter.layersDrawn(),

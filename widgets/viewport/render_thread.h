@@ -20,6 +20,7 @@
 #include "render/gpu/handoff.h"
 #include "render/picture/picture.h"
 #include "widgets/annotations/in_picture/label_sheet.h"
+#include "widgets/viewport/motion_quality.h"
 
 class QOpenGLContext;
 
@@ -30,7 +31,7 @@ struct PictureRequest {
   model::Scene scene;
   model::Camera camera;
   render::PictureSettings settings;
-  float scale = 1.0f;   ///< the picture's size / the window's; it is shown at the window's size
+  Fineness fineness;    ///< as in the settings; the picture is shown at the window's size
   bool moving = false;  ///< camera or section are moving; else they rest, and their picture is
                         ///< abandoned when they move on
   LabelWish labels;
@@ -80,7 +81,7 @@ Result<std::unique_ptr<PicturePainter>> makePicturePainter();
 struct PictureReport {
   std::uint64_t number = 0;
   double milliseconds = 0.0;
-  float scale = 1.0f;   ///< as requested
+  Fineness fineness;    ///< as requested
   bool moving = false;  ///< as requested
   model::Camera camera;
   int layersDrawn = 0;   ///< the others were as in the picture before

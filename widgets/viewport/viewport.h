@@ -88,8 +88,7 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   PictureLabels& labels() { return *m_labels; }
   /// Makes the next drag of the left button select by a box.
   void drawBox();
-  /// Draws a strong line around the structure until told otherwise, as a menu does that tells of
-  /// it.
+  /// Draws a strong line around the structure until told otherwise, for a menu that tells of it.
   void light(std::optional<model::NodeId> id);
 
   /// Returns true where the picture on screen is of the document and the camera as they are, in
@@ -97,8 +96,9 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   bool upToDate() const;
   /// Returns OpenGL's own name for itself; empty until the window was first shown.
   const QString& driver() const { return m_driver; }
-  /// Returns the time that the last picture took to draw.
+  /// Returns the time that the last picture took to draw, and how fine it was.
   double lastMilliseconds() const { return m_lastMilliseconds; }
+  const Fineness& lastFineness() const { return m_lastFineness; }
   /// Returns how many of its layers had to be drawn; the others were kept.
   int lastLayersDrawn() const { return m_lastLayersDrawn; }
   /// Asks for small pictures by the same renderer, whenever the picture itself is done; `previewed`
@@ -221,10 +221,11 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   bool m_moving = false;
   bool m_arrived = false;     ///< at the end of a flight, before its last picture has come
   std::uint64_t m_asked = 0;  ///< the newest request
-  float m_askedScale = 1.0f;
+  Fineness m_askedFineness;
   std::uint64_t m_took = 0;   ///< the newest that was drawn
   std::uint64_t m_shown = 0;  ///< on screen
   double m_lastMilliseconds = 0.0;
+  Fineness m_lastFineness;
   std::optional<model::Camera> m_drawnCamera;  ///< of the newest picture
   /// Holds what the marks show.
   struct Marked {

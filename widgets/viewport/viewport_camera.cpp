@@ -39,7 +39,7 @@ void Viewport::rest() {
   m_moving = false;
   m_cutting = false;
   const bool arrived = std::exchange(m_arrived, false) && m_labels->arrive();
-  if (arrived || m_askedScale != 1.0f || m_labels->waits() || m_labels->outgrown())
+  if (arrived || !m_askedFineness.full() || m_labels->waits() || m_labels->outgrown())
     refresh();
 }
 

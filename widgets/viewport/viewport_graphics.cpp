@@ -108,17 +108,18 @@ void Viewport::refresh() {
 void Viewport::refresh(model::Scene scene) {
   if (!m_thread)
     return;
-  // A moving section keeps to the scale of the camera's moves, because another size draws
-  // everything anew.
-  m_askedScale = m_moving ? m_quality.scale() : 1.0f;
+  // A moving section keeps to the fineness of the camera's moves, because another draws everything
+  // anew.
+  m_askedFineness = m_moving ? m_quality.fineness() : Fineness{};
   const render::gpu::TextureSize size = pixels();
   PictureRequest request{.number = ++m_asked,
                          .scene = std::move(scene),
                          .camera = m_camera,
-                         .settings = {.width = scaled(size.width, m_askedScale),
-                                      .height = scaled(size.height, m_askedScale),
-                                      .environment = environment()},
-                         .scale = m_askedScale,
+                         .settings = {.width = scaled(size.width, m_askedFineness.scale),
+                                      .height = scaled(size.height, m_askedFineness.scale),
+                                      .environment = environment(),
+                                      .surfaceStep = m_askedFineness.surfaceStep},
+                         .fineness = m_askedFineness,
                          .moving = m_moving,
                          .labels = m_labels->wish(m_moving),
                          .outlines = outlines()};
@@ -131,7 +132,7 @@ std::vector<render::Outline> Viewport::outlines() const {
   return m_outlines.around(m_session.scene(), m_session.selection(),
                            {.accent = palette().color(QPalette::Active, QPalette::Highlight),
                             .background = m_background,
-                            .pixels = m_askedScale * float(devicePixelRatioF())});
+                            .pixels = m_askedFineness.scale * float(devicePixelRatioF())});
 }
 
 void Viewport::askPreviews(PreviewRequest request) {
@@ -146,8 +147,9 @@ void Viewport::took(const PictureReport& report) {
   m_lastLayersDrawn = report.layersDrawn;
   // Only pictures of a moving camera are drawn anew as a whole; others keep most layers.
   if (report.moving && !m_cutting)
-    m_quality.took(report.milliseconds, report.scale);
-  m_marks->showTime(report.milliseconds, report.scale);
+    m_quality.took(report.milliseconds, report.fineness);
+  m_lastFineness = report.fineness;
+  m_marks->showTime(report.milliseconds, report.fineness.scale);
   m_drawnCamera = report.camera;
   m_labels->took(report.labels, report.camera);
   const bool first = m_marksAwait != 0 && m_took >= m_marksAwait;
@@ -163,7 +165,7 @@ void Viewport::took(const PictureReport& report) {
 }
 
 bool Viewport::upToDate() const {
-  return m_shown != 0 && m_shown == m_asked && m_took == m_asked && m_askedScale == 1.0f &&
+  return m_shown != 0 && m_shown == m_asked && m_took == m_asked && m_askedFineness.full() &&
          !m_moving && !m_flight && m_labels->ready();
 }
 

@@ -4,32 +4,45 @@
 #include "tests/support/suite.h"
 #include "widgets/viewport/motion_quality.h"
 
+using sline::widgets::Fineness;
 using sline::widgets::MotionQuality;
 
 class MotionQualityTest : public QObject {
   Q_OBJECT
  private slots:
-  void scale_data() {
+  void fineness_data() {
     QTest::addColumn<double>("milliseconds");
-    QTest::addColumn<float>("at");
-    QTest::addColumn<float>("scale");
-    QTest::newRow("fast") << 20.0 << 1.0f << 1.0f;
-    QTest::newRow("just fluent") << 60.0 << 1.0f << 1.0f;
-    QTest::newRow("a little slow") << 75.0 << 1.0f << 0.75f;
-    QTest::newRow("slow") << 120.0 << 1.0f << 0.5f;
-    QTest::newRow("very slow") << 1000.0 << 1.0f << 1.0f / 3.0f;
+    QTest::addColumn<Fineness>("at");
+    QTest::addColumn<Fineness>("fineness");
+    const Fineness full;
+    const Fineness half{.surfaceStep = 2};
+    const Fineness third{.surfaceStep = 3};
+    QTest::newRow("fast") << 20.0 << full << full;
+    QTest::newRow("just fluent") << 60.0 << full << full;
+    QTest::newRow("a little slow") << 70.0 << full << half;
+    QTest::newRow("slow") << 120.0 << full << third;
+    // Lines stay sharp for long.
+    QTest::newRow("very slow") << 450.0 << full << third;
+    QTest::newRow("too slow") << 600.0 << full << Fineness{0.75f, 3};
+    QTest::newRow("hopeless") << 9000.0 << full << Fineness{1.0f / 3.0f, 3};
     // The coarse picture is fast, but a full one would not be.
-    QTest::newRow("coarse and slow") << 59.0 << 0.5f << 0.5f;
-    QTest::newRow("coarse and fast") << 10.0 << 0.5f << 1.0f;
+    QTest::newRow("coarse and slow") << 59.0 << half << half;
+    QTest::newRow("coarse and fast") << 10.0 << third << full;
+    QTest::newRow("small and fast") << 10.0 << Fineness{0.5f, 3} << full;
   }
-  void scale() {
+  void fineness() {
     QFETCH(double, milliseconds);
-    QFETCH(float, at);
-    QFETCH(float, scale);
+    QFETCH(Fineness, at);
+    QFETCH(Fineness, fineness);
     MotionQuality quality;
-    QCOMPARE(quality.scale(), 0.5f);
+    QCOMPARE(quality.fineness(), (Fineness{1.0f, 3}));
     quality.took(milliseconds, at);
-    QCOMPARE(quality.scale(), scale);
+    QCOMPARE(quality.fineness(), fineness);
+  }
+  void refinesOnlyAtRest() {
+    QVERIFY(Fineness{}.full());
+    QVERIFY(!(Fineness{.surfaceStep = 2}.full()));
+    QVERIFY(!(Fineness{.scale = 0.5f}.full()));
   }
 };
 
