@@ -13,22 +13,29 @@
 #include "widgets/views/view_pictures.h"
 #include "widgets/views/view_row.h"
 #include "widgets/views/view_tour.h"
+#include "widgets/views/view_words_editor.h"
 
 namespace sline::widgets {
 
-ViewsPanel::ViewsPanel(Session& session, Viewport& viewport, ViewTour& tour, QWidget* parent)
-    : QWidget(parent),
-      m_session(session),
+ViewsPanel::ViewsPanel(Session& session, Viewport& viewport, ViewTour& tour,
+                       Preferences& preferences)
+    : m_session(session),
       m_tour(tour),
+      m_cards(new QHBoxLayout),
       m_list(new ViewList(session, tour, this)),
       m_row(new ViewRow),
-      m_pictures(new ViewPictures(session, viewport, *m_list, this)) {
+      m_pictures(new ViewPictures(session, viewport, *m_list, this)),
+      m_words(new ViewWordsEditor(session, viewport, preferences)) {
   setObjectName(QStringLiteral("views"));
   m_row->setModel(m_list);
-  auto* layout = new QHBoxLayout(this);
+  auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 4, 6, 2);
-  layout->setSpacing(6);
-  layout->addWidget(m_row, 1);
+  layout->setSpacing(4);
+  m_cards->setSpacing(6);
+  m_cards->addWidget(m_row, 1);
+  layout->addLayout(m_cards);
+  layout->addWidget(m_words);
+  m_words->hide();
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   connect(m_row, &ViewRow::goWanted, &tour, &ViewTour::goTo);
   connect(m_row, &ViewRow::moveWanted, &tour, &ViewTour::move);
@@ -42,6 +49,7 @@ ViewsPanel::ViewsPanel(Session& session, Viewport& viewport, ViewTour& tour, QWi
       wantPictures();
       showState();
     });
+  connect(m_list, &ViewList::rowsMoved, this, &ViewsPanel::showState);
   connect(m_list, &ViewList::modelReset, this, [this] {
     wantPictures();
     showState();
@@ -65,14 +73,18 @@ void ViewsPanel::addButtons(QAction& add, QAction& present) {
   m_update = button(tr("Update View"), "viewUpdate", "view_update",
                     tr("The chosen view shows from now on what is seen now"));
   m_remove = button(tr("Delete"), "viewDelete", "remove", tr("Take the chosen view away"));
+  m_wordsButton = button(tr("Text, Notes"), "viewWords", "callout",
+                         tr("Show what the chosen view says, to be typed below"));
+  m_wordsButton->setCheckable(true);
   auto* presentButton = new QToolButton;
   presentButton->setObjectName(QStringLiteral("viewPresent"));
   presentButton->setDefaultAction(&present);
   connect(m_update, &QToolButton::clicked, this, [this] { m_tour.update(current()); });
   connect(m_remove, &QToolButton::clicked, this, [this] { m_tour.remove(current()); });
+  connect(m_wordsButton, &QToolButton::toggled, this, &ViewsPanel::showWords);
   auto* column = new QVBoxLayout;
   column->setSpacing(0);
-  for (QToolButton* each : {addButton, m_update, m_remove, presentButton}) {
+  for (QToolButton* each : {addButton, m_update, m_remove, m_wordsButton, presentButton}) {
     each->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     each->setIconSize({16, 16});
     each->setAutoRaise(true);
@@ -80,7 +92,7 @@ void ViewsPanel::addButtons(QAction& add, QAction& present) {
     column->addWidget(each);
   }
   column->addStretch(1);
-  static_cast<QHBoxLayout*>(layout())->addLayout(column);
+  m_cards->addLayout(column);
   showState();
 }
 
@@ -92,6 +104,15 @@ void ViewsPanel::choose(int index) {
   m_row->setCurrentIndex(m_list->index(index));
 }
 
+void ViewsPanel::showWords(bool shown) {
+  if (shown == !m_words->isHidden())
+    return;
+  m_words->setVisible(shown);
+  if (m_wordsButton)
+    m_wordsButton->setChecked(shown);
+  emit wordsShown(shown);
+}
+
 void ViewsPanel::wantPictures() {
   const double ratio = devicePixelRatioF();
   m_pictures->want(m_row->visibleRows(), ViewCard::pictureSize() * ratio, ratio);
@@ -100,6 +121,7 @@ void ViewsPanel::wantPictures() {
 void ViewsPanel::showState() {
   if (!m_update)
     return;
+  m_words->setView(current());
   m_update->setEnabled(current() >= 0);
   m_remove->setEnabled(current() >= 0);
 }

@@ -3,10 +3,12 @@
 
 #include <QWidget>
 
+#include "widgets/preferences/preferences.h"
 #include "widgets/session/session.h"
 #include "widgets/viewport/viewport.h"
 
 class QAction;
+class QHBoxLayout;
 class QToolButton;
 
 namespace sline::widgets {
@@ -15,13 +17,15 @@ class ViewList;
 class ViewPictures;
 class ViewRow;
 class ViewTour;
+class ViewWordsEditor;
 
-/// Shows the saved views as a row of cards, with buttons for what can be done with them.
+/// Shows the saved views as a row of cards, with buttons for what can be done with them and, below
+/// where that is wanted, what the chosen view says.
 class ViewsPanel : public QWidget {
   Q_OBJECT
  public:
   /// Makes the panel; `addButtons` gets the window's actions later.
-  ViewsPanel(Session& session, Viewport& viewport, ViewTour& tour, QWidget* parent = nullptr);
+  ViewsPanel(Session& session, Viewport& viewport, ViewTour& tour, Preferences& preferences);
   /// Gives the window's actions a button each, with the other buttons between them.
   void addButtons(QAction& add, QAction& present);
 
@@ -30,6 +34,11 @@ class ViewsPanel : public QWidget {
   /// Returns the chosen view's index, or −1 where none is chosen.
   int current() const;
   void choose(int index);
+  /// Unfolds the fields for what the chosen view says, or folds them away.
+  void showWords(bool shown);
+
+ signals:
+  void wordsShown(bool shown);
 
  private:
   QToolButton* button(const QString& text, const char* name, const char* icon, const QString& tip);
@@ -38,9 +47,12 @@ class ViewsPanel : public QWidget {
 
   Session& m_session;
   ViewTour& m_tour;
+  QHBoxLayout* m_cards;  ///< the cards and the buttons beside them
   ViewList* m_list;
   ViewRow* m_row;
   ViewPictures* m_pictures;
+  ViewWordsEditor* m_words;
+  QToolButton* m_wordsButton = nullptr;
   QToolButton* m_update = nullptr;
   QToolButton* m_remove = nullptr;
 };

@@ -3,9 +3,11 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLayout>
 #include <QMainWindow>
 #include <QScreen>
 #include <QScrollArea>
+#include <QSettings>
 #include <QStyle>
 #include <QUndoView>
 #include <algorithm>
@@ -74,10 +76,27 @@ QWidget* makeHistory(const PanelContext& context) {
   return history;
 }
 
+/// Makes the dock around the panel as high as the panel now wants to be.
+void fitDock(QWidget& panel) {
+  panel.layout()->activate();
+  for (QWidget* above = &panel; above; above = above->parentWidget())
+    if (auto* dock = qobject_cast<QDockWidget*>(above))
+      if (auto* window = qobject_cast<QMainWindow*>(dock->parentWidget()))
+        window->resizeDocks({dock}, {panel.sizeHint().height()}, Qt::Vertical);
+}
+
 QWidget* makeViews(const PanelContext& context) {
-  auto* panel = new ViewsPanel(context.session, context.viewport, context.tour);
+  auto* panel =
+      new ViewsPanel(context.session, context.viewport, context.tour, context.preferences);
   panel->addButtons(context.actions[QStringLiteral("addView")],
                     context.actions[QStringLiteral("present")]);
+  const QString key = QStringLiteral("views/words");
+  panel->showWords(context.settings.value(key).toBool());
+  QObject::connect(panel, &ViewsPanel::wordsShown, panel,
+                   [panel, &settings = context.settings, key](bool shown) {
+                     settings.setValue(key, shown);
+                     fitDock(*panel);
+                   });
   return panel;
 }
 
