@@ -39,6 +39,7 @@ Result<ArrangedScene> arrangeOnPage(const glm::vec2& pageMm, const model::Scene&
   if (!shown.ok())
     return shown.error();
   spec.labels.viewName = shownViewName(scene, spec);
+  spec.labels.words = shownViewWords(scene, spec);
   if (const Status ready = prepareLabels(spec.labels, *shown, pageMm); !ready.ok())
     return ready.error();
   return arrangeShownScene(*shown, spec);

@@ -147,6 +147,7 @@ Result<render::ExportOrder> exportOrderOf(const ExportFlags& flags, ParsedExport
   job.scene = arranged.scene;
   job.camera = arranged.camera;
   job.viewName = wish.spec.labels.viewName;
+  job.words = wish.spec.labels.words;
   if (const Status fine = parseSweep(flags.film, arranged.scene, job.of<render::FilmOptions>());
       !fine.ok())
     return fine.error();

@@ -13,6 +13,7 @@ namespace {
 
 constexpr float boxCorner = 0.6f;    // millimetres
 constexpr float boxPen = 0.2f;       // millimetres
+constexpr float tolerance = 0.001f;  // of a line
 constexpr float wordShare = 0.999f;  // of the width, for a word without a place to divide it
 
 bool blank(const LabelText& text) {
@@ -63,7 +64,7 @@ std::optional<Caption> captionOf(const std::string& markup, const LabelStyle& st
   const glm::vec2 padding = paddingOf(label.item.kind, written);
   const float widest = place.width - 2.0f * padding.x;
   const float leading = lineHeightMm(written);
-  const float lines = (place.height - 2.0f * padding.y) / leading;
+  const float lines = (place.height - 2.0f * padding.y) / leading + tolerance;
   if (widest <= 0.0f || lines < 1.0f)
     return std::nullopt;
   LabelText text = textOf(label, written, widest, {.whole = widest, .part = wordShare * widest});

@@ -55,6 +55,7 @@ class ExportTest : public QObject {
   void legends_data();
   void legends();
   void films();
+  void subtitles();
   void surfacesAndCards();
 
  private:
@@ -402,6 +403,28 @@ void ExportTest::films() {
   const Finished tour = runSline(flags + QStringList{"--video", webp, "--motion", "tour"});
   QCOMPARE(tour.code, 1);
   QVERIFY2(tour.err.contains("no saved views"), tour.err.constData());
+}
+
+/// What views say is a WebVTT file beside the film only where it is wanted.
+void ExportTest::subtitles() {
+  const QString scene = m_folder.filePath("said.sline");
+  QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
+  QCOMPARE(runSline({"view", scene, "--add", "Front", "--text", "From the front"}).code, 0);
+  QCOMPARE(runSline({"view", scene, "--add", "Left", "--from", "left"}).code, 0);
+  const QStringList flags{"export",      scene,
+                          "--motion",    "tour",
+                          "--seconds",   "1",
+                          "--fps",       "4",
+                          "--film-size", "160x90",
+                          "--webp",      m_folder.filePath("said.webp"),
+                          "--frames",    m_folder.filePath("said frames")};
+  QCOMPARE(runSline(flags).code, 0);
+  QVERIFY(!QFile::exists(m_folder.filePath("said.vtt")));
+  QVERIFY(QDir(m_folder.filePath("said frames")).removeRecursively());
+  QCOMPARE(runSline(flags + QStringList{"--subtitles"}).code, 0);
+  const QByteArray beside = contents(m_folder.filePath("said.vtt"));
+  QCOMPARE(beside, QByteArray("WEBVTT\n\n00:00:00.000 --> 00:00:00.500\nFrom the front\n"));
+  QCOMPARE(contents(m_folder.filePath("said frames/subtitles.vtt")), beside);
 }
 
 void ExportTest::surfacesAndCards() {

@@ -24,6 +24,7 @@ class SheetTest : public QObject {
   void paper();
   void figureAlone();
   void teachingSheet();
+  void whatTheViewSays();
   void ownLabels();
   void legendListsWhatIsVisible();
   void legendExplainsHiddenOutlines();
@@ -144,6 +145,28 @@ void SheetTest::teachingSheet() {
     const auto found = font.match(line.trimmed());
     QVERIFY2(found.captured(1) == "yes" && found.captured(3) == "yes", qPrintable(line));
   }
+}
+
+/// What the view says stands below the figure, not on the test's page, where it might tell answers.
+void SheetTest::whatTheViewSays() {
+  const QString scene = m_folder.filePath("says.sline");
+  QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
+  QCOMPARE(runSline({"view", scene, "--add", "Front", "--title", "The <b>kidney</b>", "--title",
+                     "de=Die Niere", "--text", "Seen *from the front*", "--notes", "secret"})
+               .code,
+           0);
+  const QStringList flags{scene, "--view", "Front", "--sheet", "teaching"};
+  const QString file = exported(flags);
+  QCOMPARE(pages(file), 3);
+  QVERIFY2(textOf(file, 1).contains("The <b>kidney</b> Seen from the front"),
+           qPrintable(textOf(file, 1)));
+  QVERIFY(!textOf(file, 2).contains("Seen") && !textOf(file, 3).contains("Seen"));
+  for (int page = 1; page <= 3; ++page)
+    QVERIFY(!textOf(file, page).contains("secret"));
+  QVERIFY(textOf(exported(flags + QStringList{"--language", "de"}), 1).contains("Die Niere"));
+  QVERIFY(!textOf(exported(flags + QStringList{"--marks", "view"}), 1).contains("Seen"));
+  // A figure alone has it at its foot.
+  QVERIFY(textOf(exported({scene, "--view", "Front"}), 1).contains("Seen from the front"));
 }
 
 /// A scene's own labels are shown in the mode that was asked for; their numbers are the same on all

@@ -29,12 +29,22 @@ glm::vec2 filmPage(const glm::vec2& sizeMm) {
   return sizeMm * (shorterSide / std::min(sizeMm.x, sizeMm.y));
 }
 
+/// Returns what the saved view says that shows just what is seen; nothing where none does.
+model::ViewWords wordsOfSeen(const ExportSource& source) {
+  for (const model::View& view : source.scene.views())
+    if (view.camera == source.camera &&
+        model::withViewApplied(source.scene, view).scene == source.scene)
+      return view.words;
+  return {};
+}
+
 ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const model::View* view) {
   ExportFile file{.order = draft.order, .filled = draft.filled, .target = {}};
   render::ExportOrder& order = file.order;
   order.scene = view ? model::withViewApplied(source.scene, *view).scene : source.scene;
   order.camera = view ? view->camera : source.camera;
   order.viewName = view ? view->name : viewNameOf(source.camera);
+  order.words = view ? view->words : wordsOfSeen(source);
   order.environment.keyLight = source.keyLight;
   // Options that were chosen for other kinds do not apply to this one.
   if (const render::ExportFormat* kind = formatOf(draft.kind))

@@ -14,6 +14,7 @@ bool alike(const ExportFile& a, const ExportFile& b) {
   const std::vector<const render::ExportOption*> options = render::exportOptions();
   return a.filled == b.filled && a.order.page.sizeMm == b.order.page.sizeMm &&
          a.order.page.dpi == b.order.page.dpi && a.order.viewName == b.order.viewName &&
+         a.order.words == b.order.words &&
          a.order.environment.keyLight == b.order.environment.keyLight &&
          a.order.camera == b.order.camera &&
          std::all_of(options.begin(), options.end(),

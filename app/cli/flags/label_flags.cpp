@@ -40,8 +40,8 @@ Result<render::ExportMarks> parseMarks(const std::string& text) {
     if (mark == marks.end())
       return Error{.reason = "--marks " + text + " is unknown",
                    .remedy =
-                       "Give on, off or some of sides, view, scale, sections and gamma, as in "
-                       "sides,scale"};
+                       "Give on, off or some of sides, view, scale, sections, gamma and words, "
+                       "as in sides,scale"};
     (*mark)->field.write(order, true);
     if (comma == std::string_view::npos)
       return order.marks;
@@ -58,10 +58,12 @@ void declareLabels(CLI::App& command, LabelFlags& flags) {
     if (option->group == render::OptionGroup::labels)
       flags.options.declare(command, *option, {}, standard);
   command
-      .add_option("--marks", flags.marks,
-                  "What stands at the picture's edges: on, off, or some of sides (R and L, and the "
-                  "other sides of the body), view (its name), scale (a bar), sections (what they "
-                  "have taken away) and gamma (by what it varies), as in sides,scale")
+      .add_option(
+          "--marks", flags.marks,
+          "What stands at the picture's edges: on, off, or some of sides (R and L, and the "
+          "other sides of the body), view (its name), scale (a bar), sections (what they "
+          "have taken away), gamma (by what it varies) and words (what a saved view says, in films "
+          "as a subtitle), as in sides,scale")
       ->type_name("on|off|LIST")
       ->capture_default_str();
 }
@@ -112,6 +114,7 @@ void drawLabels(render::Image& image, const model::Scene& scene, const model::Ca
   job.scene = scene;
   job.camera = camera;
   job.viewName = spec.viewName;
+  job.words = spec.words;
   job.page.sizeMm.y = render::usualHeightMm;
   job.environment.background = background;
   spec.writeTo(job);

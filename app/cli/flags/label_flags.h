@@ -24,7 +24,8 @@ struct LabelSpec {
   render::LabelStyle style{.mode = render::LabelMode::off, .language = {}};
   render::ExportMarks marks = render::ExportMarks::none();
   render::LegendList legend = render::LegendList::onSheets;
-  std::string viewName;  ///< of the camera; may be empty
+  std::string viewName;    ///< of the camera; may be empty
+  model::ViewWords words;  ///< of the saved view
   std::shared_ptr<const render::Typesetting> typesetting;
   model::FreeSides sides;  ///< of the picture, for views that are fitted
 

@@ -292,6 +292,11 @@ std::string shownViewName(const model::Scene& scene, const PictureSpec& spec) {
   return side ? std::string(model::anatomicalViewNames[std::size_t(*side)]) : std::string();
 }
 
+model::ViewWords shownViewWords(const model::Scene& scene, const PictureSpec& spec) {
+  const model::View* saved = spec.camera ? nullptr : savedView(scene, spec.view);
+  return saved ? saved->words : model::ViewWords();
+}
+
 model::Scene withSavedView(const model::Scene& scene, const PictureSpec& spec) {
   const model::View* saved = spec.camera ? nullptr : savedView(scene, spec.view);
   if (!saved)

@@ -92,6 +92,8 @@ model::Scene withSavedView(const model::Scene& scene, const PictureSpec& spec);
 /// Returns the name of the picture's camera: that of the saved view, "anterior" and so on where it
 /// looks along an axis of the body, else nothing.
 std::string shownViewName(const model::Scene& scene, const PictureSpec& spec);
+/// Returns what the saved view says that the order names; nothing where there is none.
+model::ViewWords shownViewWords(const model::Scene& scene, const PictureSpec& spec);
 /// Returns the scene with styles and visibility as ordered. A group's value holds for all in it; a
 /// value for a structure or an inner group wins over one for a group around it, whatever the order
 /// of the flags.

@@ -31,6 +31,17 @@ Json ownStyleExtras(const model::Style& style) {
   return extras;
 }
 
+/// Returns what is said in the scene's language and in others, without markup.
+Json wordingExtras(const model::Wording& wording, bool markedUp) {
+  const auto plain = [markedUp](const std::string& text) {
+    return markedUp ? model::plainText(model::AnnotationKind::callout, text) : text;
+  };
+  Json said{{"text", plain(wording.text)}};
+  for (const auto& [tag, text] : wording.texts)
+    said["texts"][tag] = plain(text);
+  return said;
+}
+
 }  // namespace
 
 Json styleExtras(const model::ResolvedStyle& style) {
@@ -84,6 +95,10 @@ Json viewExtras(const model::Scene& scene, const model::View& view, const GltfNo
   Json extras{{"eye", jsonPoint(view.camera.eye)},
               {"target", jsonPoint(view.camera.target)},
               {"up", jsonPoint(view.camera.up)}};
+  if (!view.words.title.empty())
+    extras["title"] = wordingExtras(view.words.title, false);
+  if (!view.words.text.empty())
+    extras["text"] = wordingExtras(view.words.text, true);
   if (view.looks) {
     extras["looks"] = Json::array();
     for (const model::Look& look : *view.looks) {

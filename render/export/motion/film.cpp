@@ -98,7 +98,9 @@ Result<Film::Tour> Film::tourOf(const ExportOrder& order) {
   if (tour.way <= 0.0 || options.hold.value_or(0.0) < 0.0)
     return tooLongRests(options.hold.value_or(resting), options.seconds);
   model::Scene before = model::withViewApplied(order.scene, views.front()).scene;
-  tour.first = {before, views.front().camera, views.front().name};
+  for (const model::View& view : views)
+    tour.said.push_back({view.name, view.words});
+  tour.first = {before, views.front().camera, views.front().name, false, views.front().words};
   double leaves = 0.0;
   for (std::size_t i = 1; i < views.size(); ++i) {
     leaves += rests[i - 1];
@@ -106,8 +108,7 @@ Result<Film::Tour> Film::tourOf(const ExportOrder& order) {
     leaves += tour.way;
     model::Scene next = model::withViewApplied(order.scene, views[i]).scene;
     tour.legs.push_back({model::SceneBlend(before, next),
-                         model::CameraFlight(views[i - 1].camera, views[i].camera),
-                         views[i - 1].name, views[i].name});
+                         model::CameraFlight(views[i - 1].camera, views[i].camera)});
     before = std::move(next);
   }
   return tour;
@@ -115,7 +116,7 @@ Result<Film::Tour> Film::tourOf(const ExportOrder& order) {
 
 Result<Film::Sweep> Film::sweepOf(const ExportOrder& order) {
   const FilmOptions& options = order.of<FilmOptions>();
-  Sweep sweep{order.scene, order.camera, order.viewName, {}, 1.0 / 12.0};
+  Sweep sweep{order.scene, order.camera, order.viewName, order.words, {}, 1.0 / 12.0};
   if (options.hold)
     sweep.hold = *options.hold / options.seconds;
   if (sweep.hold < 0.0 || sweep.hold >= 0.5)
@@ -151,16 +152,30 @@ FilmFrame Film::atTime(const Tour& tour, double seconds) const {
   const double part = std::clamp((seconds - tour.leaves[leg]) / tour.way, 0.0, 1.0);
   // Where a way begins, the one before has ended, exactly at its view.
   const bool arrived = part <= 0.0 && leg > 0;
-  const Leg& now = tour.legs[arrived ? leg - 1 : leg];
+  const std::size_t now = arrived ? leg - 1 : leg;
   const double way = arrived ? 1.0 : part;
-  return {now.blend.at(way), now.flight.at(way), way < 0.5 ? now.from : now.to,
-          way > 0.0 && way < 1.0};
+  const Said& said = tour.said[way < 0.5 ? now : now + 1];
+  return {tour.legs[now].blend.at(way), tour.legs[now].flight.at(way), said.name,
+          way > 0.0 && way < 1.0, said.words};
+}
+
+std::vector<FilmCue> Film::cues() const {
+  const double end = double(m_frames) / double(m_framesPerSecond);
+  if (const auto* sweep = std::get_if<Sweep>(&m_motion))
+    return {{0.0, end, sweep->words}};
+  std::vector<FilmCue> cues;
+  if (const auto* tour = std::get_if<Tour>(&m_motion))
+    for (std::size_t i = 0; i < tour->said.size(); ++i)
+      cues.push_back({i == 0 ? 0.0 : cues.back().end,
+                      i < tour->leaves.size() ? tour->leaves[i] + 0.5 * tour->way : end,
+                      tour->said[i].words});
+  return cues;
 }
 
 FilmFrame Film::atPart(const Sweep& sweep, double part) const {
   const double moving =
       std::clamp((part - sweep.hold) / std::max(1.0 - 2.0 * sweep.hold, 1e-9), 0.0, 1.0);
-  FilmFrame frame{sweep.scene, sweep.camera, sweep.viewName};
+  FilmFrame frame{sweep.scene, sweep.camera, sweep.viewName, false, sweep.words};
   // Locks protect from edits, not from being looked at, so the nodes are set directly.
   std::vector<model::Node> nodes = sweep.scene.nodes();
   for (model::Node& node : nodes)

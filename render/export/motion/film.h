@@ -18,8 +18,16 @@ int filmFrames(const FilmOptions& options);
 struct FilmFrame {
   model::Scene scene;
   model::Camera camera;
-  std::string viewName;  ///< as ExportOrder::viewName
-  bool moving = false;   ///< the camera is on its way
+  std::string viewName;         ///< as ExportOrder::viewName
+  bool moving = false;          ///< the camera is on its way
+  model::ViewWords words = {};  ///< as ExportOrder::words
+};
+
+/// What is said from one time of a film to another, seconds.
+struct FilmCue {
+  double begin = 0.0;
+  double end = 0.0;
+  model::ViewWords words;
 };
 
 class Film {
@@ -35,6 +43,9 @@ class Film {
   /// Tells whether the first frame follows the last like any other: no frame is doubled.
   bool loops() const { return std::holds_alternative<Turn>(m_motion); }
   FilmFrame at(int frame) const;
+  /// Returns what is said in the film, in its order: in a tour each view's words, for as long as
+  /// its frames have its name.
+  std::vector<FilmCue> cues() const;
 
  private:
   struct Turn {
@@ -44,19 +55,23 @@ class Film {
   struct Leg {
     model::SceneBlend blend;
     model::CameraFlight flight;
-    std::string from;
-    std::string to;
+  };
+  struct Said {
+    std::string name;
+    model::ViewWords words;
   };
   struct Tour {
     std::vector<Leg> legs;
     std::vector<double> leaves;  ///< when each leg begins, seconds
     double way = 0.0;            ///< seconds between two views
+    std::vector<Said> said;      ///< by each view
     FilmFrame first;
   };
   struct Sweep {
     model::Scene scene;
     model::Camera camera;
     std::string viewName;
+    model::ViewWords words;
     std::vector<model::NodeId> swept;
     double hold = 0.0;  ///< of all frames, at either end
   };

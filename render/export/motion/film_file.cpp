@@ -11,6 +11,7 @@
 #include "model/disk/whole_folder.h"
 #include "render/export/motion/film_painter.h"
 #include "render/export/motion/film_sink.h"
+#include "render/export/motion/subtitles.h"
 
 namespace sline::render {
 
@@ -98,6 +99,13 @@ class Filming {
     return sink.finish();
   }
 
+  /// Writes what the views say into that file, where it is wanted.
+  Status subtitle(const fs::path& file) const {
+    if (!m_order.of<FilmOptions>().subtitles)
+      return Unit{};
+    return model::writeText(file, webVtt(*m_film, m_order.labels.language));
+  }
+
   Error at(Error error) const {
     error.file = m_target.string();
     return error;
@@ -121,12 +129,13 @@ template <class Begin>
 Status writeFilm(Filming& filming, const fs::path& target, const Begin& newSink) {
   if (Status ready = filming.prepare(); !ready.ok())
     return ready;
-  return model::writeBeside(target, [&](const fs::path& file) -> Status {
+  const Status written = model::writeBeside(target, [&](const fs::path& file) -> Status {
     NewSink sink = newSink(file);
     if (!sink.ok())
       return sink.error();
     return filming.run(**sink);
   });
+  return written.ok() ? filming.subtitle(fs::path(target).replace_extension(".vtt")) : written;
 }
 
 }  // namespace
@@ -187,7 +196,10 @@ Status writeFrames(const ExportOrder& order, const fs::path& target,
     if (Status ready = filming.prepare(); !ready.ok())
       return ready;
     NewSink sink = frameSink(folder, filming.shape());
-    return sink.ok() ? filming.run(**sink) : Status(sink.error());
+    if (!sink.ok())
+      return sink.error();
+    const Status drawn = filming.run(**sink);
+    return drawn.ok() ? filming.subtitle(folder / "subtitles.vtt") : drawn;
   });
 }
 

@@ -42,6 +42,7 @@ ExportOrder FilmLabels::orderOf(const FilmFrame& frame) const {
   now.scene = frame.scene;
   now.camera = frame.camera;
   now.viewName = frame.viewName;
+  now.words = frame.words;
   now.page = m_order.page;
   now.environment = m_order.environment;
   now.labels = m_order.labels;
@@ -54,8 +55,9 @@ LabelStyle FilmLabels::style() const {
   LabelStyle style = m_order.labels;
   style.onDark = m_order.environment.background == Background::dark;
   style.edges = m_edges;
-  if (m_legend)
-    style.reserved = {*m_legend};
+  for (const auto& box : {m_legend, m_caption})
+    if (box)
+      style.reserved.push_back(*box);
   return style;
 }
 
@@ -71,8 +73,10 @@ FigurePlate FilmLabels::alone(const FilmFrame& frame) {
   if (m_order.labels.mode == LabelMode::off)
     return plate;
   LabelStyle free = style();
-  if (plate.marks.legend)
-    free.reserved = {*plate.marks.legend};
+  free.reserved.clear();
+  for (const auto& box : {plate.marks.legend, plate.marks.caption})
+    if (box)
+      free.reserved.push_back(*box);
   plate.labels = labelPlate(frame.scene, Screen(frame.camera, m_order.page.sizeMm), free, m_trees);
   return plate;
 }
@@ -105,6 +109,8 @@ void FilmLabels::keepMarksFree(const Film& film) {
                .bottom = std::max(m_edges.bottom, now.bottom)};
     if (marks.legend)
       m_legend = around(m_legend, *marks.legend);
+    if (marks.caption)
+      m_caption = around(m_caption, *marks.caption);
   }
 }
 

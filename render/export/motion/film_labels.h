@@ -44,6 +44,7 @@ class FilmLabels {
   model::MeshTrees m_trees;
   EdgeRoom m_edges;  ///< the room that marks take in any frame: labels keep out of it
   std::optional<LabelBox> m_legend;   ///< what the legend takes in any frame, likewise
+  std::optional<LabelBox> m_caption;  ///< and what views say
   PlacePool m_pool;                   ///< the places where labels may point
   std::vector<LabelSights> m_sights;  ///< of each frame, until they are laid out
   std::vector<LabelPlate> m_plates;   ///< of each frame

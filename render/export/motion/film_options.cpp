@@ -78,6 +78,19 @@ constexpr ExportOption hold{
     .kind = numberWithin(holdLimits, 1, 1.0, ""),
     .field = holdField};
 
+constexpr ExportOption subtitles{
+    .id = "subtitles",
+    .flag = "--subtitles,!--no-subtitles",
+    .help =
+        "Writes what the views of a tour say into a WebVTT file, too, of the film's name and the "
+        "ending .vtt, in the folder of frames subtitles.vtt; --marks says whether the pictures "
+        "have it",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Su&btitles as a file, too"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "What the views say as a WebVTT file beside the film, for players and "
+                             "web pages"),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<FilmOptions>().subtitles; })};
+
 }  // namespace
 
 constinit const ExportOption motionOption{
@@ -136,7 +149,8 @@ OptionList filmOptions() {
                                   &filmHeightOption,
                                   &seconds,
                                   &framesPerSecond,
-                                  &hold};
+                                  &hold,
+                                  &subtitles};
   return all;
 }
 

@@ -27,6 +27,7 @@ struct FilmOptions {
   /// Seconds of rest at each view, or at either end of Γ; absent: 2/5 or 1/6 of the film in total.
   std::optional<double> hold;
   std::vector<model::NodeId> swept;  ///< structures of which Γ changes; empty: all
+  bool subtitles = false;            ///< what views say is written as a WebVTT file, too
 };
 inline constexpr Limits<double> filmSecondsLimits{0.1, 600.0};
 inline constexpr Limits<int> framesPerSecondLimits{1, 60};

@@ -137,6 +137,16 @@ constexpr ExportOption gammaKey{
                              "By what Γ varies, and how the drawing changes along it"),
     .field = boundTo([](auto& o) -> auto& { return o.marks.gammaKey; })};
 
+constexpr ExportOption words{
+    .id = "words",
+    .group = OptionGroup::marks,
+    .flag = "words",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Text of the &view"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "Title and text of a saved view at the picture's foot, where it says "
+                             "any; in films as a subtitle"),
+    .field = boundTo([](auto& o) -> auto& { return o.marks.words; })};
+
 constexpr ExportOption author{
     .id = "author",
     .group = OptionGroup::credit,
@@ -204,9 +214,9 @@ constinit const ExportOption pureInkOption{
     .field = boundTo([](auto& o) -> auto& { return o.pureInk; })};
 
 OptionList pictureOptions() {
-  static constexpr std::array all{&backgroundOption, &labels,  &languageOption, &labelSize,
-                                  &legend,           &sides,   &viewName,       &scaleBar,
-                                  &sectionState,     &gammaKey};
+  static constexpr std::array all{&backgroundOption, &labels,   &languageOption, &labelSize,
+                                  &legend,           &sides,    &viewName,       &scaleBar,
+                                  &sectionState,     &gammaKey, &words};
   return all;
 }
 

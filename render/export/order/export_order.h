@@ -38,8 +38,9 @@ struct ExportMarks {
   bool scaleBar = true;      ///< shown where the projection has one scale
   bool sectionState = true;  ///< what sections have taken away
   bool gammaKey = true;      ///< by what Γ varies, where it varies over surfaces
+  bool words = true;         ///< title and text of the saved view, where it says any
 
-  static constexpr ExportMarks none() { return {false, false, false, false, false}; }
+  static constexpr ExportMarks none() { return {false, false, false, false, false, false}; }
   bool operator==(const ExportMarks&) const = default;
 };
 
@@ -67,7 +68,8 @@ struct ExportCredit {
 struct ExportOrder {
   model::Scene scene;
   model::Camera camera;
-  std::string viewName;  ///< of the camera, for the reader; empty: none
+  std::string viewName;    ///< of the camera, for the reader; empty: none
+  model::ViewWords words;  ///< of the saved view that is shown; empty for others
   ExportPage page;
   Environment environment;
   /// For print without tones: each pixel of PNG and TIFF is ink or paper, no grey at all. The scene

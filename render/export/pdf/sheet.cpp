@@ -112,11 +112,13 @@ class Sheet {
     if (m_order.of<SheetOptions>().kind == SheetKind::patient) {
       beginPage({});
       setFigure(m_plate);
+      setCaption();
       setPatientText();
       return;
     }
     beginPage({});
     setFigure(m_plate);
+    setCaption();
     const SheetRows rows = sheetRows(m_given, m_numbers.size(), m_legend);
     setList(rows.first);
     if (rows.test.empty())
@@ -263,6 +265,16 @@ class Sheet {
     painter.translate(qreal(corner.x), qreal(corner.y));
     setPlate(painter, plate);
     painter.restore();
+  }
+
+  /// Sets what the view says below the figure; a test has none, as it might tell the answers.
+  void setCaption() {
+    const std::optional<Caption> caption = sheetCaption(m_given, m_layout.caption);
+    if (!caption)
+      return;
+    setText(m_pages->painter(), *caption->item.text);
+    if (caption->shortened)
+      addShortened(plainText(caption->item.text->lines.front()));
   }
 
   /// Counts the numbers and legend entries of a list that are already set, row by row.

@@ -139,6 +139,10 @@ ExportOrder sheetFigure(const ExportOrder& order) {
   if (kind == SheetKind::none)
     return figure;
   figure.legend = LegendList::none;  // it stands beside the figure
+  if (order.marks.words) {           // as does what the view says
+    figure.marks.viewName = order.marks.viewName && order.words.title.empty();
+    figure.words = {};
+  }
   // The figure keeps its shape; labels are as large on paper as the order says.
   const glm::vec2 frame = sheetFigureMm(order);
   figure.page.sizeMm *= std::min(frame.x / order.page.sizeMm.x, frame.y / order.page.sizeMm.y);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/scene/label_words.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/sheet_figure.h"
@@ -21,7 +22,9 @@ constexpr float headerHeight = 13.0f;  ///< title and rule
 constexpr float belowFigure = 4.0f;
 /// The largest share of the content that lists take before they continue on the next page.
 constexpr float mostOfHeight = 0.44f;
-constexpr float sideWidth = 62.0f;        ///< of lists beside a figure on landscape paper
+constexpr float sideWidth = 62.0f;  ///< of lists beside a figure on landscape paper
+constexpr float captionPoints = 10.0f;
+constexpr float mostFigure = 0.65f;       ///< of its frame's height, where it has a caption
 constexpr float mostPatientText = 0.42f;  ///< of the first page's height
 
 glm::vec2 paperSize(const SheetOptions& sheet) {
@@ -197,7 +200,10 @@ SheetRows sheetRows(const ExportOrder& order, std::size_t labels,
   return rows;
 }
 
-SheetLayout sheetLayout(const ExportOrder& order) {
+namespace {
+
+/// Returns the layout of a sheet whose view says nothing.
+SheetLayout layoutWithoutCaption(const ExportOrder& order) {
   const auto& sheet = order.of<SheetOptions>();
   SheetLayout layout;
   layout.paper = paperSize(sheet);
@@ -240,6 +246,40 @@ SheetLayout sheetLayout(const ExportOrder& order) {
     lists = std::max(lists, evenHeight(*one, mostOfHeight * height, layout.lists.firstColumns));
   layout.lists.first.low.y = layout.content.high.y - lists - 2.0f * tolerance;
   layout.figure.high.y = layout.lists.first.low.y - belowFigure;
+  return layout;
+}
+
+}  // namespace
+
+std::optional<Caption> sheetCaption(const ExportOrder& order, const LabelBox& box) {
+  if (!order.marks.words)
+    return std::nullopt;
+  const std::string language = model::firstLanguage(order.labels.language);
+  LabelStyle style{.mode = LabelMode::on, .points = captionPoints, .language = language};
+  std::optional<Caption> caption =
+      captionOf(captionMarkup(order.words.title.in(language), order.words.text.in(language)), style,
+                {.middle = box.middle().x,
+                 .foot = box.high.y,
+                 .width = box.size().x,
+                 .height = box.size().y});
+  if (!caption)
+    return std::nullopt;
+  // On paper it needs no box, and begins where everything else does.
+  caption->item.shapes.clear();
+  caption->item.text->at = {box.low.x, caption->item.text->at.y + box.low.y - caption->box.low.y};
+  caption->box = {box.low, box.low + caption->box.size()};
+  return caption;
+}
+
+SheetLayout sheetLayout(const ExportOrder& order) {
+  SheetLayout layout = layoutWithoutCaption(order);
+  const LabelBox room{
+      {layout.content.low.x, layout.figure.low.y + mostFigure * layout.figure.size().y},
+      {layout.figure.high.x - markMargin, layout.figure.high.y}};
+  if (const std::optional<Caption> caption = sheetCaption(order, room)) {
+    layout.caption = {{room.low.x, room.high.y - caption->box.size().y}, room.high};
+    layout.figure.high.y = layout.caption.low.y - belowFigure;
+  }
   return layout;
 }
 

@@ -3,10 +3,12 @@
 // All lengths are millimetres from the paper's upper left corner.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "render/export/order/export_order.h"
+#include "render/lettering/caption.h"
 
 namespace sline::render {
 
@@ -48,6 +50,7 @@ struct SheetLayout {
   glm::vec2 paper{0.0f};
   LabelBox content;  ///< within the margins
   LabelBox figure;
+  LabelBox caption;  ///< what the view says, below the figure; empty where it says nothing
   ListFrames lists;
   LabelBox text;  ///< for `patient`, on the first page
 };
@@ -55,6 +58,10 @@ struct SheetLayout {
 /// Returns the layout of the order's sheet; the rows of its lists decide how much of the paper is
 /// left to the figure.
 SheetLayout sheetLayout(const ExportOrder& order);
+
+/// Returns what the view says as it stands on the order's sheet, in that box; nothing where it says
+/// nothing or is not wanted.
+std::optional<Caption> sheetCaption(const ExportOrder& order, const LabelBox& box);
 
 /// The rows of the first page's, the test's and the key's lists, where the sheet has them, for so
 /// many labels. Labels that the sheet adds have their numbers in the legend, unless that leaves

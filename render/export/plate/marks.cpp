@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "model/scene/label_words.h"
 #include "render/export/plate/gamma_key.h"
 #include "render/export/plate/legend.h"
+#include "render/lettering/caption.h"
 #include "render/lettering/label_texts.h"
 #include "render/lettering/mark_words.h"
 #include "render/lettering/orientation_letters.h"
@@ -103,6 +105,8 @@ class MarkLayout {
       addScaleBar();
     if (m_order.legendInPicture())
       addLegend();
+    if (m_order.marks.words)
+      addCaption();
     return std::move(m_marks);
   }
 
@@ -202,8 +206,7 @@ class MarkLayout {
         m_marks.edges.top = std::max(m_marks.edges.top, baseline + gap);
       }
     };
-    if (const QString view = m_words.view(m_order.viewName, m_order.camera);
-        m_order.marks.viewName && !view.isEmpty())
+    if (const QString view = viewTitle(); m_order.marks.viewName && !view.isEmpty())
       addLine("view", view, nameSize);
     if (!m_order.marks.sectionState)
       return;
@@ -213,6 +216,18 @@ class MarkLayout {
     else
       for (std::size_t i = 0; i < sections.size(); ++i)
         addLine("section " + std::to_string(i + 1), sectionText(*sections[i]), smallSize);
+  }
+
+  /// Returns the title that the saved view has in the picture's language.
+  const std::string& ownTitle() const {
+    return m_order.words.title.in(model::firstLanguage(m_order.labels.language));
+  }
+
+  /// Returns what stands in the upper left corner: nothing where the caption has the title.
+  QString viewTitle() const {
+    if (ownTitle().empty())
+      return m_words.view(m_order.viewName, m_order.camera);
+    return m_order.marks.words ? QString() : QString::fromStdString(ownTitle()).simplified();
   }
 
   /// Returns the text of a section; one that does not cut everything names what it cuts.
@@ -262,6 +277,7 @@ class MarkLayout {
   }
 
   void addGammaKeys();
+  void addCaption();
   void addLegend();
   void addLegendRow(const model::Node& node, const QString& name, const glm::vec2& at);
 
@@ -336,6 +352,34 @@ void MarkLayout::addLegend() {
   m_boxes.push_back({corner, corner + size});
   m_marks.legend = m_boxes.back().grown(gap);
   m_marks.boxes.push_back(*m_marks.legend);
+}
+
+/// Adds what the view says, in the middle above the marks at the foot, left of the legend.
+void MarkLayout::addCaption() {
+  const std::string& text = m_order.words.text.in(model::firstLanguage(m_order.labels.language));
+  const std::string markup = captionMarkup(ownTitle(), text);
+  if (markup.empty())
+    return;
+  constexpr float tallest = 0.4f;  // of the page's height
+  const float right = m_marks.legend ? m_marks.legend->low.x : m_size.x - margin;
+  LabelStyle style = m_order.labels;
+  style.onDark = m_order.environment.background == Background::dark;
+  const std::optional<Caption> caption =
+      captionOf(markup, style,
+                {.middle = 0.5f * (margin + right),
+                 .foot = m_size.y - std::max(m_marks.edges.bottom, margin),
+                 .width = std::min(captionShare * m_size.x, right - margin),
+                 .height = tallest * m_size.y});
+  if (!caption)
+    return;
+  if (caption->shortened)
+    addNote(m_marks.notes, {.kind = ExportNote::Kind::textShortened,
+                            .names = {plainText(caption->item.text->lines.front()).toStdString()},
+                            .detail = {}});
+  if (!add(caption->item, caption->box))
+    return;
+  m_marks.caption = m_boxes.back().grown(gap);
+  m_marks.edges.bottom = std::max(m_marks.edges.bottom, m_size.y - caption->box.low.y + gap);
 }
 
 /// Adds a row at that left end of its baseline.

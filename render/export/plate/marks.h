@@ -13,16 +13,17 @@ namespace sline::render {
 /// Millimetres between marks and the output's edge.
 inline constexpr float markMargin = 3.0f;
 
-/// Holds an item for each mark: "side L", "view", "section 1" …, "scale", and one for each row of
-/// the legend and each part of the keys of Γ.
+/// Holds an item for each mark: "side L", "view", "section 1" …, "scale", "caption", and one for
+/// each row of the legend and each part of the keys of Γ.
 struct Marks {
   Lettering lettering;
   EdgeRoom edges;  ///< the room that they take at each edge, for films, where they come and go
   /// The box that each mark takes, with air around it; labels and leaders keep out of it
   /// (LabelStyle::reserved).
   std::vector<LabelBox> boxes;
-  std::optional<LabelBox> legend;  ///< the one of them that the legend takes
-  ExportNotes notes;               ///< marks that are wanted but missing or shortened
+  std::optional<LabelBox> legend;   ///< the one of them that the legend takes
+  std::optional<LabelBox> caption;  ///< and what the view says
+  ExportNotes notes;                ///< marks that are wanted but missing or shortened
 };
 
 /// Lays out the marks that are wanted for the order's scene, camera and page, in the labels' size

@@ -54,6 +54,9 @@ Sample sample() {
   model::View view{.name = "Von vorn", .camera = {}};
   view.looks = {{s.front, {.gamma = Gamma::clamped(1.0f)}, {}}, {s.hidden, {.visible = true}, {}}};
   view.annotations = {shown};
+  view.words = {.title = {"Von vorn", {{"en", "From the *front*"}}},
+                .text = {"Die **Bälle** <b>", {{"la", "Globuli"}}},
+                .notes = {"for nobody else", {}}};
   model::View flat{.name = "Flach", .camera = {.projection = model::Projection::orthographic}};
   flat.sections = {{.name = "cut", .plane = {{1.0f, 0.0f, 0.0f}, 20.0f}}};
   s.scene.setViews({view, flat});

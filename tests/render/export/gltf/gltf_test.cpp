@@ -192,6 +192,11 @@ void GltfTest::annotationsAndCameras() {
   QCOMPARE(looks.size(), 1);  // the hidden ball is not in the file
   QCOMPARE(nodes[looks[0]["node"].toInt()]["name"].toString(), QString("front ball"));
   QCOMPARE(looks[0]["gamma"].toDouble(), 1.0);
+  QCOMPARE(view["extras"]["title"]["text"].toString(), QString("Von vorn"));
+  QCOMPARE(view["extras"]["title"]["texts"]["en"].toString(), QString("From the *front*"));
+  QCOMPARE(view["extras"]["text"]["text"].toString(), QString("Die Bälle <b>"));
+  QCOMPARE(view["extras"]["text"]["texts"]["la"].toString(), QString("Globuli"));
+  QVERIFY(!QJsonDocument(root).toJson().contains("for nobody else"));
   const QJsonObject flat = nodeNamed(root, "Flach");
   const QJsonValue parallel = root["cameras"][flat["camera"].toInt()]["orthographic"];
   QVERIFY(std::abs(parallel["ymag"].toDouble() - 0.1) < 1e-6);

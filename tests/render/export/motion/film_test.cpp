@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/motion/film.h"
+#include "render/export/motion/subtitles.h"
 
 #include <QtTest>
 #include <glm/geometric.hpp>
@@ -97,6 +98,34 @@ class FilmTest : public QObject {
     QVERIFY(film.at(0).camera == film.at(36).camera);
     // A name that flashes up once would be no help.
     QVERIFY(film.at(0).viewName.empty());
+  }
+
+  /// Each view's words are the frames' as long as its name is, and so are the subtitles.
+  void viewsSayWords() {
+    render::ExportOrder order = tourOrder();
+    std::vector<model::View> views = order.scene.views();
+    views[0].words.text = {"From *the front* & <i>not</i> --> here\n\n- one", {{"de", "Von vorn"}}};
+    views[2].words.title = {"Behind", {}};
+    order.scene.setViews(views);
+    const Film film = std::move(Film::create(order)).value();
+    for (int frame = 0; frame < film.frames(); ++frame) {
+      const render::FilmFrame shown = film.at(frame);
+      const auto view = std::find_if(views.begin(), views.end(), [&](const model::View& each) {
+        return each.name == shown.viewName;
+      });
+      QVERIFY(view != views.end() && shown.words == view->words);
+      const double time = double(frame) / 10.0;
+      for (const render::FilmCue& cue : film.cues())
+        if (time > cue.begin + 1e-6 && time < cue.end - 1e-6)
+          QVERIFY(cue.words == shown.words);
+    }
+    QCOMPARE(QString::fromStdString(render::webVtt(film, "")),
+             QString("WEBVTT\n\n00:00:00.000 --> 00:00:03.000\nFrom <i>the front</i> &amp; "
+                     "&lt;i&gt;not&lt;/i&gt; --&gt; here\n\u2022 one\n\n"
+                     "00:00:07.000 --> 00:00:10.000\n<b>Behind</b>\n"));
+    QVERIFY(render::webVtt(film, "de+la").find("\nVon vorn\n") != std::string::npos);
+    order.of<render::FilmOptions>().motion = Motion::turntable;
+    QCOMPARE(render::webVtt(std::move(Film::create(order)).value(), ""), std::string("WEBVTT\n"));
   }
 
   /// A view that says how long it is shown is shown so long, others as the film rests.
