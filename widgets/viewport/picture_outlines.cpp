@@ -71,7 +71,7 @@ std::vector<render::Outline> PictureOutlines::around(const model::Scene& scene,
   };
   const std::vector<model::NodeId> selected = structuresOf(scene, selection);
   add(selected, selectedPen);
-  if (m_pointed && scene.find(*m_pointed) && m_pointed != m_lit &&
+  if (look.pointed && m_pointed && scene.find(*m_pointed) && m_pointed != m_lit &&
       !std::binary_search(selected.begin(), selected.end(), *m_pointed))
     add({*m_pointed}, pointedPen);
   if (m_lit && scene.find(*m_lit))

@@ -23,6 +23,7 @@ class PictureOutlines {
     QColor accent;  ///< the theme's
     render::Background background = render::Background::white;
     float pixels = 1.0f;  ///< of the picture per pixel of the window
+    bool pointed = true;  ///< the structure under the mouse has one
   };
   /// Returns the lines for a picture of the scene; those around groups are around what is in them.
   std::vector<render::Outline> around(const model::Scene& scene,

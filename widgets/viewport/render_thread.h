@@ -39,8 +39,8 @@ struct PictureRequest {
 };
 
 /// The kinds of small pictures by their purpose; the first kind is drawn first.
-enum class PreviewsOf { stages, views, exported, subjects, drawings, compared };
-inline constexpr std::size_t previewAskers = 6;
+enum class PreviewsOf { stages, views, exported, subjects, drawings, compared, presented };
+inline constexpr std::size_t previewAskers = 7;
 
 /// Asks for small pictures beside the large one; they are drawn only while no other large one has
 /// been requested for a while. A newer request replaces those of the same asker that are not drawn

@@ -61,8 +61,7 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void fitAll();
   /// Does the same as `fitAll`, but for what is visible at or below the nodes.
   void fitTo(const NodeIds& ids);
-  /// Returns how much of the picture's sides a camera of that direction leaves to labels when it is
-  /// fitted.
+  /// Returns how much of each side a camera of that direction leaves to labels when it is fitted.
   model::FreeSides freeSides(const model::Scene& scene, const model::Camera& camera) const;
 
   render::Background background() const { return m_background; }
@@ -86,6 +85,8 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void setHeadroom(int pixels);
   void setNamesWanted(bool wanted);
   PictureLabels& labels() { return *m_labels; }
+  /// Asks what is seen at that pixel of the picture; the answer comes later.
+  void askAt(const QPointF& at, Picker::Answer answer);
   /// Makes the next drag of the left button select by a box.
   void drawBox();
   /// Draws a strong line around the structure until told otherwise, for a menu that tells of it.

@@ -127,12 +127,12 @@ void Viewport::refresh(model::Scene scene) {
 }
 
 std::vector<render::Outline> Viewport::outlines() const {
-  if (m_instead)
-    return {};
-  return m_outlines.around(m_session.scene(), m_session.selection(),
+  // What is shown instead of the document has only those that it asks for.
+  return m_outlines.around(shownScene(), m_instead ? NodeIds() : m_session.selection(),
                            {.accent = palette().color(QPalette::Active, QPalette::Highlight),
                             .background = m_background,
-                            .pixels = m_askedFineness.scale * float(devicePixelRatioF())});
+                            .pixels = m_askedFineness.scale * float(devicePixelRatioF()),
+                            .pointed = !m_instead});
 }
 
 void Viewport::askPreviews(PreviewRequest request) {

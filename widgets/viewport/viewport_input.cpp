@@ -243,6 +243,10 @@ void Viewport::turnByCube(const glm::vec2& way) {
   move(orbited(m_beforeTurn, m_pivot, cubeDegrees * way.x, cubeDegrees * way.y));
 }
 
+void Viewport::askAt(const QPointF& at, Picker::Answer answer) {
+  m_picker.ask(question(at), std::move(answer));
+}
+
 void Viewport::click(const QPointF& at, ClickFor purpose) {
   m_picker.ask(question(at), [this, at = at.toPoint(), purpose](const Picks& picks) {
     clicked(picks, at, purpose);

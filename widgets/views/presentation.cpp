@@ -2,45 +2,30 @@
 #include "widgets/views/presentation.h"
 
 #include <QDockWidget>
-#include <QKeyEvent>
+#include <QGuiApplication>
 #include <QLocale>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QScreen>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QWindow>
 #include <algorithm>
 
 #include "model/edit/views.h"
+#include "model/scene/label_words.h"
 #include "widgets/annotations/in_picture/presented_letters.h"
+#include "widgets/views/presentation_board.h"
+#include "widgets/views/presented_quiz.h"
+#include "widgets/views/presenter_window.h"
+#include "widgets/views/view_caption.h"
 #include "widgets/views/view_list.h"
 
 namespace sline::widgets {
 
 namespace {
 
-/// Returns by how many views the key goes on; 0 for other keys.
-int stepOf(int key) {
-  switch (key) {
-    case Qt::Key_Right:
-    case Qt::Key_Down:
-    case Qt::Key_Space:
-    case Qt::Key_PageDown:
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      return 1;
-    case Qt::Key_Left:
-    case Qt::Key_Up:
-    case Qt::Key_Backspace:
-    case Qt::Key_PageUp:
-      return -1;
-    default:
-      return 0;
-  }
-}
-
-bool zooms(int key) {
-  return key == Qt::Key_Plus || key == Qt::Key_Minus || key == Qt::Key_Equal;
-}
+constexpr int presentedMargin = 24;  // pixels
 
 }  // namespace
 
@@ -50,14 +35,20 @@ Presentation::Presentation(QMainWindow& window, Session& session, Viewport& view
       m_window(window),
       m_session(session),
       m_viewport(viewport),
-      m_name(new QLabel(&viewport)) {
+      m_name(new QLabel(&viewport)),
+      m_caption(new ViewCaption(viewport)),
+      m_board(new PresentationBoard(viewport)),
+      m_quiz(new PresentedQuiz(session, viewport, this)) {
   m_name->setObjectName(QStringLiteral("presentedView"));
   m_name->setTextFormat(Qt::PlainText);
   m_name->setWordWrap(true);
   m_name->setIndent(0);
   m_name->setAttribute(Qt::WA_TransparentForMouseEvents);
   m_name->hide();
+  m_caption->setObjectName(QStringLiteral("presentedText"));
   connect(&session, &Session::documentChanged, this, &Presentation::documentChange);
+  connect(m_quiz, &PresentedQuiz::changed, this, &Presentation::quizChange);
+  connect(&viewport, &Viewport::previewed, this, &Presentation::took);
   window.installEventFilter(this);
   viewport.installEventFilter(this);
 }
@@ -67,6 +58,9 @@ Presentation::~Presentation() {
     return;  // the window is being destroyed, and the picture before it
   end();
   delete m_name;
+  delete m_caption;
+  delete m_board;
+  delete m_presenter;
 }
 
 void Presentation::showBars(bool shown) {
@@ -81,8 +75,7 @@ void Presentation::showBars(bool shown) {
 }
 
 void Presentation::begin(int index) {
-  const int count = int(m_session.scene().views().size());
-  if (running() || count == 0)
+  if (running() || count() == 0)
     return;
   m_session.cancelPreview();
   m_before = Before{.docks = m_window.saveState(),
@@ -96,10 +89,45 @@ void Presentation::begin(int index) {
                     .opening = m_session.document().opening};
   m_session.activateSection(std::nullopt);  // its handles would be in the picture
   m_viewport.chooseMarks({.cube = false, .scaleBar = false, .frameTime = false});
+  m_number = -1;
+  m_revealing = false;
   showBars(false);
-  m_window.showFullScreen();
+  fillScreens();
   m_viewport.setFocus();
-  show(std::clamp(index, 0, count - 1));
+  m_board->clear();
+  m_board->show();
+  show(std::clamp(index, 0, count() - 1), all);
+}
+
+/// Fills the screen or, where there are two, one with the picture and one with the notes.
+void Presentation::fillScreens() {
+  const QList<QScreen*> screens = QGuiApplication::screens();
+  QList<QRect> areas;
+  for (const QScreen* screen : screens)
+    areas << screen->geometry();
+  const PresentationPlaces places = presentationPlaces(areas, m_window.geometry().center());
+  if (places.presenter) {
+    if (QWindow* handle = m_window.windowHandle())
+      handle->setScreen(screens[places.picture]);
+    m_window.setGeometry(areas[places.picture]);
+  }
+  m_window.showFullScreen();
+  if (!m_presenter)
+    m_presenter = new PresenterWindow(&m_window);
+  m_presenter->startClock();
+  m_notesScreen = places.presenter ? std::optional(areas[*places.presenter]) : std::nullopt;
+  if (m_notesScreen)
+    openNotes();
+}
+
+/// Opens the presenter's window on its screen, else over the lower right part of the picture's.
+void Presentation::openNotes() {
+  if (m_notesScreen)
+    return m_presenter->open(*m_notesScreen, true);
+  const QRect whole = m_window.screen()->geometry();
+  QRect place(QPoint(), whole.size() * 2 / 5);
+  place.moveBottomRight(whole.bottomRight() - QPoint(presentedMargin, presentedMargin));
+  m_presenter->open(place, false);
 }
 
 void Presentation::end() {
@@ -107,7 +135,14 @@ void Presentation::end() {
     return;
   const Before before = *m_before;
   m_before.reset();
+  m_quiz->end();
+  laser(std::nullopt);
+  m_board->clear();
+  m_board->hide();
   m_name->hide();
+  m_caption->say({}, ViewCaption::Place::corner);
+  if (m_presenter)
+    m_presenter->hide();
   m_viewport.setPresented(false);
   m_viewport.showInstead(std::nullopt);
   m_viewport.setCamera(before.camera);
@@ -115,6 +150,9 @@ void Presentation::end() {
   m_viewport.chooseMarks(before.marks);
   if (m_session.document().opening == before.opening)
     m_session.activateSection(before.section);
+  // A window that fills its screen again must first be back on it.
+  if (!m_window.screen()->geometry().contains(before.place.center()))
+    m_window.setGeometry(before.place);
   m_window.setWindowState(before.states);
   if (!(before.states & (Qt::WindowMaximized | Qt::WindowFullScreen)))
     m_window.setGeometry(before.place);
@@ -124,28 +162,57 @@ void Presentation::end() {
     before.focus->setFocus();
 }
 
-void Presentation::show(int index) {
-  const std::vector<model::View>& views = m_session.scene().views();
-  m_at = std::clamp(index, 0, int(views.size()) - 1);
-  const model::View& view = views[std::size_t(m_at)];
-  nameView(view);
+std::string Presentation::language() const {
+  return model::firstLanguage(m_viewport.labels().style().language);
+}
+
+std::size_t Presentation::labelCount() const {
+  const model::Scene scene = model::withViewApplied(m_session.scene(), view(m_at)).scene;
+  return std::size_t(std::count_if(scene.annotations().begin(), scene.annotations().end(),
+                                   [](const model::Annotation& each) { return each.visible; }));
+}
+
+model::Scene Presentation::seen(std::size_t labels) const {
+  model::Scene scene = model::withViewApplied(m_session.scene(), view(m_at)).scene;
+  if (labels == all)
+    return scene;
+  std::vector<model::Annotation> annotations = scene.annotations();
+  for (model::Annotation& each : annotations)
+    if (each.visible && labels > 0)
+      --labels;
+    else
+      each.visible = false;
+  scene.setAnnotations(std::move(annotations));
+  return scene;
+}
+
+void Presentation::show(int index, std::size_t labels) {
+  m_at = std::clamp(index, 0, count() - 1);
+  m_revealed = labels;
+  m_board->wipe();
+  say();
   const model::Scene before = m_viewport.shownScene();
-  model::Scene after = model::withViewApplied(m_session.scene(), view).scene;
-  m_viewport.travelTo(view.camera, before, after);
+  model::Scene after = seen(labels);
+  m_viewport.travelTo(view(m_at).camera, before, after);
   m_viewport.showInstead(std::move(after));
+  tellPresenter();
 }
 
-void Presentation::nameView(const model::View& view) {
-  m_name->setText(tr("%1 / %2   %3", "number of the view, of so many, its name")
-                      .arg(QLocale().toString(m_at + 1),
-                           QLocale().toString(int(m_session.scene().views().size())),
-                           shownName(view)));
-  placeName();
+/// Says the view's title and text, or what the quiz says.
+void Presentation::say() {
+  if (m_quiz->running()) {
+    m_name->setText(m_quiz->text());
+  } else {
+    m_name->setText(tr("%1 / %2   %3", "number of the view, of so many, its name")
+                        .arg(QLocale().toString(m_at + 1), QLocale().toString(count()),
+                             shownTitle(view(m_at), language())));
+  }
+  place();
 }
 
-/// Places the name in the corner, because the middle has the letter of the side that is below.
-void Presentation::placeName() {
-  constexpr int margin = 24;
+/// Places the title in the corner, because the middle has the letter of the side that is below, and
+/// the text above it.
+void Presentation::place() {
   constexpr int least = 16;  // pixels
   constexpr int sides = 16;
   const int letters = std::max(least, m_viewport.height() / presentedLines);
@@ -155,61 +222,65 @@ void Presentation::placeName() {
                             .arg(sides)
                             .arg(letters));
   m_name->ensurePolished();
-  const int room = m_viewport.width() / 2 - 2 * margin - 2 * letters;
+  const int room = m_viewport.width() / 2 - 2 * presentedMargin - 2 * letters;
   const int words = m_name->fontMetrics().horizontalAdvance(m_name->text());
   const int width = std::min(words + 2 * sides + 2, room);
-  const int height = std::min(m_name->heightForWidth(width), m_viewport.height() - 2 * margin);
-  m_name->setGeometry(margin, m_viewport.height() - height - margin, width, height);
-  m_viewport.setPresented(true, m_name->geometry());
+  const int height =
+      std::min(m_name->heightForWidth(width), m_viewport.height() - 2 * presentedMargin);
+  m_name->setGeometry(presentedMargin, m_viewport.height() - height - presentedMargin, width,
+                      height);
   m_name->show();
   m_name->raise();
+  m_viewport.setPresented(true, m_name->geometry());  // letters of the text are as large as labels'
+  // The text might tell what the quiz asks for.
+  m_caption->say(m_quiz->running() ? std::string() : view(m_at).words.text.in(language()),
+                 ViewCaption::Place::corner, height + presentedMargin);
+  if (m_caption->isVisible())
+    m_viewport.setPresented(true, m_name->geometry().united(m_caption->geometry()));
+  m_board->setGeometry(m_viewport.rect());
+  m_board->raise();
 }
 
-void Presentation::key(const QKeyEvent& event) {
-  if (event.key() == Qt::Key_Escape)
-    end();
-  else if (event.key() == Qt::Key_Home)
-    show(0);
-  else if (event.key() == Qt::Key_End)
-    show(int(m_session.scene().views().size()) - 1);
-  else if (const int to = m_at + stepOf(event.key());
-           to != m_at && to >= 0 && to < int(m_session.scene().views().size()))
-    show(to);
+/// Tells the presenter's window of the view, and asks for a picture of the next one.
+void Presentation::tellPresenter() {
+  if (!m_presenter)
+    return;
+  const std::string tag = language();
+  const bool more = m_at + 1 < count();
+  m_presenter->tell({.place = tr("%1 / %2", "number of the view, of so many")
+                                  .arg(QLocale().toString(m_at + 1), QLocale().toString(count())),
+                     .title = shownTitle(view(m_at), tag),
+                     .notes = QString::fromStdString(view(m_at).words.notes.in(tag)),
+                     .next = more ? shownTitle(view(m_at + 1), tag) : QString()});
+  PreviewRequest request{.previews = {}, .asker = PreviewsOf::presented};
+  if (more && m_presenter->isVisible()) {
+    const QSize size = m_presenter->pictureSize();
+    request.previews.push_back(
+        {.id = m_at,
+         .scene = model::withViewApplied(m_session.scene(), view(m_at + 1)).scene,
+         .camera = view(m_at + 1).camera,
+         .settings = {.width = size.width(),
+                      .height = size.height(),
+                      .environment = m_viewport.environment()}});
+  }
+  m_viewport.askPreviews(std::move(request));
 }
 
-bool Presentation::eventFilter(QObject* watched, QEvent* event) {
-  if (!running())
-    return false;
-  if (watched == &m_window) {
-    // Controls must be as they were when they are made anew or their places are saved.
-    if (event->type() == QEvent::Close || event->type() == QEvent::LanguageChange)
-      end();
-    return false;
-  }
-  if (event->type() == QEvent::Resize) {
-    placeName();
-    return false;
-  }
-  const bool claimed = event->type() == QEvent::ShortcutOverride;
-  if (!claimed && event->type() != QEvent::KeyPress)
-    return false;
-  const auto* press = static_cast<QKeyEvent*>(event);
-  if (zooms(press->key()))
-    return false;
-  event->accept();  // all other keys edit
-  if (!claimed)
-    key(*press);
-  return true;
+void Presentation::took(PreviewsOf asker, int id, const QImage& image) {
+  if (running() && m_presenter && asker == PreviewsOf::presented && id == m_at)
+    m_presenter->setNextPicture(image);
 }
 
 void Presentation::documentChange() {
   if (!running())
     return;
   // A scene may have come in from the background.
-  if (m_session.document().opening != m_before->opening || m_session.scene().views().empty())
+  if (m_session.document().opening != m_before->opening || m_session.scene().views().empty()) {
     end();
-  else
-    show(m_at);
+    return;
+  }
+  m_quiz->end();
+  show(m_at, m_revealed);
 }
 
 }  // namespace sline::widgets

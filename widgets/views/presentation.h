@@ -6,19 +6,27 @@
 #include <QObject>
 #include <QPointer>
 #include <QRect>
+#include <limits>
 #include <optional>
 
 #include "widgets/session/session.h"
 #include "widgets/viewport/viewport.h"
+#include "widgets/views/presentation_keys.h"
 
 class QKeyEvent;
 class QMainWindow;
 
 namespace sline::widgets {
 
-/// Shows the tour on the whole screen: the picture and the view's name, nothing else. Arrow keys,
-/// space, Page Up and Page Down go from view to view, Home and End to the first and last, Escape
-/// ends it. The mouse turns the scene, but nothing of the document can be changed; when the
+class PresentationBoard;
+class PresentedQuiz;
+class PresenterWindow;
+class ViewCaption;
+
+/// Shows the tour on the whole screen: the picture, the view's title and its text, nothing else.
+/// Keys are those of other presentation programs (`presentation_keys.h`). Where there is another
+/// screen, the picture fills that one and the presenter's window, with notes and clock, the
+/// window's own. The mouse turns the scene, but nothing of the document can be changed; when the
 /// presentation ends, the document, the window and the camera are as they were.
 class Presentation : public QObject {
   Q_OBJECT
@@ -47,19 +55,55 @@ class Presentation : public QObject {
     std::optional<model::SectionId> section;
     int opening = 0;
   };
+  /// Stands for all labels of a view, however many it has.
+  static constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+
   void showBars(bool shown);
-  void show(int index);
+  void fillScreens();
+  void openNotes();
+  int count() const { return int(m_session.scene().views().size()); }
+  const model::View& view(int index) const { return m_session.scene().views()[std::size_t(index)]; }
+  std::string language() const;
+
+  void show(int index, std::size_t labels);
+  /// Returns the scene as the view at hand shows it, with its first labels.
+  model::Scene seen(std::size_t labels) const;
+  std::size_t labelCount() const;
+  void go(PresentationWish wish);
+  void goOn();
+  void goBack();
+  void jump();
+  void blank(bool black);
+  void toggleReveal();
+  void toggleQuiz();
+  void quizChange();
   void key(const QKeyEvent& event);
-  void nameView(const model::View& view);
-  void placeName();
+  /// Tells whether the picture must not hear of the event.
+  bool mouse(QEvent& event);
+  void laser(const std::optional<QPointF>& at);
+
+  void say();
+  void place();
+  void tellPresenter();
+  void took(PreviewsOf asker, int id, const QImage& image);
   void documentChange();
 
   QMainWindow& m_window;
   Session& m_session;
   Viewport& m_viewport;
-  QPointer<QLabel> m_name;  ///< belongs to the viewport
+  QPointer<QLabel> m_name;  ///< belongs to the viewport, as do the next two
+  QPointer<ViewCaption> m_caption;
+  QPointer<PresentationBoard> m_board;
+  QPointer<PresenterWindow> m_presenter;  ///< belongs to the window
+  std::optional<QRect> m_notesScreen;     ///< the screen that it has for itself
+  PresentedQuiz* m_quiz;
   std::optional<Before> m_before;
   int m_at = 0;
+  int m_number = -1;             ///< that was typed to jump to; below 0 for none
+  bool m_revealing = false;      ///< labels come one by one
+  std::size_t m_revealed = all;  ///< how many of the view's labels are shown
+  std::optional<QPointF> m_pressed;
+  bool m_hidden = false;  ///< the mouse's arrow, while there is a laser's dot
 };
 
 }  // namespace sline::widgets

@@ -13,17 +13,26 @@ namespace sline::widgets {
 namespace {
 constexpr const char* mimeType = "application/x-sline-view";
 constexpr qsizetype longestName = 200;
-}  // namespace
 
-QString shownName(const model::View& view) {
+QString oneLine(const std::string& text) {
   // Line breaks and marks that reverse the writing direction would affect more than the name.
-  QString name = QString::fromStdString(view.name).left(longestName);
+  QString name = QString::fromStdString(text).left(longestName);
   constexpr char16_t nonJoiner = 0x200c;  // spelling in Persian, and the joiner next to it
   constexpr char16_t joiner = 0x200d;
   for (QChar& each : name)
     if (!each.isSurrogate() && !each.isPrint() && each != nonJoiner && each != joiner)
       each = QLatin1Char(' ');
   return name.simplified();
+}
+
+}  // namespace
+
+QString shownName(const model::View& view) {
+  return oneLine(view.name);
+}
+
+QString shownTitle(const model::View& view, const std::string& language) {
+  return oneLine(model::titleIn(view, language));
 }
 
 ViewList::ViewList(Session& session, ViewTour& tour, QObject* parent)

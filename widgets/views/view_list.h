@@ -13,6 +13,8 @@ class ViewTour;
 
 /// Returns the name of a view on screen: plain text on one line, shortened to a readable length.
 QString shownName(const model::View& view);
+/// Returns its title in the language in the same way.
+QString shownTitle(const model::View& view, const std::string& language);
 
 /// Lists the scene's views as rows, in the tour's order, each with its small picture
 /// (`Qt::DecorationRole`) and how much of what it refers to is gone (`absentRole`). Names and
