@@ -35,7 +35,7 @@ packaging=(dpkg-dev file patchelf)
 testing=(
   "${packaging[@]}"
   # a display for the window's tests
-  xvfb xauth libx11-dev
+  xvfb xauth x11-xserver-utils libx11-dev
   # checks, sanitizers and fuzzing; a compiler cache, as tests are built many times
   clang clang-format clang-tidy libclang-rt-14-dev ccache git
   # the renderer that sline-bench compares with

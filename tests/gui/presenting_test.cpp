@@ -83,6 +83,7 @@ class PresentingTest : public QObject {
   void quiz();
   void quizBesides();
   void placesOnScreens();
+  void twoScreens();
   void leavesAllAlone();
 };
 
@@ -357,6 +358,24 @@ void PresentingTest::placesOnScreens() {
   QVERIFY(back.picture == 0 && back.presenter == 1);
   const auto mirrored = widgets::presentationPlaces({laptop, QRect(0, 0, 1024, 768)}, {600, 400});
   QVERIFY(mirrored.picture == 0 && !mirrored.presenter);
+}
+
+/// Where there are two screens, picture and notes have one each, and the window is back in its
+/// place afterwards.
+void PresentingTest::twoScreens() {
+  if (QGuiApplication::screens().size() < 2)
+    QSKIP("there is one screen; presenting_two_screens has two");
+  Presented f;
+  const QRect own = f.presenter().screen()->geometry();
+  const QRect other = f.window.screen()->geometry();
+  QVERIFY(own != other);
+  QCOMPARE(f.presenter().geometry(), own);
+  QTRY_COMPARE(f.window.geometry(), other);
+  QTest::keyClick(&f.viewport(), Qt::Key_Right);
+  QCOMPARE(f.presenter().findChild<QLabel*>("presenterPlace")->text(), QString("2 / 3"));
+  QTest::keyClick(&f.viewport(), Qt::Key_Escape);
+  QTRY_VERIFY(own.contains(f.window.geometry().center()));
+  QVERIFY(f.settled());
 }
 
 void PresentingTest::leavesAllAlone() {
