@@ -7,6 +7,7 @@
 #   window     the quicker half of the window's tests under the sanitizers (tests/sanitized.sh: all)
 #   fuzz       two minutes of libFuzzer
 #   package    both packages are made, and the programs run from them
+#   office     LibreOffice, where it is installed, opens fifty presentations
 # With SLINE_MINUTES=50 it begins no part that would not end within 50 minutes of the shell's
 # SLINE_BEGAN (seconds since 1970), takes them in an order that changes with the commit, so that a few
 # runs cover everything, and says what it has left out.
@@ -16,7 +17,7 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 jobs=$(nproc)
 
 # Name and minutes on two cores without a compiler cache.
-parts=("alone 16" "sanitized 20" "tidy 12" "window 25" "fuzz 9" "package 7")
+parts=("alone 16" "sanitized 20" "tidy 12" "window 25" "fuzz 9" "package 7" "office 5")
 if [ $# -gt 0 ]; then
   for name in "$@"; do
     printf '%s\n' "${parts[@]}" | grep -q "^$name " || {
@@ -56,6 +57,11 @@ run() { # part
       ;;
     fuzz) "$top/tests/fuzz/run.sh" 120 ;;
     package) "$top/tests/package/package_test.sh" ;;
+    office)
+      cmake -S "$top" --preset release -DSLINE_TESTS=ON "${launcher[@]}" >/dev/null
+      cmake --build "$top/build/release" --parallel "$jobs" --target render_tests
+      SLINE_OFFICE=1 ctest --test-dir "$top/build/release" --output-on-failure -R '^slide_office_test$'
+      ;;
   esac
 }
 

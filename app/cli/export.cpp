@@ -19,6 +19,8 @@
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pixels/pixel_options.h"
+#include "render/export/slides/slide_options.h"
+#include "render/export/slides/slide_page.h"
 
 namespace sline::cli {
 
@@ -71,10 +73,14 @@ bool areFilms(const render::ExportFormat& format) {
   return format.has(render::motionOption);
 }
 
-/// Returns the order as films have it: on a page of their shape, with the camera fitted to that.
-Result<render::ExportOrder> onScreen(render::ExportOrder job, PictureSpec spec,
-                                     const render::Typesetting& typesetting) {
-  const glm::vec2 page = render::filmPageMm(job);
+bool areSlides(const render::ExportFormat& format) {
+  return format.has(render::slideSubjectOption);
+}
+
+/// Returns the order as films and slides have it: on a page of their shape, with the camera fitted
+/// to that.
+Result<render::ExportOrder> onPage(const glm::vec2& page, render::ExportOrder job, PictureSpec spec,
+                                   const render::Typesetting& typesetting) {
   if (page == job.page.sizeMm)
     return job;
   job.page.sizeMm = page;
@@ -119,6 +125,9 @@ Result<ParsedExport> parseExport(const ExportFlags& typed) {
   wish.job.page = *page;
   TypedOptions options = flags.options;
   completeFilmSize(options, flags.page.sizeMm != PageFlags().sizeMm || !flags.page.sizePx.empty());
+  const bool oneShown = !flags.picture.view.empty() || !flags.picture.cameraFile.empty();
+  if (oneShown && options.typed(render::slideSubjectOption).empty())
+    options.set(render::slideSubjectOption, "shown");
   if (const Status fine = options.applyTo(wish.job); !fine.ok())
     return fine.error();
   if (const Status fine = checkOptions(flags, wish.job); !fine.ok())
@@ -165,16 +174,47 @@ void tellOfSheet(const render::ExportOrder& job,
   for (const auto& [kind, target] : targets)
     if (const render::ExportFormat* format = render::exportFormat(kind);
         !format->has(render::sheetOption) && format->page != render::PageUse::none &&
-        !(areFilms(*format) && render::filmPageMm(job) != job.page.sizeMm))
+        !areSlides(*format) && !(areFilms(*format) && render::filmPageMm(job) != job.page.sizeMm))
       tell(target + " is of the sheet's figure: " + rounded(job.page.sizeMm.x) + " by " +
            rounded(job.page.sizeMm.y) + " mm");
 }
 
-/// Holds the order of pictures and that of films, which have a shape of their own.
+/// Warns that the choice of structures is no choice where saved views make it.
+void warnOfViews(const render::ExportOrder& job, const std::map<std::string, std::string>& targets,
+                 const Warn& tellWarning) {
+  if (job.of<render::FilmOptions>().motion == render::Motion::tour)
+    tellWarning("a tour shows what its views show: --only changes nothing in it");
+  const bool slides = std::any_of(targets.begin(), targets.end(), [](const auto& target) {
+    return areSlides(*render::exportFormat(target.first));
+  });
+  if (slides && render::showsViews(job))
+    tellWarning(
+        "slides show what the saved views show: --only changes nothing in them. Add --slides shown "
+        "for one slide of it");
+}
+
+/// Holds the order of pictures and those of films and slides, which have shapes of their own.
 struct Orders {
   render::ExportOrder pictures;
   render::ExportOrder films;
+  render::ExportOrder slides;
+
+  const render::ExportOrder& of(const render::ExportFormat& format) const {
+    return areFilms(format) ? films : areSlides(format) ? slides : pictures;
+  }
 };
+
+Result<Orders> ordersOf(const render::ExportOrder& job, const PictureSpec& spec,
+                        const render::Typesetting& typesetting) {
+  const Result<render::ExportOrder> film = onPage(render::filmPageMm(job), job, spec, typesetting);
+  if (!film.ok())
+    return film.error();
+  const Result<render::ExportOrder> slide =
+      onPage(render::slidePageMm(job), job, spec, typesetting);
+  if (!slide.ok())
+    return slide.error();
+  return Orders{job, *film, *slide};
+}
 
 Exit writeAll(const Orders& orders, const std::map<std::string, std::string>& targets,
               Progress& progress, const Warn& tellWarning) {
@@ -188,8 +228,7 @@ Exit writeAll(const Orders& orders, const std::map<std::string, std::string>& ta
       progress.show(share, what);
       return !interruption.wanted();
     };
-    const render::ExportOrder& job = areFilms(format) ? orders.films : orders.pictures;
-    const Status written = format.write(job, target->second, {show, &notes});
+    const Status written = format.write(orders.of(format), target->second, {show, &notes});
     progress.wipe();
     if (!written.ok())
       return complain(written.error(), Exit::failed);
@@ -218,9 +257,6 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
     return complain(wish.error(), Exit::wrongUse);
   if (const Status fine = checkExportTargets(flags); !fine.ok())
     return complain(fine.error(), Exit::wrongUse);
-  if (wish->job.of<render::FilmOptions>().motion == render::Motion::tour &&
-      !flags.picture.only.empty())
-    tellWarning("a tour shows what its views show: --only changes nothing in it");
   // One typesetting serves all that set text, the writers too.
   const auto typesetting = render::Typesetting::create();
   if (!typesetting.ok())
@@ -239,10 +275,12 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   if (!job.ok())
     return complain(job.error(), Exit::wrongUse);
   tellOfSheet(*job, flags.targets);
-  const Result<render::ExportOrder> film = onScreen(*job, wish->spec, **typesetting);
-  if (!film.ok())
-    return complain(film.error(), Exit::wrongUse);
-  const Exit written = writeAll({*job, *film}, flags.targets, progress, tellWarning);
+  if (!flags.picture.only.empty())
+    warnOfViews(*job, flags.targets, tellWarning);
+  const Result<Orders> orders = ordersOf(*job, wish->spec, **typesetting);
+  if (!orders.ok())
+    return complain(orders.error(), Exit::wrongUse);
+  const Exit written = writeAll(*orders, flags.targets, progress, tellWarning);
   if (written == Exit::done && job->labels.mode == render::LabelMode::numbers)
     printKey(render::reportOfPlate(*job, **typesetting));
   return written;
@@ -317,6 +355,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
       "kinds can be written at once.\n\n"
       "  sline export pelvis.sline --png pelvis.png --size-mm 180x120 --dpi 300\n"
       "  sline export pelvis.sline --tiff figure1.tiff --bw --bits 1 --dpi 600\n"
+      "  sline export pelvis.sline --pptx lesson.pptx --self-test\n"
       "  sline export pelvis.sline --svg pelvis.svg --view anterior --size-mm 180x120\n"
       "  sline export abdomen/ --svg abdomen.svg --gamma 3 --background transparent");
 }

@@ -17,6 +17,8 @@
 #include "render/export/pixels/pixel_files.h"
 #include "render/export/pixels/pixel_options.h"
 #include "render/export/pixels/pixel_weight.h"
+#include "render/export/slides/slide_options.h"
+#include "render/export/slides/slides_file.h"
 #include "render/export/svg/svg_file.h"
 
 namespace sline::render {
@@ -167,6 +169,20 @@ constexpr std::array formats{
         .foreseen = drawingNotes,
         .weigh = [](const ExportOrder& order, const Image&,
                     const ExportProgress& progress) { return pdfWeight(order, progress); }},
+    ExportFormat{
+        .id = "pptx",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "PowerPoint slides"),
+        .help = QT_TRANSLATE_NOOP(
+            "sline::render::ExportFormat",
+            "A slide for each saved view with its title, text and notes: labels are text boxes and "
+            "lines that can be edited there, over the drawing"),
+        .extension = "pptx",
+        .page = PageUse::slides,
+        .oneView = false,
+        .names = true,
+        .options = slideOptions,
+        .write = writeSlides,
+        .foreseen = drawingNotes},
     ExportFormat{.id = "glb",
                  .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "GLB surfaces (glTF)"),
                  .help = QT_TRANSLATE_NOOP(

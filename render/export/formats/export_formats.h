@@ -13,8 +13,8 @@
 namespace sline::render {
 
 /// Tells what the page means to files of a kind: nothing; the shape of its pictures; a sheet of
-/// lines and shapes; so many pixels.
-enum class PageUse { none, shape, drawing, pixels };
+/// lines and shapes; so many pixels. Slides have a page of their own.
+enum class PageUse { none, shape, drawing, pixels, slides };
 
 /// Describes everything that distinguishes a kind. Its texts are English; the window translates
 /// them in the context "sline::render::ExportFormat".

@@ -54,7 +54,8 @@ enum class LegendList { onSheets, none, all, labelled, focus };
 ///
 /// PNG has it as text and XMP, TIFF in its tags, JPEG as Exif, EXR in its header, JPEG 2000 as XMP,
 /// SVG and PDF as Dublin Core, GLB in its asset, MP4 in its tags, WebP as XMP, GIF in a comment,
-/// frames and Anki's pictures as PNG, and Anki's package also in the deck's description.
+/// frames and Anki's pictures as PNG, Anki's package also in the deck's description, and slides in
+/// the file's properties.
 struct ExportCredit {
   std::string author;
   std::string copyright;  ///< or a licence: "CC BY 4.0"

@@ -9,8 +9,6 @@
 
 namespace sline::render {
 
-namespace {
-
 Result<std::string> svgText(const ExportOrder& order, const std::filesystem::path& target,
                             const ExportProgress& progress) {
   bool wanted = true;
@@ -34,8 +32,6 @@ Result<std::string> svgText(const ExportOrder& order, const std::filesystem::pat
   writings.push_back({"marks", "Marks", plate.marks.lettering});
   return svgDocument(*drawing, order.scene, writings, order.credit);
 }
-
-}  // namespace
 
 Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress) {

@@ -5,6 +5,10 @@
 
 namespace sline::render {
 
+/// Draws the vectors and returns them as a document; `target` is the file that errors name.
+Result<std::string> svgText(const ExportOrder& order, const std::filesystem::path& target,
+                            const ExportProgress& progress);
+
 /// Draws the vectors and writes them as an SVG document of the page's size.
 Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Declares the options of slides.
+#pragma once
+
+#include "render/export/order/export_option.h"
+
+namespace sline::render {
+
+/// Tells what has a slide. `views`: each saved view, or what is shown where there are none;
+/// `shown`: what is shown alone.
+enum class SlideSubject { views, shown };
+enum class SlideShape { wide, standard };
+
+struct SlideOptions {
+  SlideSubject subject = SlideSubject::views;
+  SlideShape shape = SlideShape::wide;
+  bool onClick = false;   ///< labels appear one by one, in their order
+  bool selfTest = false;  ///< a slide with numbers instead of names follows, then its key
+};
+
+OptionList slideOptions();
+
+extern const ExportOption slideSubjectOption;
+
+}  // namespace sline::render
