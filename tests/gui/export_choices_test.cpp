@@ -127,6 +127,28 @@ class ExportChoicesTest : public QObject {
     QVERIFY(text().contains(QStringLiteral("No labels")));
   }
 
+  void slidesHaveAPageOfTheirOwn() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("pptx"));
+    const auto text = [&desk] { return desk.part<QLabel>("exportSummary").text(); };
+    QVERIFY(!desk.part<QWidget>("exportPaper").isEnabled());
+    QVERIFY2(text().contains(QStringLiteral("2 slides, one for each saved view.")),
+             qPrintable(text()));
+    QVERIFY2(text().contains(QStringLiteral("338.7 × 190.5 mm")), qPrintable(text()));
+    QVERIFY2(text().contains(QStringLiteral("texts and notes")), qPrintable(text()));
+    QVERIFY(desk.previewed());
+    const QImage wide = desk.dialog()->preview().picture();
+    keep(*desk.dialog(), QStringLiteral("slides"));
+    desk.pick("export-slideShape", QStringLiteral("4 : 3"));
+    desk.pick("export-slides", QStringLiteral("What is shown"));
+    QVERIFY(desk.previewed());
+    const QImage standard = desk.dialog()->preview().picture();
+    QVERIFY(wide.width() * standard.height() > standard.width() * wide.height());
+    QVERIFY2(text().contains(QStringLiteral("254 × 190.5 mm")), qPrintable(text()));
+    QVERIFY2(text().contains(QStringLiteral("2 structures")), qPrintable(text()));
+  }
+
   void choicesAreRemembered() {
     ExportDesk desk;
     desk.show();

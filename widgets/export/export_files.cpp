@@ -14,6 +14,7 @@
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/plate_image.h"
+#include "render/export/slides/slide_page.h"
 #include "render/lettering/typesetting.h"
 #include "widgets/session/names_by_language.h"
 #include "widgets/text/path_text.h"
@@ -56,6 +57,8 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   order.labels.onDark = order.environment.background == render::Background::dark;
   if (pageUseOf(draft.kind) == render::PageUse::shape)
     order.page.sizeMm = filmPage(render::filmPageMm(order));
+  if (pageUseOf(draft.kind) == render::PageUse::slides)
+    order.page.sizeMm = render::slidePageMm(order);
   if (isSheet(draft))
     order.page.sizeMm = render::sheetFigureMm(order);
   const float aspect = order.page.sizeMm.x / order.page.sizeMm.y;
@@ -103,7 +106,7 @@ model::Camera reframed(model::Camera camera, float before, float aspect) {
 }
 
 bool hasOwnPage(const ExportDraft& draft) {
-  return isSheet(draft) ||
+  return isSheet(draft) || pageUseOf(draft.kind) == render::PageUse::slides ||
          (pageUseOf(draft.kind) == render::PageUse::shape &&
           draft.order.of<render::FilmOptions>().format != render::FilmFormat::page);
 }

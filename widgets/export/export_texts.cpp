@@ -3,6 +3,7 @@
 #include "model/scene/visible_structures.h"
 #include "render/export/motion/film_options.h"
 #include "render/export/pdf/sheet_options.h"
+#include "render/export/slides/slide_page.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -34,6 +35,9 @@ QString subjectText(const ExportDraft& draft, const std::vector<ExportFile>& fil
   const int structures = shownStructures(files.front().order.scene);
   if (files.size() > 1)
     return tr("%n files, one for each saved view.", nullptr, int(files.size()));
+  const render::ExportOrder& order = files.front().order;
+  if (pageUseOf(draft.kind) == render::PageUse::slides && render::showsViews(order))
+    return tr("%n slides, one for each saved view.", nullptr, int(order.scene.views().size()));
   return pageUseOf(draft.kind) != render::PageUse::none
              ? tr("%n structures, seen as in the window.", nullptr, structures)
              : tr("%n structures as surfaces.", nullptr, structures);
@@ -75,6 +79,10 @@ QString sizeText(const ExportDraft& draft, const std::vector<ExportFile>& files)
         .arg(QLocale().toString(film.seconds, 'g', 4), numberText(size.x), numberText(size.y),
              numberText(film.framesPerSecond));
   }
+  if (pageUseOf(draft.kind) == render::PageUse::slides) {
+    page.sizeMm = render::slideSizeMm(draft.order.of<render::SlideOptions>().shape);
+    return tr("%1, labels as text and lines.").arg(millimetresText(page));
+  }
   if (pageUseOf(draft.kind) == render::PageUse::drawing)
     return tr("%1, as lines and shapes of any sharpness.").arg(millimetresText(page));
   return tr("%1, %2 at %3 dpi.")
@@ -98,6 +106,10 @@ QString creditText(const ExportDraft& draft) {
 }
 
 QString privacyText(const ExportDraft& draft) {
+  if (pageUseOf(draft.kind) == render::PageUse::slides)
+    return tr(
+        "Names, and the views' texts and notes, are in the file as the scene has them. No "
+        "paths, user names, dates or patient data are.");
   return holdsNames(draft.kind)
              ? tr("Names of structures, groups and views are in the file as the scene has them. No "
                   "paths, user names, dates or patient data are.")

@@ -37,7 +37,7 @@ constexpr ExportOption onClick{
     .id = "slideOnClick",
     .flag = "--on-click,!--no-on-click",
     .help = "Labels of slides appear one by one, each with a click, in the scene's order",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Labels b&y clicks"),
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Labels by clicks"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
                              "Labels appear one by one, each with a click, in the scene's order"),
     .field = boundTo([](auto& o) -> auto& { return o.template of<SlideOptions>().onClick; })};

@@ -84,7 +84,7 @@ render::ExportOrder oddLesson(int number) {
     view.words.text.text = i == 2 ? "" : "**" + name(number + i) + "**\n- " + name(number + i + 1);
     view.words.text.texts["ar"] = name(4);
     view.words.notes.text = i == 0 ? name(number) + "\n\n" + name(number + 3) : "";
-    if (number % 5 == 4)  // a view that shows nothing
+    if (number % 5 == 3)  // a view that shows nothing
       for (model::Look& look : *view.looks)
         look.style.visible = false;
   }
@@ -97,6 +97,8 @@ render::ExportOrder oddLesson(int number) {
   if (number % 6 == 5)
     order.environment.background = render::Background::dark;
   order.page.dpi = 40.0f;
+  if (count == 100)
+    order.labels.points = 4.0f;
   return order;
 }
 
