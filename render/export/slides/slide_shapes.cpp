@@ -271,9 +271,14 @@ std::string SlideShapes::lines(const Text& text) const {
   const LetteringText& set = text.text;
   const QString bullet = QString::fromUtf8(model::bulletSign.data(), model::bulletSign.size());
   const bool right = plainText(set.lines).isRightToLeft();
-  const char* side = set.anchor == TextAnchor::end      ? "r"
-                     : set.anchor == TextAnchor::middle ? "ctr"
-                                                        : "l";
+  const auto isItem = [&bullet](const TextLine& line) {
+    return !line.runs.empty() && line.runs.front().text.startsWith(bullet);
+  };
+  const bool list = std::any_of(set.lines.begin(), set.lines.end(), isItem);
+  // A list begins at the side where its lines do.
+  const char* side = set.anchor == TextAnchor::end || (list && right) ? "r"
+                     : set.anchor == TextAnchor::middle               ? "ctr"
+                                                                      : "l";
   std::string leading;
   if (set.lines.size() > 1)
     leading = "<a:lnSpc><a:spcPts val=\"" +
@@ -287,10 +292,6 @@ std::string SlideShapes::lines(const Text& text) const {
   const RunLook look{.language = text.language,
                      .inside = colour(set.ink) + (text.drawn ? std::string() : glow(textHalo)),
                      .points = slideScale * set.points};
-  const auto isItem = [&bullet](const TextLine& line) {
-    return !line.runs.empty() && line.runs.front().text.startsWith(bullet);
-  };
-  const bool list = std::any_of(set.lines.begin(), set.lines.end(), isItem);
   std::string all;
   for (const TextLine& line : set.lines) {
     const bool begins = all.empty() || isItem(line) || (list && line.indent <= 0.0f);

@@ -54,9 +54,10 @@ std::string slideLanguage(const std::string& tag) {
 std::string slideBullet(float marginMm, const std::string& side, bool rightToLeft,
                         const std::string& leading) {
   const std::string margin = std::to_string(emu(double(marginMm)));
-  return std::string("<a:pPr ") + (rightToLeft ? "marR" : "marL") + "=\"" + margin +
-         "\" indent=\"-" + margin + "\" algn=\"" + side + "\" rtl=\"" + (rightToLeft ? "1" : "0") +
-         "\">" + leading + "<a:buFont typeface=\"Arial\"/><a:buChar char=\"\u2022\"/></a:pPr>";
+  // In text from the right, too, programs take this margin for that of the bullet's side.
+  return "<a:pPr marL=\"" + margin + "\" indent=\"-" + margin + "\" algn=\"" + side + "\" rtl=\"" +
+         (rightToLeft ? "1" : "0") + "\">" + leading +
+         "<a:buFont typeface=\"Arial\"/><a:buChar char=\"\u2022\"/></a:pPr>";
 }
 
 std::string slideRun(const std::string& text, const model::LetterStyle& style,

@@ -23,6 +23,80 @@ std::string resolved(const std::string& part, const std::string& target) {
   return (std::filesystem::path(part).parent_path() / target).lexically_normal().string();
 }
 
+/// What elements may hold, in the order that the transitional schemas prescribe (ECMA-376 part 4,
+/// pml.xsd and dml-main.xsd), as far as our presentations use it; "*": as often as wanted.
+const std::map<std::string, std::vector<std::string>>& orders() {
+  static const std::vector<std::string> paragraph{"a:lnSpc", "a:buNone|a:buFont", "a:buChar",
+                                                  "a:defRPr"};
+  static const std::vector<std::string> run{"a:solidFill", "a:effectLst", "a:latin", "a:ea",
+                                            "a:cs"};
+  static const std::vector<std::string> level{"a:lvl1pPr"};
+  static const std::map<std::string, std::vector<std::string>> all{
+      {"a:bodyPr", {"a:noAutofit|a:normAutofit"}},
+      {"a:clrScheme",
+       {"a:dk1", "a:lt1", "a:dk2", "a:lt2", "a:accent1", "a:accent2", "a:accent3", "a:accent4",
+        "a:accent5", "a:accent6", "a:hlink", "a:folHlink"}},
+      {"a:custGeom", {"a:avLst", "a:gdLst", "a:ahLst", "a:cxnLst", "a:rect", "a:pathLst"}},
+      {"a:defRPr", run},
+      {"a:fmtScheme", {"a:fillStyleLst", "a:lnStyleLst", "a:effectStyleLst", "a:bgFillStyleLst"}},
+      {"a:ln", {"a:noFill|a:solidFill", "a:custDash", "a:round"}},
+      {"a:lstStyle", level},
+      {"a:lvl1pPr", paragraph},
+      {"a:p", {"a:pPr", "a:r|a:br*"}},
+      {"a:path", {"a:moveTo|a:lnTo|a:cubicBezTo|a:close*"}},
+      {"a:pPr", paragraph},
+      {"a:r", {"a:rPr", "a:t"}},
+      {"a:rPr", run},
+      {"a:theme", {"a:themeElements", "a:objectDefaults", "a:extraClrSchemeLst"}},
+      {"a:themeElements", {"a:clrScheme", "a:fontScheme", "a:fmtScheme"}},
+      {"a:xfrm", {"a:off", "a:ext", "a:chOff", "a:chExt"}},
+      {"p:blipFill", {"a:blip", "a:stretch"}},
+      {"p:bodyStyle", level},
+      {"p:cBhvr", {"p:cTn", "p:tgtEl", "p:attrNameLst"}},
+      {"p:cSld", {"p:bg", "p:spTree"}},
+      {"p:cTn", {"p:stCondLst", "p:childTnLst"}},
+      {"p:cxnSp", {"p:nvCxnSpPr", "p:spPr"}},
+      {"p:grpSp", {"p:nvGrpSpPr", "p:grpSpPr", "p:sp|p:grpSp|p:cxnSp|p:pic*"}},
+      {"p:notes", {"p:cSld", "p:clrMapOvr"}},
+      {"p:notesMaster", {"p:cSld", "p:clrMap", "p:notesStyle"}},
+      {"p:nvSpPr", {"p:cNvPr", "p:cNvSpPr", "p:nvPr"}},
+      {"p:pic", {"p:nvPicPr", "p:blipFill", "p:spPr"}},
+      {"p:presentation",
+       {"p:sldMasterIdLst", "p:notesMasterIdLst", "p:sldIdLst", "p:sldSz", "p:notesSz"}},
+      {"p:seq", {"p:cTn", "p:prevCondLst", "p:nextCondLst"}},
+      {"p:set", {"p:cBhvr", "p:to"}},
+      {"p:sld", {"p:cSld", "p:clrMapOvr", "p:timing"}},
+      {"p:sldLayout", {"p:cSld", "p:clrMapOvr"}},
+      {"p:sldMaster", {"p:cSld", "p:clrMap", "p:sldLayoutIdLst", "p:txStyles"}},
+      {"p:sp", {"p:nvSpPr", "p:spPr", "p:txBody"}},
+      {"p:spPr",
+       {"a:xfrm", "a:custGeom|a:prstGeom", "a:noFill|a:solidFill", "a:ln", "a:effectLst"}},
+      {"p:spTree", {"p:nvGrpSpPr", "p:grpSpPr", "p:sp|p:grpSp|p:cxnSp|p:pic*"}},
+      {"p:txBody", {"a:bodyPr", "a:lstStyle", "a:p*"}},
+      {"p:txStyles", {"p:titleStyle", "p:bodyStyle", "p:otherStyle"}}};
+  return all;
+}
+
+/// Tells whether the place of an order takes the element.
+bool takes(std::string place, const std::string& name) {
+  if (place.ends_with('*'))
+    place.pop_back();
+  return ('|' + place + '|').find('|' + name + '|') != std::string::npos;
+}
+
+/// Tells whether the children are those of the order.
+bool inOrder(const pugi::xml_node& element, const std::vector<std::string>& order) {
+  std::size_t place = 0;
+  for (const auto& child : element.children()) {
+    while (place < order.size() && !takes(order[place], child.name()))
+      ++place;
+    if (place == order.size())
+      return false;
+    place += order[place].ends_with('*') ? 0 : 1;
+  }
+  return true;
+}
+
 }  // namespace
 
 OpenedSlides::OpenedSlides(const std::string& bytes) {
@@ -47,6 +121,7 @@ OpenedSlides::OpenedSlides(const std::string& bytes) {
   checkTypes();
   checkRelations();
   checkShapes();
+  checkOrders();
 }
 
 pugi::xml_node OpenedSlides::root(const std::string& part) const {
@@ -128,6 +203,15 @@ void OpenedSlides::checkShapes() {
           size.node().attribute("cy").as_llong(-1) < 0)
         m_faults << QString::fromStdString(name + " has a shape of no size");
   }
+}
+
+void OpenedSlides::checkOrders() {
+  for (const auto& [name, document] : m_documents)
+    if (name.starts_with("ppt/") && name.ends_with(".xml"))
+      for (const auto& each : document.select_nodes("//*"))
+        if (const auto order = orders().find(each.node().name());
+            order != orders().end() && !inOrder(each.node(), order->second))
+          m_faults << QString::fromStdString(name + ": " + each.node().path());
 }
 
 QString wordsOf(const pugi::xml_node& element) {

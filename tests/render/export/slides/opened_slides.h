@@ -32,6 +32,7 @@ class OpenedSlides {
   void checkTypes();
   void checkRelations();
   void checkShapes();
+  void checkOrders();
 
   std::map<std::string, std::string> m_parts;
   std::map<std::string, pugi::xml_document> m_documents;

@@ -73,9 +73,18 @@ class SlideOfficeTest : public QObject {
       QVERIFY2(info.out.contains(QRegularExpression(QString("Pages:\\s+%1\n").arg(count))),
                qPrintable(name + info.out + info.err));
     }
-    const Said text = run("pdftotext", {folder.filePath("deck9.pdf"), "-"});
-    for (const int number : {1, 50, 100})
-      QVERIFY2(text.out.contains(QString("label %1").arg(number)), qPrintable(text.out));
+    QFile many(folder.filePath("deck9.pptx"));
+    QVERIFY(many.open(QIODevice::ReadOnly));
+    const test::OpenedSlides opened(many.readAll().toStdString());
+    const Said text = run("pdftotext", {"-l", "1", folder.filePath("deck9.pdf"), "-"});
+    const QStringList lines = text.out.split('\n');
+    int found = 0;
+    for (const auto& [name, group] : test::groupsOn(opened.slide(1)))
+      if (name.startsWith("label ")) {
+        QVERIFY2(lines.contains(name), qPrintable(name + text.out));
+        ++found;
+      }
+    QVERIFY2(found > 60, qPrintable(QString::number(found)));
   }
 };
 

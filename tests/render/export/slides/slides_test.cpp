@@ -6,6 +6,7 @@
 #include <QtTest>
 #include <cmath>
 
+#include "model/disk/zip_archive.h"
 #include "render/export/pixels/pixel_files.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/slides/slide_options.h"
@@ -84,6 +85,49 @@ class SlidesTest : public QObject {
         for (const char each : text)
           QVERIFY2(std::uint8_t(each) >= 0x20 || each == '\n', name.c_str());
     QVERIFY(written(order) == bytes);
+  }
+
+  /// The checks themselves find what is wrong.
+  void spoiledPackagesAreNot_data() {
+    QTest::addColumn<QString>("part");
+    QTest::addColumn<QString>("before");
+    QTest::addColumn<QString>("after");
+    const QString slide = "ppt/slides/slide1.xml";
+    QTest::newRow("well formed") << slide << "</p:sld>"
+                                 << "";
+    QTest::newRow("relations") << slide << "rId2"
+                               << "rId9";
+    QTest::newRow("targets") << "ppt/_rels/presentation.xml.rels"
+                             << "slide1"
+                             << "slide7";
+    QTest::newRow("types") << "[Content_Types].xml"
+                           << "/ppt/slides/slide1"
+                           << "/ppt/slides/slide2";
+    QTest::newRow("numbers") << slide << "id=\"4\""
+                             << "id=\"3\"";
+    QTest::newRow("order") << slide << "</p:nvPr></p:nvSpPr><p:spPr/>"
+                           << "</p:nvPr></p:nvSpPr><p:txBody/><p:spPr/>";
+    QTest::newRow("known children") << slide << "<a:t>"
+                                    << "<a:b/><a:t>";
+  }
+  void spoiledPackagesAreNot() {
+    QFETCH(QString, part);
+    QFETCH(QString, before);
+    QFETCH(QString, after);
+    static const OpenedSlides whole(written(test::lessonOf({"liver"})));
+    std::vector<model::ZipMember> members;
+    for (const auto& [name, text] : whole.parts()) {
+      const bool spoiled = name == part.toStdString();
+      QString content = QString::fromLatin1(text.data(), qsizetype(text.size()));
+      QVERIFY(!spoiled || content.contains(before));
+      if (spoiled)
+        content.replace(content.indexOf(before), before.size(), after);
+      members.push_back({name, content.toLatin1().toStdString()});
+    }
+    std::vector<const model::ZipMember*> all;
+    for (const model::ZipMember& member : members)
+      all.push_back(&member);
+    QVERIFY(!OpenedSlides(*model::zipped(all)).faults().isEmpty());
   }
 
   void labelsStandAsInPictures_data() {
@@ -263,6 +307,16 @@ class SlidesTest : public QObject {
       QCOMPARE(std::string(group.select_node(".//a:pPr/@rtl").attribute().value()),
                std::string(name.isRightToLeft() ? "1" : "0"));
     QVERIFY(groups.contains("liver") && groups.contains("حوض عظم الفخذ"));
+    // The bullets of a list stand at its right.
+    render::ExportOrder order = test::lessonOf({"one"});
+    test::addBall(order.scene, {40.0f, 0.0f, 0.0f}, 10.0f, "المثانة\n- العضلة\n- المثلث",
+                  model::AnnotationKind::callout);
+    test::fitCamera(order);
+    const OpenedSlides listed(written(order));
+    QVERIFY2(listed.faults().isEmpty(), qPrintable(listed.faults().join('\n')));
+    const auto paragraphs = listed.slide(1).select_nodes(
+        "//p:sp[p:spPr/a:prstGeom/@prst='roundRect']//a:pPr[@rtl='1' and @algn='r']");
+    QCOMPARE(int(paragraphs.size()), 3);
   }
 
   void picturesAreSvgWithPixels() {
