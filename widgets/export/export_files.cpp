@@ -57,8 +57,10 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   order.labels.onDark = order.environment.background == render::Background::dark;
   if (pageUseOf(draft.kind) == render::PageUse::shape)
     order.page.sizeMm = filmPage(render::filmPageMm(order));
-  if (pageUseOf(draft.kind) == render::PageUse::slides)
+  if (pageUseOf(draft.kind) == render::PageUse::slides) {
     order.page.sizeMm = render::slidePageMm(order);
+    order.marks.viewName = false;  // it is the title
+  }
   if (isSheet(draft))
     order.page.sizeMm = render::sheetFigureMm(order);
   const float aspect = order.page.sizeMm.x / order.page.sizeMm.y;

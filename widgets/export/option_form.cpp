@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/export/option_fields.h"
 #include "widgets/form/control.h"
@@ -37,6 +38,7 @@ OptionForm::OptionForm(render::ExportOrder& order, std::vector<const render::Exp
       m_widgets.push_back({control});
       continue;
     }
+    line += std::exchange(ticks, 0) % 2;
     auto* label = new QLabel(field.text);
     label->setBuddy(control);
     grid->addWidget(label, line, 0);
