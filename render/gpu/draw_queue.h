@@ -24,6 +24,8 @@ class DrawQueue {
 
   void addTriangles(std::size_t indices) { add(indices); }
   void addStrokes(std::size_t count) { add(24 * count); }
+  /// Adds strokes of which is found where they are in sight.
+  void addSights(std::size_t count) { add(2 * count); }
   void addCopies(const PixelRect& area) {
     add(std::size_t(area.width) * std::size_t(area.height) / 10);
   }

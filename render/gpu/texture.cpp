@@ -26,6 +26,8 @@ Layout layout(TextureFormat format) {
       return {GL_R32I, GL_RED_INTEGER, GL_INT};
     case TextureFormat::rgba32i:
       return {GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
+    case TextureFormat::rgba32f:
+      return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
     case TextureFormat::depth32f:
       return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
   }
@@ -44,6 +46,7 @@ int pixelSize(TextureFormat format) {
     case TextureFormat::rg8:
       return 2;
     case TextureFormat::rgba32i:
+    case TextureFormat::rgba32f:
       return 16;
   }
   return 0;

@@ -9,7 +9,7 @@
 namespace sline::render::gpu {
 
 /// Lists the formats of textures. `rgba16` exists in OpenGL only: ES 3.0 does not guarantee it.
-enum class TextureFormat { rgba8, rgba16, rg8, r32i, rgba32i, depth32f };
+enum class TextureFormat { rgba8, rgba16, rg8, r32i, rgba32i, rgba32f, depth32f };
 
 struct TextureSize {
   int width = 0;

@@ -35,7 +35,7 @@ float SeenLayer::distanceAt(const glm::vec2& cell) const {
 }
 
 bool SeenLayer::showsAt(PenPoint& point, const ContourProbes& probes, float tolerance) const {
-  // As contour_visibility.glsl has it.
+  // As sight.frag.glsl has it.
   const float distance = distanceOf(point.depth, m_perspective);
   const float here = distanceAt(point.on);
   float wide = 0.0f;

@@ -181,63 +181,48 @@ passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& la
           .sheet = probes.sheet};
 }
 
-void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
-                           std::vector<Layer>& layers, std::span<const std::size_t> changed) {
-  std::vector<Stroke> all;
-  const auto append = [&all](std::vector<Stroke>& some) {
-    all.insert(all.end(), some.begin(), some.end());
-    some = {};
-  };
-  // Collects all edges, then all strokes, so that the target changes once.
-  std::vector<passes::InkDraw> edges;
+Status LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
+                             std::vector<Layer>& layers, std::span<const std::size_t> changed) {
+  // All edges, then all strokes, so that the target changes once.
+  std::vector<passes::InkDraw> draws;
   std::vector<passes::InkDraw> strokes;
   for (const std::size_t i : changed)
     for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
       const PreparedStructure& shown = layers[i].members[k];
       passes::InkDraw draw = inkDraw(input, layers[i], shown);
-      draw.first = all.size();
-      draw.count = layers[i].edges[k].size();
       paintEdges(input, shown, draw);
-      append(layers[i].edges[k]);
-      edges.push_back(draw);
+      draw.strokes = layers[i].edges[k];
+      draws.push_back(draw);
     }
   for (const std::size_t i : changed) {
     passes::InkDraw draw = inkDraw(input, layers[i], layers[i].members.front());
-    draw.first = all.size();
-    const auto add = [&](passes::InkKind kind, std::size_t count) {
+    const auto add = [&](passes::InkKind kind, std::span<const Stroke> of) {
       draw.kind = kind;
-      draw.count = count;
+      draw.strokes = of;
       strokes.push_back(draw);
-      draw.first += count;
     };
     // Halos first: their depth gives way to that of lines.
-    add(passes::InkKind::halos, layers[i].halos.size());
-    add(passes::InkKind::hidden, layers[i].hidden.size());
-    const std::size_t contours = firstContour(layers[i].strokes);
-    add(passes::InkKind::surfaceLines, contours);
-    add(passes::InkKind::contours, layers[i].strokes.size() - contours);
+    add(passes::InkKind::halos, layers[i].halos);
+    add(passes::InkKind::hidden, layers[i].hidden);
+    const std::span<const Stroke> all = layers[i].strokes;
+    const std::size_t contours = firstContour(all);
+    add(passes::InkKind::surfaceLines, all.first(contours));
+    add(passes::InkKind::contours, all.subspan(contours));
     if (layers[i].surfaceStep > 1 && layers[i].filled) {
-      edges.push_back(strokes.back());
-      edges.back().kind = passes::InkKind::trims;
+      draws.push_back(strokes.back());
+      draws.back().kind = passes::InkKind::trims;
     }
-    append(layers[i].halos);
-    append(layers[i].hidden);
-    append(layers[i].strokes);
   }
-  m_inkPass->upload(all);
-  gpu::DrawQueue queue;
-  const auto drawAll = [&](std::span<const passes::InkDraw> draws, const gpu::Target& target) {
-    for (const passes::InkDraw& draw : draws) {
-      const std::size_t end = draw.first + draw.count;
-      for (passes::InkDraw piece = draw; piece.first < end; piece.first += piece.count) {
-        piece.count = std::min(end - piece.first, gpu::DrawQueue::mostStrokes);
-        m_inkPass->draw(device, target, m_atlas.surfaceDepths(), piece);
-        queue.addStrokes(piece.count);
-      }
-    }
-  };
-  drawAll(edges, m_atlas.edgeTarget());
-  drawAll(strokes, m_atlas.inkTarget());
+  draws.insert(draws.end(), strokes.begin(), strokes.end());
+  Status drawn = m_inkPass->draw(device, {m_atlas.edgeTarget(), m_atlas.inkTarget()},
+                                 m_atlas.surfaceDepths(), draws);
+  for (const std::size_t i : changed) {
+    Layer& layer = layers[i];
+    layer.edges.assign(layer.edges.size(), {});
+    for (std::vector<Stroke>* each : {&layer.halos, &layer.hidden, &layer.strokes})
+      *each = {};
+  }
+  return drawn;
 }
 
 }  // namespace sline::render

@@ -271,7 +271,8 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
           m_printedHatching.draw(device, {input.view, m_atlas, input.light}, layers, changed);
       !s)
     return s.error();
-  drawInk(device, input, layers, changed);
+  if (Status s = drawInk(device, input, layers, changed); !s)
+    return s.error();
   stopwatch.pass(device, "ink");
   resolve(device, input.background, canvas(target, region, layers, changed), layers);
   stopwatch.pass(device, "resolve");

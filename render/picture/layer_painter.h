@@ -106,8 +106,8 @@ class LayerPainter {
                     std::span<const std::size_t> changed) const;
   static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer,
                                  const PreparedStructure& shown);
-  void drawInk(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
-               std::span<const std::size_t> changed);
+  Status drawInk(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
+                 std::span<const std::size_t> changed);
   /// Tells which part of a target is to be blended anew; the rest stays as it is.
   struct Canvas {
     const gpu::Target& target;

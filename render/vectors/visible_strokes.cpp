@@ -99,7 +99,7 @@ class StrokeSampler {
     return std::clamp(0.5f * z + 0.5f, 0.0f, windowDepth);
   }
 
-  /// Tests a contour as contour_visibility.glsl does.
+  /// Tests a contour as sight.frag.glsl does.
   bool contourVisible(const glm::vec2& on, float depth, float tolerance, const glm::vec2& outward,
                       float& wide) const {
     const glm::vec2 reach = m_scene.probes.reach;
@@ -116,7 +116,7 @@ class StrokeSampler {
     return distance <= distanceAt(behind) + tolerance;
   }
 
-  /// Tests a line as surface_line.frag.glsl does.
+  /// Tests a line as sight.frag.glsl does.
   bool surfaceLineVisible(const glm::vec2& on, float depth, float tolerance) const {
     const glm::vec2 corner = on - 0.5f;
     const float behind = std::max(

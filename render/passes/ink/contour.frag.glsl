@@ -1,31 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws the ink of contours, outside the surface's own line (S eq. 1).
 #include "capsule.glsl"
-#include "contour_visibility.glsl"
+#include "outside.glsl"
 #ifdef GRAINED
 #include "grain.glsl"
 #endif
+flat in vec4 drawnEnds;  // where the pen draws the line itself
 uniform vec2 channel;  // which of the ink's values is written
-uniform float probe;  // distance outside (px) at which the own mask means an inner contour
 
 void main() {
   Capsule c = capsuleAt(gl_FragCoord.xy - vec2(toAtlas));
-  if (c.distance >= c.halfWidth + 0.5)
+  int sight = sightAt(c);
+  if (c.distance >= c.halfWidth + 0.5 || !inSight(sight))
     discard;
-  vec2 outward = outwardAt(c.t);
-  float wide;
-  if (!contourVisible(c, outward, wide))
-    discard;
-  float inner = lineDepths.w - 1.0;  // share that remains within the surface's own mask
+  float inner = lineDepths.z - 1.0;  // share that remains within the surface's own mask
   if (inner < 1.0) {
-    bool within = depthAt(c.on + (wide + probe) * outward) < 1.0 ||
-        (depthAt(c.pixel) < 1.0 && length(c.pixel - c.place) > surfaceStep);
-    if (within) {
+    vec2 place = mix(drawnEnds.xy, drawnEnds.zw, c.t);
+    if ((sight & 0x10000) != 0 ||
+        (depthAt(c.pixel) < 1.0 && length(c.pixel - place) > surfaceStep)) {
       // Thinner strokes keep one pixel and lose opacity instead.
       float thin = c.halfWidth * inner;
       c.opacity *= min(1.0, thin * 2.0);
       c.halfWidth = max(thin, 0.5);
-      c.distance = length(c.pixel - c.place - outward * (c.halfWidth - 0.5));
+      c.distance = length(c.pixel - place - outwardAt(c.t) * (c.halfWidth - 0.5));
     }
   }
   float coverage = coverageOf(c, 1.0);
@@ -38,5 +35,5 @@ void main() {
   // A neighbour that touches the surface along its contour lies as deep as the line, and by a hair
   // in front of it on the line's outer side: within the tolerance for its own surface, it hides
   // nothing.
-  gl_FragDepth = clamp(c.depth - lineLifts.x, 0.0, c.depth);
+  gl_FragDepth = clamp(c.depth - lineDepths.w, 0.0, c.depth);
 }

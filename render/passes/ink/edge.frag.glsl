@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws the soft edges of a fill, in its own colour.
 #include "capsule.glsl"
-#include "contour_visibility.glsl"
+#include "outside.glsl"
 #include "phong.glsl"
 uniform vec4 paint;  // the fill's colour and opacity
 uniform vec3 key;    // towards the key light, x and y in the picture; 0: there is none
 
 void main() {
   Capsule c = capsuleAt(gl_FragCoord.xy - vec2(toAtlas));
-  if (c.distance >= c.halfWidth + 0.5)
-    discard;
-  vec2 outward = outwardAt(c.t);
-  float wide;
-  if (!contourVisible(c, outward, wide))
+  if (c.distance >= c.halfWidth + 0.5 || !inSight(sightAt(c)))
     discard;
   float coverage = coverageOf(c, 1.0);
   // The rasteriser's own pixels are already covered; only the fringe outside remains.
@@ -21,7 +17,7 @@ void main() {
   coverage *= paint.a;
   // At its contour a surface's normal lies in the picture, across the line.
   vec3 shaded = key != vec3(0.0)
-      ? phongWithKey(paint.rgb, 0.1, dot(outward, key.xy) + 0.1 * key.z, 0.0)
+      ? phongWithKey(paint.rgb, 0.1, dot(outwardAt(c.t), key.xy) + 0.1 * key.z, 0.0)
       : phong(paint.rgb, 0.1);
   fragment = vec4(min(shaded, 1.0) * coverage, coverage);
   gl_FragDepth = c.depth;

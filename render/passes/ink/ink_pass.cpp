@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/passes/ink/ink_pass.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -10,32 +11,41 @@ namespace sline::render::passes {
 
 namespace {
 
+/// Tells whether strokes of that kind go to the fills' target.
+bool changesFills(InkKind kind) {
+  return kind == InkKind::edges || kind == InkKind::trims;
+}
+
+bool isOutline(InkKind kind) {
+  return kind == InkKind::contours || kind == InkKind::hidden;
+}
+
 gpu::ProgramRecipe inkRecipe(InkKind kind) {
   using gpu::UniformType;
-  gpu::ProgramRecipe recipe{.name = "lines on surfaces",
-                            .vertexFile = "ink.vert.glsl",
-                            .fragmentFile = "surface_line.frag.glsl",
-                            .uniforms = {{"layer", UniformType::vec4},
-                                         {"surfaceDepth", UniformType::texture},
-                                         {"surfaceStep", UniformType::real},
-                                         {"slot", UniformType::ivec4},
-                                         {"toAtlas", UniformType::ivec2},
-                                         {"projection", UniformType::vec4}}};
-  if (kind == InkKind::surfaceLines)
-    return recipe;
+  gpu::ProgramRecipe recipe{
+      .name = "lines on surfaces",
+      .vertexFile = "ink.vert.glsl",
+      .fragmentFile = "surface_line.frag.glsl",
+      .uniforms = {{"layer", UniformType::vec4}, {"toAtlas", UniformType::ivec2}}};
+  if (kind != InkKind::surfaceLines) {
+    recipe.uniforms.push_back({"surfaceDepth", UniformType::texture});
+    recipe.uniforms.push_back({"surfaceStep", UniformType::real});
+    recipe.uniforms.push_back({"slot", UniformType::ivec4});
+  }
   if (kind == InkKind::trims) {
     recipe.name = "trims of fills";
     recipe.vertexFile = "trim.vert.glsl";
     recipe.fragmentFile = "trim.frag.glsl";
-    recipe.uniforms.pop_back();
     return recipe;
   }
-  recipe.uniforms.push_back({"reach", UniformType::vec2});
-  recipe.uniforms.push_back({"sheet", UniformType::real});
-  if (kind == InkKind::contours || kind == InkKind::hidden) {
+  recipe.uniforms.push_back({"sights", UniformType::intTexture});
+  recipe.uniforms.push_back({"first", UniformType::integer});
+  if (kind == InkKind::surfaceLines)
+    return recipe;
+  if (isOutline(kind)) {
     recipe.name = kind == InkKind::contours ? "contours" : "hidden outlines";
     recipe.fragmentFile = "contour.frag.glsl";
-    recipe.uniforms.push_back({"probe", UniformType::real});
+    recipe.uniforms.push_back({"projection", UniformType::vec4});
     recipe.uniforms.push_back({"channel", UniformType::vec2});
   } else if (kind == InkKind::halos) {
     recipe.name = "halos";
@@ -52,7 +62,7 @@ gpu::ProgramRecipe inkRecipe(InkKind kind) {
 /// Returns the same program on rough paper; nothing for what is no ink. It is another, as software
 /// rasterisers work out the paper even where it is smooth.
 std::optional<gpu::ProgramRecipe> grainedRecipe(InkKind kind) {
-  if (kind == InkKind::halos || kind == InkKind::edges || kind == InkKind::trims)
+  if (kind == InkKind::halos || changesFills(kind))
     return std::nullopt;
   gpu::ProgramRecipe recipe = inkRecipe(kind);
   recipe.fragmentFile = kind == InkKind::surfaceLines ? "surface_line_grained.frag.glsl"
@@ -64,38 +74,16 @@ std::optional<gpu::ProgramRecipe> grainedRecipe(InkKind kind) {
 // The stored value of hidden ink that covers all; more means a halo (resolve.frag.glsl).
 constexpr float hiddenCoverage = 0.5f;
 
-/// A stroke as the shaders read it.
-struct InkVertex {
-  glm::vec2 a;
-  glm::vec2 b;
-  float depthA;
-  float depthB;
-  float tolerance;
-  /// 0: a line on the surface; 1 … 2: a contour, 1 + the share of it that remains within the
-  /// surface's own mask; below 0: hatching, minus the pixels over which its edge fades.
-  float kind;
-  glm::vec2 outwardA;
-  glm::vec2 outwardB;
-  glm::vec2 moveA;
-  glm::vec2 moveB;
-  float halfWidthA;
-  float halfWidthB;
-  float opacityA;
-  float opacityB;
-  float capA;
-  float capB;
-};
-
-float kindOf(const Stroke& stroke) {
-  switch (stroke.kind) {
-    case StrokeKind::contour:
-      return 1.0f + stroke.innerShare;
-    case StrokeKind::hatching:
-      return -stroke.softness;
-    case StrokeKind::surfaceLine:
-      break;
-  }
-  return 0.0f;
+gpu::ProgramRecipe sightRecipe() {
+  using gpu::UniformType;
+  return {.name = "lines in sight",
+          .vertexFile = "hatching_search.vert.glsl",
+          .fragmentFile = "sight.frag.glsl",
+          .uniforms = {{"strokes", UniformType::texture},
+                       {"looks", UniformType::texture},
+                       {"surfaceDepth", UniformType::texture},
+                       {"surfaceStep", UniformType::real},
+                       {"projection", UniformType::vec4}}};
 }
 
 gpu::Blend blendOf(InkKind kind) {
@@ -122,7 +110,7 @@ std::vector<gpu::Stream> streams(const gpu::Buffer& buffer) {
                           {2, 4, AttributeType::float32, offsetof(InkVertex, outwardA)},
                           {3, 4, AttributeType::float32, offsetof(InkVertex, halfWidthA)},
                           {4, 4, AttributeType::float32, offsetof(InkVertex, moveA)},
-                          {5, 2, AttributeType::float32, offsetof(InkVertex, capA)}},
+                          {5, 3, AttributeType::float32, offsetof(InkVertex, capA)}},
            .perInstance = true}};
 }
 
@@ -130,10 +118,15 @@ std::vector<gpu::Stream> streams(const gpu::Buffer& buffer) {
 
 InkPass::InkPass()
     : m_segments(gpu::BufferKind::vertices, "ink segments"),
-      m_geometry(streams(m_segments), nullptr, "ink") {}
+      m_geometry(streams(m_segments), nullptr, "ink"),
+      m_rectangle({}, nullptr, "rectangle") {}
 
 Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
   std::unique_ptr<InkPass> pass(new InkPass);
+  auto sight = gpu::Program::create(shaderFiles(), dialect, sightRecipe());
+  if (!sight)
+    return sight.error();
+  pass->m_sight = std::move(*sight);
   for (std::size_t i = 0; i < inkKindCount; ++i) {
     const auto kind = InkKind(i);
     auto program = gpu::Program::create(shaderFiles(), dialect, inkRecipe(kind));
@@ -150,38 +143,106 @@ Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
   return pass;
 }
 
-void InkPass::upload(std::span<const Stroke> strokes) {
-  std::vector<InkVertex> vertices;
-  vertices.reserve(strokes.size());
-  for (const Stroke& s : strokes)
-    vertices.push_back({s.a, s.b, s.depthA, s.depthB, s.tolerance, kindOf(s), s.outwardA,
-                        s.outwardB, s.moveA, s.moveB, s.halfWidthA, s.halfWidthB, s.opacityA,
-                        s.opacityB, s.capA, s.capB});
-  m_segments.stream(std::as_bytes(std::span(vertices)));
+Status InkPass::draw(gpu::Device& device, const InkTargets& targets,
+                     const gpu::Texture& surfaceDepth, std::span<const InkDraw> draws) {
+  gpu::DrawQueue queue;
+  m_batch.clear();
+  for (const InkDraw& draw : draws)
+    for (const Stroke& stroke : draw.strokes) {
+      const int pieces = inkPieces(stroke);
+      for (int piece = 0; piece < pieces; ++piece) {
+        if (m_batch.full()) {
+          if (Status s = drawBatch(device, targets, surfaceDepth, queue); !s)
+            return s;
+          m_batch.clear();
+        }
+        m_batch.add(draw, pieces == 1 ? stroke : inkPiece(stroke, piece, pieces));
+      }
+    }
+  return drawBatch(device, targets, surfaceDepth, queue);
 }
 
-void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Texture& surfaceDepth,
-                   const InkDraw& draw) {
-  if (draw.count == 0)
-    return;
+Status InkPass::drawBatch(gpu::Device& device, const InkTargets& targets,
+                          const gpu::Texture& surfaceDepth, gpu::DrawQueue& queue) {
+  if (m_batch.empty())
+    return Unit{};
+  m_segments.stream(std::as_bytes(m_batch.vertices()));
+  const auto strokes = m_batch.strokeTexels();
+  const auto looks = m_batch.lookTexels();
+  if (Status s = makeRoom(InkBatch::rowsOf(strokes), InkBatch::rowsOf(looks)); !s)
+    return s;
+  m_strokes->upload(std::as_bytes(strokes), InkBatch::rowsOf(strokes));
+  m_looks->upload(std::as_bytes(looks), InkBatch::rowsOf(looks));
+  findSights(device, surfaceDepth, queue);
+  for (InkBatch::Run run : m_batch.runs()) {
+    const std::size_t end = run.first + run.count;
+    for (; run.first < end; run.first += run.count) {
+      run.count = std::min(end - run.first, gpu::DrawQueue::mostStrokes);
+      drawRun(device, targets, surfaceDepth, run);
+      queue.addStrokes(run.count);
+    }
+  }
+  return Unit{};
+}
+
+Status InkPass::makeRoom(int strokeRows, int lookRows) {
+  const auto grown = [](int rows) { return std::min(rows + rows / 2, InkBatch::mostRows); };
+  if (!m_looks || m_looks->size().height < lookRows)
+    m_looks = std::make_unique<gpu::Texture>(gpu::TextureFormat::rgba32f,
+                                             gpu::TextureSize{InkBatch::rowTexels, grown(lookRows)},
+                                             "looks of lines");
+  if (m_strokes && m_strokes->size().height >= strokeRows)
+    return Unit{};
+  const int rows = grown(strokeRows);
+  m_sightTarget.reset();
+  m_strokes = std::make_unique<gpu::Texture>(
+      gpu::TextureFormat::rgba32f, gpu::TextureSize{InkBatch::rowTexels, rows}, "strokes");
+  m_sights = std::make_unique<gpu::Texture>(
+      gpu::TextureFormat::r32i, gpu::TextureSize{InkBatch::perRow, rows}, "lines in sight");
+  auto target = gpu::Target::create({{m_sights.get()}, nullptr}, "lines in sight");
+  if (!target)
+    return target.error();
+  m_sightTarget = std::move(*target);
+  return Unit{};
+}
+
+void InkPass::findSights(gpu::Device& device, const gpu::Texture& surfaceDepth,
+                         gpu::DrawQueue& queue) {
+  constexpr int rowsAtOnce = 128;
+  m_sight->set("strokes", *m_strokes);
+  m_sight->set("looks", *m_looks);
+  m_sight->set("surfaceDepth", surfaceDepth);
+  m_sight->set("surfaceStep", float(m_batch.runs().front().draw->surfaceStep));
+  m_sight->set("projection", m_batch.runs().front().draw->projection);
+  const int rows = InkBatch::rowsOf(m_batch.strokeTexels());
+  for (int row = 0; row < rows; row += rowsAtOnce) {
+    const PixelRect here{0, row, InkBatch::perRow, std::min(rowsAtOnce, rows - row)};
+    device.quads({*m_sightTarget, *m_sight, m_rectangle, {.viewport = here, .scissor = here}}, 1);
+    queue.addSights(std::size_t(here.width) * std::size_t(here.height));
+  }
+}
+
+void InkPass::drawRun(gpu::Device& device, const InkTargets& targets,
+                      const gpu::Texture& surfaceDepth, const InkBatch::Run& run) {
+  const InkDraw& draw = *run.draw;
   const bool grained = draw.grain > 0.0f && m_grained[std::size_t(draw.kind)];
   gpu::Program& program = *(grained ? m_grained : m_programs)[std::size_t(draw.kind)];
   program.set("layer", glm::vec4(float(draw.layer.x), float(draw.layer.y), float(draw.layer.width),
                                  float(draw.layer.height)));
-  program.set("surfaceDepth", surfaceDepth);
-  program.set("surfaceStep", float(draw.surfaceStep));
-  program.set("slot",
-              glm::ivec4(draw.slot.x, draw.slot.y, draw.slot.right() - 1, draw.slot.top() - 1));
   program.set("toAtlas", glm::ivec2(draw.slot.x - draw.layer.x, draw.slot.y - draw.layer.y));
-  if (draw.kind != InkKind::trims)
-    program.set("projection", draw.projection);
-  if (draw.kind != InkKind::surfaceLines && draw.kind != InkKind::trims) {
-    program.set("reach", draw.reach);
-    program.set("sheet", draw.sheet);
+  const bool trims = draw.kind == InkKind::trims;
+  if (!trims) {
+    program.set("sights", *m_sights);
+    program.set("first", int(run.first));
   }
-  const bool outlines = draw.kind == InkKind::contours || draw.kind == InkKind::hidden;
-  if (outlines) {
-    program.set("probe", draw.probe);
+  if (draw.kind != InkKind::surfaceLines) {
+    program.set("surfaceDepth", surfaceDepth);
+    program.set("surfaceStep", float(draw.surfaceStep));
+    program.set("slot",
+                glm::ivec4(draw.slot.x, draw.slot.y, draw.slot.right() - 1, draw.slot.top() - 1));
+  }
+  if (isOutline(draw.kind)) {
+    program.set("projection", draw.projection);
     program.set("channel", draw.kind == InkKind::contours ? glm::vec2(1.0f, 0.0f)
                                                           : glm::vec2(0.0f, hiddenCoverage));
   }
@@ -191,16 +252,16 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
     program.set("paint", draw.paint);
     program.set("key", draw.key);
   }
-  m_geometry.startInstancesAt(draw.first);
+  m_geometry.startInstancesAt(run.first);
   // Segments come farthest first, so the depth that remains is the nearest line's although every
   // coverage counts.
-  const bool trims = draw.kind == InkKind::trims;
   const gpu::DrawState state{.viewport = draw.slot,
                              .scissor = draw.slot,
                              .depth = trims ? gpu::DepthTest::off : gpu::DepthTest::always,
                              .writeDepth = !trims && draw.kind != InkKind::hidden,
                              .blend = blendOf(draw.kind)};
-  device.quads({target, program, m_geometry, state}, draw.count);
+  device.quads({changesFills(draw.kind) ? targets.fills : targets.ink, program, m_geometry, state},
+               run.count);
 }
 
 }  // namespace sline::render::passes

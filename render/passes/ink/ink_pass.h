@@ -1,58 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws lines into their layer's ink as capsules with analytic anti-aliasing. Coverages join by
 // maximum, so joints never darken twice. The same capsules, in the fill's colour and laid over it,
-// soften the edges of fills that have lost their lines (Γ > 4).
+// soften the edges of fills that have lost their lines (Γ > 4). What the structure's own surface
+// hides is found before, once for all pixels across a stroke.
 #pragma once
 
 #include <array>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <memory>
 
 #include "render/gpu/device.h"
-#include "render/strokes/stroke.h"
+#include "render/gpu/draw_queue.h"
+#include "render/passes/ink/ink_batch.h"
 
 namespace sline::render::passes {
 
-/// Tells what strokes draw: ink, the soft edges of a fill along its contours, outlines that show
-/// through what lies before them, where lines behind an outline stop, or where a fill ends that was
-/// enlarged.
-enum class InkKind { surfaceLines, contours, edges, hidden, halos, trims };
-inline constexpr std::size_t inkKindCount = 6;
-
-struct InkDraw {
-  InkKind kind = InkKind::surfaceLines;  ///< that of all its strokes
-  std::size_t first = 0;                 ///< index in the strokes last uploaded, farthest first
-  std::size_t count = 0;
-  PixelRect layer;  ///< as in SurfaceDraw
-  PixelRect slot;
-  int surfaceStep = 1;         ///< pixels of the layer for one of its surface's depth, each way
-  glm::vec4 projection{0.0f};  ///< projection matrix [2][2], [3][2], [2][3], [3][3]
-  float probe = 3.0f;  ///< px outside a contour at which its own mask makes it an inner contour
-  glm::vec2 reach{1.0f, 4.0f};  ///< px outside a contour at which the surface has fallen away
-  glm::vec4 paint{0.0f};        ///< a fill's colour and opacity, for edges
-  glm::vec3 key{0.0f};     ///< the surfaces' key light in the camera's frame, for edges; 0: none
-  float grain = 0.0f;      ///< of a pencil on paper, 0 … 1, for ink
-  float grainSize = 1.0f;  ///< px
-  float sheet = 0.0f;  ///< mm in front of a contour within which its own sheet may lie (see .glsl)
+/// Where strokes go: fills with their layers' depth, for edges, and ink with it, for all others.
+struct InkTargets {
+  const gpu::Target& fills;
+  const gpu::Target& ink;
 };
 
 class InkPass {
  public:
   static Result<std::unique_ptr<InkPass>> create(gpu::Dialect dialect);
-  void upload(std::span<const Stroke> strokes);
-  /// Draws the ink coverage (or fills, for edges) and the layer's depth into the target. The
-  /// structure's own surface, given by `surfaceDepth`, hides lines.
-  void draw(gpu::Device& device, const gpu::Target& target, const gpu::Texture& surfaceDepth,
-            const InkDraw& draw);
+  /// Draws the ink coverage (or fills, for edges) and the layers' depths into the targets, one draw
+  /// after the other. The structures' own surfaces, given by `surfaceDepth`, hide lines. Drivers
+  /// work best if all edges come first.
+  Status draw(gpu::Device& device, const InkTargets& targets, const gpu::Texture& surfaceDepth,
+              std::span<const InkDraw> draws);
 
  private:
   InkPass();
+  Status drawBatch(gpu::Device& device, const InkTargets& targets, const gpu::Texture& surfaceDepth,
+                   gpu::DrawQueue& queue);
+  Status makeRoom(int strokeRows, int lookRows);
+  void findSights(gpu::Device& device, const gpu::Texture& surfaceDepth, gpu::DrawQueue& queue);
+  void drawRun(gpu::Device& device, const InkTargets& targets, const gpu::Texture& surfaceDepth,
+               const InkBatch::Run& run);
+
   std::array<std::unique_ptr<gpu::Program>, inkKindCount> m_programs;  ///< by InkKind
   std::array<std::unique_ptr<gpu::Program>, inkKindCount> m_grained;   ///< null without grain
+  std::unique_ptr<gpu::Program> m_sight;
+  InkBatch m_batch;
   gpu::Buffer m_segments;
   gpu::Geometry m_geometry;
+  gpu::Geometry m_rectangle;
+  std::unique_ptr<gpu::Texture> m_strokes;
+  std::unique_ptr<gpu::Texture> m_looks;
+  std::unique_ptr<gpu::Texture> m_sights;
+  std::unique_ptr<gpu::Target> m_sightTarget;
 };
 
 }  // namespace sline::render::passes

@@ -5,19 +5,11 @@
 #include "grain.glsl"
 #endif
 
-bool surfaceLineVisible(Capsule c) {
-  vec2 corner = c.on - 0.5 * surfaceStep;
-  vec2 next = vec2(surfaceStep, 0.0);
-  float behind = max(max(depthAt(corner), depthAt(corner + next.xy)),
-                     max(depthAt(corner + next.yx), depthAt(corner + next.xx)));
-  return inSight(c, behind);
-}
-
 void main() {
   Capsule c = capsuleAt(gl_FragCoord.xy - vec2(toAtlas));
-  if (c.distance >= c.halfWidth + 0.5 || !surfaceLineVisible(c))
+  if (c.distance >= c.halfWidth + 0.5 || !inSight(sightAt(c)))
     discard;
-  float coverage = coverageOf(c, lineDepths.w < 0.0 ? -lineDepths.w : 1.0);
+  float coverage = coverageOf(c, lineDepths.z < 0.0 ? -lineDepths.z : 1.0);
 #ifdef GRAINED
   coverage *= grained(c.pixel);
 #endif

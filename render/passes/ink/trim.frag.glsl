@@ -3,18 +3,14 @@
 in vec4 outside;
 in float away;
 
-uniform sampler2D surfaceDepth;
-uniform float surfaceStep;
+#include "surface_depth.glsl"
 uniform ivec4 slot;
 uniform ivec2 toAtlas;
 
 out vec4 fragment;
 
 bool surfaceAt(vec2 pixel) {
-  ivec2 texel = ivec2(floor(pixel)) + toAtlas;
-  if (any(lessThan(texel, slot.xy)) || any(greaterThan(texel, slot.zw)))
-    return false;
-  return texelFetch(surfaceDepth, ivec2((vec2(texel) + 0.5) / surfaceStep), 0).r < 1.0;
+  return surfaceDepthAt(pixel, Slot(slot, toAtlas)) < 1.0;
 }
 
 void main() {

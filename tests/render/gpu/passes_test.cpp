@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the resolve pass with a reference on the CPU that sorts every pixel's layers.
+// Compares the resolve pass with a reference on the CPU that sorts every pixel's layers, and the
+// ink pass with the capsules that it is to draw.
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -7,6 +8,7 @@
 
 #include "render/gpu/headless/context.h"
 #include "render/passes/hatching/hatching_pass.h"
+#include "render/passes/ink/ink_batch.h"
 #include "render/passes/ink/ink_pass.h"
 #include "render/passes/plain_phong/plain_phong_pass.h"
 #include "render/passes/resolve/resolve_pass.h"
@@ -119,10 +121,17 @@ class PassesTest : public QObject {
   void jointsDoNotDarken();
   void bendsStayClosed_data();
   void bendsStayClosed();
+  void longStrokesAreOneCapsule();
+  void linesEndWhereTheirSurfaceHidesThem_data();
+  void linesEndWhereTheirSurfaceHidesThem();
+  void moreStrokesThanABatchHolds();
 
  private:
   std::vector<std::uint8_t> resolved(const Case& c, const glm::vec4& background);
-  std::vector<int> inked(std::span<const Stroke> segments);
+  /// Returns the ink's coverage, 0 … 255, where something nearer lies in the rectangle.
+  std::vector<int> inked(std::span<const Stroke> segments,
+                         passes::InkKind kind = passes::InkKind::surfaceLines,
+                         const PixelRect& nearer = {});
   std::unique_ptr<gpu::HeadlessContext> m_context;
   std::unique_ptr<gpu::Device> m_device;
 };
@@ -221,7 +230,8 @@ void PassesTest::resolvesLikeTheReference() {
     }
 }
 
-std::vector<int> PassesTest::inked(std::span<const Stroke> segments) {
+std::vector<int> PassesTest::inked(std::span<const Stroke> segments, passes::InkKind kind,
+                                   const PixelRect& nearer) {
   const gpu::TextureSize size{64, 64};
   gpu::Texture ink(gpu::TextureFormat::rg8, size, "ink");
   gpu::Texture layerDepths(gpu::TextureFormat::depth32f, size, "layer");
@@ -231,12 +241,16 @@ std::vector<int> PassesTest::inked(std::span<const Stroke> segments) {
   m_device->clear(*target, {.colour = glm::vec4(0.0f), .depth = 1.0f});
   m_device->clear(*surface, {.depth = 1.0f});
   auto pass = std::move(passes::InkPass::create(m_device->dialect()).value());
-  pass->upload(segments);
-  pass->draw(*m_device, *target, surfaceDepths,
-             {.count = segments.size(),
-              .layer = {0, 0, 64, 64},
-              .slot = {0, 0, 64, 64},
-              .projection = {-1.0f, 0.0f, 0.0f, 1.0f}});
+  if (!nearer.empty())
+    m_device->clear(*surface, {.depth = 0.3f, .area = nearer});
+  const passes::InkDraw draw{.kind = kind,
+                             .strokes = segments,
+                             .layer = {0, 0, 64, 64},
+                             .slot = {0, 0, 64, 64},
+                             .projection = {-1.0f, 0.0f, 0.0f, 1.0f}};
+  const Status drawn = pass->draw(*m_device, {*target, *target}, surfaceDepths, {&draw, 1});
+  if (!drawn)
+    qFatal("%s", drawn.error().text().c_str());
   std::vector<std::uint8_t> rgba(4 * 64 * 64);
   m_device->read(*target, {0, 0, 64, 64}, std::as_writable_bytes(std::span(rgba)));
   std::vector<int> coverage;
@@ -341,6 +355,103 @@ void PassesTest::bendsStayClosed() {
   QVERIFY(std::ranges::count(one, 255) > 30);
   for (std::size_t i = 0; i < one.size(); ++i)
     QVERIFY(std::abs(one[i] - other[i]) <= 2);
+}
+
+void PassesTest::longStrokesAreOneCapsule() {
+  // So long that sight is found in several pieces, and with everything that varies along it.
+  const Stroke s{.a = {6.3f, 8.1f},
+                 .b = {57.2f, 51.4f},
+                 .depthA = 0.5f,
+                 .depthB = 0.6f,
+                 .kind = StrokeKind::contour,
+                 .moveA = {0.5f, -1.0f},
+                 .moveB = {-2.0f, 1.5f},
+                 .outwardA = {0.0f, 1.0f},
+                 .outwardB = {-1.0f, 0.0f},
+                 .halfWidthA = 0.7f,
+                 .halfWidthB = 4.0f,
+                 .opacityA = 0.9f,
+                 .opacityB = 0.4f};
+  QVERIFY(passes::inkPieces(s) > 3);
+  const std::vector<int> coverage = inked({&s, 1}, passes::InkKind::contours);
+  const glm::vec2 a = s.a + s.moveA + (s.halfWidthA - 0.5f) * s.outwardA;
+  const glm::vec2 b = s.b + s.moveB + (s.halfWidthB - 0.5f) * s.outwardB;
+  for (int i = 0; i < 64 * 64; ++i) {
+    const glm::vec2 pixel(float(i % 64) + 0.5f, float(i / 64) + 0.5f);
+    const float t = std::clamp(glm::dot(pixel - a, b - a) / glm::dot(b - a, b - a), 0.0f, 1.0f);
+    const float away = glm::distance(pixel, glm::mix(a, b, t));
+    const float expected =
+        255.0f * glm::mix(s.opacityA, s.opacityB, t) *
+        std::clamp(glm::mix(s.halfWidthA, s.halfWidthB, t) - away + 0.5f, 0.0f, 1.0f);
+    QVERIFY2(std::abs(float(coverage[std::size_t(i)]) - expected) < 4.0f,
+             qPrintable(QString("(%1, %2): %3 for %4")
+                            .arg(i % 64)
+                            .arg(i / 64)
+                            .arg(coverage[std::size_t(i)])
+                            .arg(expected)));
+  }
+}
+
+void PassesTest::linesEndWhereTheirSurfaceHidesThem_data() {
+  QTest::addColumn<int>("kind");
+  QTest::addColumn<float>("piece");
+  for (const float piece : {44.0f, 11.0f, 2.75f, 0.5f}) {
+    QTest::addRow("lines on the surface, %g px", double(piece))
+        << int(passes::InkKind::surfaceLines) << piece;
+    QTest::addRow("contours, %g px", double(piece)) << int(passes::InkKind::contours) << piece;
+  }
+}
+
+void PassesTest::linesEndWhereTheirSurfaceHidesThem() {
+  QFETCH(int, kind);
+  QFETCH(float, piece);
+  std::vector<Stroke> line;
+  for (float x = 10.0f; x < 53.9f; x += piece)
+    line.push_back({.a = {x, 32.5f},
+                    .b = {x + piece, 32.5f},
+                    .depthA = 0.5f,
+                    .depthB = 0.5f,
+                    .kind = kind == int(passes::InkKind::surfaceLines) ? StrokeKind::surfaceLine
+                                                                       : StrokeKind::contour,
+                    .outwardA = {0.0f, 1.0f},
+                    .outwardB = {0.0f, 1.0f},
+                    .halfWidthA = 1.5f,
+                    .halfWidthB = 1.5f,
+                    .capA = 0.25f,
+                    .capB = 0.25f});
+  const auto at = [&](const std::vector<int>& coverage, int x) {
+    return coverage[33 * 64 + std::size_t(x)];
+  };
+  const auto inkKind = passes::InkKind(kind);
+  const auto all = inked(line, inkKind);
+  const auto some = inked(line, inkKind, {30, 0, 17, 64});
+  for (int x = 12; x < 52; ++x) {
+    QCOMPARE(at(all, x), 255);
+    // The surface itself ends at whole pixels, and sight is found a pixel apart.
+    if (x < 29 || x > 47)
+      QCOMPARE(at(some, x), 255);
+    if (x > 30 && x < 46)
+      QCOMPARE(at(some, x), 0);
+  }
+}
+
+void PassesTest::moreStrokesThanABatchHolds() {
+  const auto dot = [](float x) {
+    return Stroke{.a = {x, 32.0f},
+                  .b = {x + 2.0f, 32.0f},
+                  .depthA = 0.5f,
+                  .depthB = 0.5f,
+                  .halfWidthA = 2.0f,
+                  .halfWidthB = 2.0f};
+  };
+  constexpr std::size_t most =
+      std::size_t(passes::InkBatch::perRow) * std::size_t(passes::InkBatch::mostRows);
+  std::vector<Stroke> strokes(most, dot(20.0f));
+  strokes.push_back(dot(40.0f));
+  const std::vector<int> coverage = inked(strokes);
+  QCOMPARE(coverage[32 * 64 + 21], 255);
+  QCOMPARE(coverage[32 * 64 + 41], 255);
+  QCOMPARE(coverage[32 * 64 + 31], 0);
 }
 
 SLINE_TEST_WITH_EVENTS(PassesTest)
