@@ -70,6 +70,12 @@ struct ClusterArrays {
   }
 };
 
+/// Has the memory fetch a cluster's vertices, which lie about, while another is worked on.
+void fetch(const model::Surface& surface, const model::Cluster& cluster) {
+  for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)
+    __builtin_prefetch(&surface.vertices[surface.clusters.vertices[cluster.firstVertex + i]]);
+}
+
 /// Computes the fields of a cluster by METHOD §3: k = S w + (nv/d)·w. Seen from behind, n and S
 /// change sign and w does not, so k turns. All is written number by number, and without branches,
 /// so that several vertices are computed at once.
@@ -152,17 +158,23 @@ HatchFields::HatchFields(const model::Surface& surface, const HatchView& view)
       m_front(surface.clusters.items.size(), 0) {
   const model::Clusters& clusters = surface.clusters;
   const FieldArrays arrays{m_weight.get(), m_angle.get()};
-  for (std::size_t c = 0; c < clusters.items.size(); ++c) {
+  std::vector<std::uint32_t> front;
+  front.reserve(clusters.items.size());
+  for (std::size_t c = 0; c < clusters.items.size(); ++c)
+    if (view.twoSided || model::facing(clusters.items[c], view.eye) != model::Facing::back)
+      front.push_back(std::uint32_t(c));
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    if (i + 1 < front.size())
+      fetch(surface, clusters.items[front[i + 1]]);
+    const std::uint32_t c = front[i];
     const model::Cluster& cluster = clusters.items[c];
-    if (!view.twoSided && model::facing(cluster, view.eye) == model::Facing::back)
-      continue;
     const ClusterArrays in(surface, cluster);
     const ClusterTone tone =
         view.eye.atInfinity ? computeFields<true>(in, cluster, view, surface.filigreeSize, arrays)
                             : computeFields<false>(in, cluster, view, surface.filigreeSize, arrays);
     m_front[c] = tone.front ? 1 : 0;
     if (tone.hatched)
-      m_clusters.push_back(std::uint32_t(c));
+      m_clusters.push_back(c);
   }
 }
 
