@@ -108,8 +108,13 @@ std::string markedParagraphs(const SlideWords& words) {
       plain += run.text;
     }
     const bool right = runsFromRight(plain);
-    const std::string bullet = slideBullet(18.0f * millimetresPerPoint, right ? "r" : "l", right);
-    all += line.bullet ? "<a:p>" + bullet + runs + "</a:p>" : paragraph(runs, right);
+    if (line.bullet) {
+      all += "<a:p>";
+      all += slideBullet(18.0f * millimetresPerPoint, right ? "r" : "l", right);
+      all += runs + "</a:p>";
+    } else {
+      all += paragraph(runs, right);
+    }
   }
   return all.empty() ? "<a:p/>" : all;
 }
@@ -128,6 +133,7 @@ std::string keyParagraphs(const std::vector<SlideKeyLine>& lines) {
 float shareThatFits(const std::vector<std::string>& lines, float points, const glm::vec2& boxMm,
                     int columns) {
   std::vector<float> widths;
+  widths.reserve(lines.size());
   for (const std::string& line : lines)
     widths.push_back(textWidthMm(TextLine(QString::fromStdString(line)), points));
   const float column = boxMm.x / float(columns);

@@ -31,9 +31,11 @@ void fitCamera(render::ExportOrder& order) {
 render::ExportOrder lessonOf(const std::vector<std::string>& labels) {
   render::ExportOrder made;
   const int columns = std::max(1, int(std::ceil(std::sqrt(double(labels.size())))));
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    addBall(made.scene, {30.0f * float(int(i) % columns), 0.0f, -30.0f * float(int(i) / columns)},
-            10.0f, labels[i]);
+  for (int i = 0; i < int(labels.size()); ++i) {
+    const int row = i / columns;
+    addBall(made.scene, {30.0f * float(i % columns), 0.0f, -30.0f * float(row)}, 10.0f,
+            labels[std::size_t(i)]);
+  }
   fitCamera(made);
   made.viewName = "anterior";
   made.page.dpi = 60.0f;
@@ -55,9 +57,7 @@ const std::vector<std::string>& oddNames() {
       "🫀 heart 🧠",
       "حوض عظم الفخذ",
       "עצם הירך & <b>",
-      "a\x01"
-      "b\x0b"
-      "c\x1b[31m\x7f",
+      "a\x01 b\x0b c\x1b[31m\x7f",
       "\xff\xfe broken \xc3",
       "骨盆 — 大腿骨",
       "e\u0301\u0302\u0303\u202e abc \u202c\u200f",
@@ -74,6 +74,7 @@ render::ExportOrder oddLesson(int number) {
   const auto name = [&](int i) { return names[std::size_t(i) % names.size()]; };
   std::vector<std::string> labels;
   const int count = number % 10 == 9 ? 100 : 1 + number % 6;
+  labels.reserve(std::size_t(count));
   for (int i = 0; i < count; ++i)
     labels.push_back(count == 100 ? "label " + std::to_string(i + 1) : name(number + i));
   render::ExportOrder order = lessonOf(labels);

@@ -81,7 +81,8 @@ const std::map<std::string, std::vector<std::string>>& orders() {
 bool takes(std::string place, const std::string& name) {
   if (place.ends_with('*'))
     place.pop_back();
-  return ('|' + place + '|').find('|' + name + '|') != std::string::npos;
+  const QStringList names = QString::fromStdString(place).split(QLatin1Char('|'));
+  return names.contains(QString::fromStdString(name));
 }
 
 /// Tells whether the children are those of the order.
@@ -171,7 +172,8 @@ void OpenedSlides::checkRelations() {
     for (const auto& relation : root(relations).children("Relationship")) {
       const std::string to = resolved(name, relation.attribute("Target").value());
       if (!m_parts.contains(to))
-        m_faults << QString::fromStdString(name + " points to " + to + ", which is absent");
+        m_faults << QStringLiteral("%1 points to %2, which is absent")
+                        .arg(QString::fromStdString(name), QString::fromStdString(to));
       reached.insert(to);
       if (!known.insert(relation.attribute("Id").value()).second)
         m_faults << QString::fromStdString(name + " names a relationship twice");

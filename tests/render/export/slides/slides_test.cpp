@@ -231,8 +231,8 @@ class SlidesTest : public QObject {
             group.select_node("p:sp[p:spPr/a:prstGeom/@prst='ellipse']/p:spPr/a:ln/a:solidFill"));
     }
     // A straight leader follows the text that is moved.
-    for (std::size_t i = 0; i < plate.labels->layout.labels.size(); ++i)
-      glued -= plate.labels->layout.labels[i].leader.size() == 2 ? 1 : 0;
+    for (const render::PlacedLabel& placed : plate.labels->layout.labels)
+      glued -= placed.leader.size() == 2 ? 1 : 0;
     QCOMPARE(glued, 0);
   }
 
