@@ -43,10 +43,27 @@ bool isLine(const glm::vec2& from, const Cubic& piece) {
   return piece.control1 == from && piece.control2 == piece.end;
 }
 
-/// Tells whether the path is one straight line.
-bool isOneLine(const Path& path) {
-  return path.size() == 1 && !path[0].closed && path[0].pieces.size() == 1 &&
-         isLine(path[0].start, path[0].pieces[0]);
+/// Returns the points of a path of straight lines that is not closed, without those on the way
+/// between their neighbours; nothing for another path.
+std::vector<glm::vec2> pointsOf(const LetteringShape& shape) {
+  if (shape.fill || shape.path.size() != 1 || shape.path[0].closed)
+    return {};
+  std::vector<glm::vec2> points{shape.path[0].start};
+  glm::vec2 from = points.front();
+  for (const Cubic& piece : shape.path[0].pieces) {
+    if (!isLine(from, piece))
+      return {};
+    if (points.size() > 1) {
+      const glm::vec2 before = points[points.size() - 2];
+      const glm::vec2 way = piece.end - before;
+      const glm::vec2 off = points.back() - before;
+      if (std::abs(way.x * off.y - way.y * off.x) < touching * glm::length(way))
+        points.pop_back();
+    }
+    points.push_back(piece.end);
+    from = piece.end;
+  }
+  return points;
 }
 
 /// Returns the radius of the corners if the path is what `roundedBox` makes; else nothing.
@@ -213,21 +230,28 @@ void SlideShapes::extend(const SlideBox& box) {
   m_high = glm::max(m_high, box.at + box.size);
 }
 
-std::string SlideShapes::connector(const LetteringShape& shape, const Text* text) {
-  const glm::vec2 from = onSlide(shape.path[0].start);
-  const glm::vec2 end = shape.path[0].pieces[0].end;
-  const glm::vec2 to = onSlide(end);
-  const SlideBox box{glm::min(from, to), glm::abs(to - from)};
-  extend(box);
-  const std::optional<int> site = text ? text->siteAt(end) : std::nullopt;
-  const std::string glued = site ? "<a:endCxn id=\"" + std::to_string(text->id) + "\" idx=\"" +
-                                       std::to_string(*site) + "\"/>"
-                                 : std::string();
-  return "<p:cxnSp><p:nvCxnSpPr><p:cNvPr " + named("Line") + "/><p:cNvCxnSpPr>" + glued +
-         "</p:cNvCxnSpPr><p:nvPr/></p:nvCxnSpPr><p:spPr><a:xfrm" +
-         (to.x < from.x ? " flipH=\"1\"" : "") + (to.y < from.y ? " flipV=\"1\"" : "") + ">" +
-         slidePlace(box) + "</a:xfrm>" + preset("line") + outline(shape) + glow(shape.halo) +
-         "</p:spPr></p:cxnSp>\n";
+/// A line with a bend is two connectors, of which the one at the text is glued to it. That one has
+/// no halo, which would lie over the other's end.
+std::string SlideShapes::connectors(const LetteringShape& shape,
+                                    const std::vector<glm::vec2>& points, const Text* text) {
+  std::string all;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const glm::vec2 from = onSlide(points[i - 1]);
+    const glm::vec2 to = onSlide(points[i]);
+    const SlideBox box{glm::min(from, to), glm::abs(to - from)};
+    extend(box);
+    const std::optional<int> site =
+        text && i + 1 == points.size() ? text->siteAt(points[i]) : std::nullopt;
+    const std::string glued = site ? "<a:endCxn id=\"" + std::to_string(text->id) + "\" idx=\"" +
+                                         std::to_string(*site) + "\"/>"
+                                   : std::string();
+    all += "<p:cxnSp><p:nvCxnSpPr><p:cNvPr " + named("Line") + "/><p:cNvCxnSpPr>" + glued +
+           "</p:cNvCxnSpPr><p:nvPr/></p:nvCxnSpPr><p:spPr><a:xfrm" +
+           (to.x < from.x ? " flipH=\"1\"" : "") + (to.y < from.y ? " flipV=\"1\"" : "") + ">" +
+           slidePlace(box) + "</a:xfrm>" + preset("line") + outline(shape) +
+           glow(i == 1 ? shape.halo : 0.0f) + "</p:spPr></p:cxnSp>\n";
+  }
+  return all;
 }
 
 std::string SlideShapes::drawn(const LetteringShape& shape, const Text* text) {
@@ -330,11 +354,11 @@ std::string SlideShapes::label(const SlideLabel& label, int* id) {
   std::string inside;
   for (const LetteringShape& each : item.shapes) {
     const Text* const own = text ? &*text : nullptr;
-    const bool line = !each.fill && each.path.size() == 1 && !each.path[0].pieces.empty();
-    if (text && line)
-      text->reach(each.path[0].pieces.back().end);
-    if (isOneLine(each.path) && !each.fill)
-      inside += connector(each, own);
+    const std::vector<glm::vec2> points = pointsOf(each);
+    if (text && points.size() > 1)
+      text->reach(points.back());
+    if (points.size() == 2 || points.size() == 3)
+      inside += connectors(each, points, own);
     else
       inside += drawn(each, text && text->drawn && &each == &item.shapes.back() ? own : nullptr);
   }

@@ -28,7 +28,8 @@ class SlideShapes {
  private:
   struct Text;
   static std::string named(int id, const std::string& name);
-  std::string connector(const LetteringShape& shape, const Text* text);
+  std::string connectors(const LetteringShape& shape, const std::vector<glm::vec2>& points,
+                         const Text* text);
   std::string drawn(const LetteringShape& shape, const Text* text);
   std::string textBox(const Text& text, const std::string& name);
   std::string body(const Text& text) const;
