@@ -53,12 +53,14 @@ std::string level(const std::string& element, const std::string& attributes, flo
          "-cs\"/></a:defRPr></a:" + element + ">";
 }
 
+std::string plainLevel() {
+  return level("lvl1pPr", " marL=\"0\" algn=\"l\"", slideTextPoints, "mn");
+}
+
 std::string textStyles() {
-  const std::string otherPoints = " marL=\"0\" algn=\"l\"";
   return "<p:txStyles><p:titleStyle>" + level("lvl1pPr", " algn=\"l\"", slideTitlePoints, "mj") +
-         "</p:titleStyle><p:bodyStyle>" + level("lvl1pPr", otherPoints, slideTextPoints, "mn") +
-         "</p:bodyStyle><p:otherStyle>" + level("lvl1pPr", otherPoints, slideTextPoints, "mn") +
-         "</p:otherStyle></p:txStyles>";
+         "</p:titleStyle><p:bodyStyle>" + plainLevel() + "</p:bodyStyle><p:otherStyle>" +
+         plainLevel() + "</p:otherStyle></p:txStyles>";
 }
 
 struct Place {
@@ -145,6 +147,10 @@ std::string slideLayoutPart(const SlideDeck& deck, SlideLayout layout) {
                    level("lvl1pPr", "", slideListPoints, "mn"));
   return text + "</p:spTree></p:cSld><p:clrMapOvr><a:masterClrMapping/></p:clrMapOvr>" +
          "</p:sldLayout>\n";
+}
+
+std::string defaultTextStyle() {
+  return "<p:defaultTextStyle>" + plainLevel() + "</p:defaultTextStyle>";
 }
 
 std::string notesMasterPart() {

@@ -23,6 +23,8 @@ std::string themePart(const SlideDeck& deck);
 std::string slideMasterPart(const SlideDeck& deck);
 std::string slideLayoutPart(const SlideDeck& deck, SlideLayout layout);
 std::string notesMasterPart();
+/// Returns how text that stands in no placeholder is set: in the theme's font, as labels are.
+std::string defaultTextStyle();
 
 /// The size of a page of notes.
 inline constexpr glm::vec2 notesSizeMm{190.5f, 254.0f};

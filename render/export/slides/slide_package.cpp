@@ -129,13 +129,14 @@ class Package {
              std::to_string(emu(double(mm.y))) + "\"";
     };
     add("ppt/presentation.xml", "presentationml.presentation.main",
-        xmlStart + ("<p:presentation " + std::string(slideNamespaces) +
-                    "><p:sldMasterIdLst><p:sldMasterId id=\"2147483648\" r:id=\"rId1\"/>"
-                    "</p:sldMasterIdLst><p:notesMasterIdLst><p:notesMasterId r:id=\"rId2\"/>"
-                    "</p:notesMasterIdLst><p:sldIdLst>" +
-                    slides + "</p:sldIdLst><p:sldSz" + size(slideSizeMm(m_deck.shape)) +
-                    (m_deck.shape == SlideShape::standard ? " type=\"screen4x3\"" : "") +
-                    "/><p:notesSz" + size(notesSizeMm) + "/></p:presentation>\n"),
+        xmlStart +
+            ("<p:presentation " + std::string(slideNamespaces) +
+             "><p:sldMasterIdLst><p:sldMasterId id=\"2147483648\" r:id=\"rId1\"/>"
+             "</p:sldMasterIdLst><p:notesMasterIdLst><p:notesMasterId r:id=\"rId2\"/>"
+             "</p:notesMasterIdLst><p:sldIdLst>" +
+             slides + "</p:sldIdLst><p:sldSz" + size(slideSizeMm(m_deck.shape)) +
+             (m_deck.shape == SlideShape::standard ? " type=\"screen4x3\"" : "") + "/><p:notesSz" +
+             size(notesSizeMm) + "/>" + defaultTextStyle() + "</p:presentation>\n"),
         relations);
   }
 
