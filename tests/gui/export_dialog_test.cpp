@@ -154,6 +154,23 @@ class ExportDialogTest : public QObject {
     QVERIFY(reach(render::LabelMode::on) < bare - 0.1f);
   }
 
+  /// What a view says goes along where the view is exported or is just what is seen.
+  void wordsOfViews() {
+    widgets::ExportDraft draft;
+    draft.kind = QStringLiteral("png");
+    draft.target = QStringLiteral("/nowhere/a.png");
+    widgets::ExportSource source{.scene = {}, .camera = {}, .title = {}, .seen = {}};
+    model::View view{.name = "V", .camera = {.eye = {0.0f, -300.0f, 0.0f}}};
+    view.words.text.text = "said";
+    source.scene.setViews({view});
+    QVERIFY(widgets::exportFiles(draft, source).front().order.words == model::ViewWords());
+    source.camera = view.camera;
+    QVERIFY(widgets::exportFiles(draft, source).front().order.words == view.words);
+    source.camera = {};
+    draft.subject = widgets::ExportSubject::savedViews;
+    QVERIFY(widgets::exportFiles(draft, source).front().order.words == view.words);
+  }
+
   void textThatNoSheetHasIsTold() {
     ExportDesk desk;
     desk.show();

@@ -40,12 +40,11 @@ std::string cueText(const std::string& plain) {
 std::string cueLine(const model::MarkedLine& line) {
   std::string text = line.bullet ? std::string(model::bulletSign) : std::string();
   for (const model::MarkedRun& run : line.runs) {
-    std::string words = cueText(run.text);
-    if (run.style.italic)
-      words = "<i>" + words + "</i>";
-    if (run.style.bold)
-      words = "<b>" + words + "</b>";
-    text += words;
+    text += run.style.bold ? "<b>" : "";
+    text += run.style.italic ? "<i>" : "";
+    text += cueText(run.text);
+    text += run.style.italic ? "</i>" : "";
+    text += run.style.bold ? "</b>" : "";
   }
   return text;
 }
@@ -64,7 +63,7 @@ std::string webVtt(const Film& film, const std::string& language) {
           text.find_first_not_of(" \t") != std::string::npos)
         lines += text + "\n";
     if (!lines.empty())
-      file += "\n" + cueTime(cue.begin) + " --> " + cueTime(cue.end) + "\n" + lines;
+      file.append("\n" + cueTime(cue.begin) + " --> " + cueTime(cue.end) + "\n").append(lines);
   }
   return file;
 }
