@@ -1397,6 +1397,14 @@
         <source>GLB surfaces (glTF)</source>
         <translation>GLB-Flächen (glTF)</translation>
     </message>
+    <message>
+        <source>PowerPoint slides</source>
+        <translation>PowerPoint-Folien</translation>
+    </message>
+    <message>
+        <source>A slide for each saved view with its title, text and notes: labels are text boxes and lines that can be edited there, over the drawing</source>
+        <translation>Eine Folie für jede gespeicherte Ansicht mit Titel, Text und Notizen: Beschriftungen sind Textfelder und Linien über der Zeichnung, die sich dort bearbeiten lassen</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportOption</name>
@@ -1755,6 +1763,70 @@
     <message>
         <source>By what Γ varies, and how the drawing changes along it</source>
         <translation>Wonach Γ sich ändert, und wie sich die Zeichnung dabei wandelt</translation>
+    </message>
+    <message>
+        <source>Su&amp;btitles as a file, too</source>
+        <translation>&amp;Untertitel auch als Datei</translation>
+    </message>
+    <message>
+        <source>What the views say as a WebVTT file beside the film, for players and web pages</source>
+        <translation>Was die Ansichten sagen, als WebVTT-Datei neben dem Film, für Abspielprogramme und Webseiten</translation>
+    </message>
+    <message>
+        <source>Text of the &amp;view</source>
+        <translation>Te&amp;xt der Ansicht</translation>
+    </message>
+    <message>
+        <source>Title and text of a saved view at the picture&apos;s foot, where it says any; in films as a subtitle</source>
+        <translation>Titel und Text einer gespeicherten Ansicht am Fuß des Bildes, wo sie welche hat; in Filmen als Untertitel</translation>
+    </message>
+    <message>
+        <source>Each saved view</source>
+        <translation>Jede gespeicherte Ansicht</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>16 : 9</source>
+        <translation>16 : 9</translation>
+    </message>
+    <message>
+        <source>4 : 3</source>
+        <translation>4 : 3</translation>
+    </message>
+    <message>
+        <source>Shape of slides</source>
+        <translation>Form der Folien</translation>
+    </message>
+    <message>
+        <source>Width and height of a slide</source>
+        <translation>Breite und Höhe einer Folie</translation>
+    </message>
+    <message>
+        <source>Labels by clicks</source>
+        <translation>Beschriftung auf Klicks</translation>
+    </message>
+    <message>
+        <source>Labels appear one by one, each with a click, in the scene&apos;s order</source>
+        <translation>Beschriftungen erscheinen eine nach der anderen, jede auf einen Klick, in der Reihenfolge der Szene</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>Selbsttest</translation>
+    </message>
+    <message>
+        <source>After each slide one with numbers in place of its labels, and then the key</source>
+        <translation>Nach jeder Folie eine mit Nummern an Stelle ihrer Beschriftungen, dann die Lösung</translation>
+    </message>
+    <message>
+        <source>A slide for</source>
+        <translation>Eine Folie für</translation>
+    </message>
+    <message>
+        <source>Without saved views there is one slide, of what is shown</source>
+        <translation>Ohne gespeicherte Ansichten gibt es eine Folie, von dem, was zu sehen ist</translation>
     </message>
 </context>
 <context>
@@ -4553,6 +4625,21 @@
         <source>the shade must be above, 0 in the light to 1</source>
         <translation>der Schatten muss darüber liegen, 0 im Licht bis 1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n slides, one for each saved view.</source>
+        <translation>
+            <numerusform>%n Folie, eine für jede gespeicherte Ansicht.</numerusform>
+            <numerusform>%n Folien, eine für jede gespeicherte Ansicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, labels as text and lines.</source>
+        <translation>%1, Beschriftungen als Text und Linien.</translation>
+    </message>
+    <message>
+        <source>Names, and the views&apos; texts and notes, are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
+        <translation>Namen sowie Texte und Notizen der Ansichten stehen in der Datei, wie die Szene sie hat. Pfade, Benutzernamen, Daten und Patientendaten nicht.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -6540,6 +6627,62 @@ OpenGL: %3</translation>
         <comment>number of the view, of so many, its name</comment>
         <translation>%1 / %2   %3</translation>
     </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>number of the view, of so many</comment>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PresentedQuiz</name>
+    <message>
+        <source>No label here names anything to ask for</source>
+        <translation>Keine Beschriftung hier benennt etwas, wonach sich fragen ließe</translation>
+    </message>
+    <message>
+        <source>%1 of %2 right</source>
+        <comment>answers of a quiz</comment>
+        <translation>%1 von %2 richtig</translation>
+    </message>
+    <message>
+        <source>%1 / %2   Point at: %3</source>
+        <comment>number of the question, of so many, what to point at</comment>
+        <translation>%1 / %2   Zeige auf: %3</translation>
+    </message>
+    <message>
+        <source>Right: %1</source>
+        <comment>answer of a quiz</comment>
+        <translation>Richtig: %1</translation>
+    </message>
+    <message>
+        <source>No, that is: %1. Outlined is: %2</source>
+        <comment>answer of a quiz</comment>
+        <translation>Nein, das ist: %1. Umrandet ist: %2</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PresenterWindow</name>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>The next view</source>
+        <translation>Die nächste Ansicht</translation>
+    </message>
+    <message>
+        <source>This is the last view</source>
+        <translation>Das ist die letzte Ansicht</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Als Nächstes: %1</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <comment>the time of day, how long the presentation has taken</comment>
+        <translation>%1   %2</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::PresetPanel</name>
@@ -7520,6 +7663,63 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::ViewWordsEditor</name>
+    <message>
+        <source>What is to be read with the view</source>
+        <translation>Was mit der Ansicht zu lesen ist</translation>
+    </message>
+    <message>
+        <source>Notes for who presents the view</source>
+        <translation>Notizen für den, der die Ansicht vorführt</translation>
+    </message>
+    <message>
+        <source>For you alone, while you present: no file for others has them</source>
+        <translation>Für dich allein, während du vorführst: Keine Datei für andere hat sie</translation>
+    </message>
+    <message>
+        <source>Title of the view</source>
+        <translation>Titel der Ansicht</translation>
+    </message>
+    <message>
+        <source>What the view is called where it is shown, if that is not its name</source>
+        <translation>Wie die Ansicht heißt, wo sie gezeigt wird, wenn das nicht ihr Name ist</translation>
+    </message>
+    <message>
+        <source>How long the view is shown</source>
+        <translation>Wie lange die Ansicht gezeigt wird</translation>
+    </message>
+    <message>
+        <source>How long a film rests at the view; 0 for as long as at the others</source>
+        <translation>Wie lange ein Film bei der Ansicht rastet; 0 für so lange wie bei den anderen</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <comment>seconds</comment>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>as others</source>
+        <comment>how long a view is shown</comment>
+        <translation>wie andere</translation>
+    </message>
+    <message>
+        <source>Change What a View Says</source>
+        <translation>Ändern, was eine Ansicht sagt</translation>
+    </message>
+    <message>
+        <source>Choose a view</source>
+        <translation>Wähle eine Ansicht</translation>
+    </message>
+    <message>
+        <source>Text, to be read with the view</source>
+        <translation>Text, mit der Ansicht zu lesen</translation>
+    </message>
+    <message>
+        <source>Notes, for who presents it</source>
+        <translation>Notizen, für den, der vorführt</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::Viewport</name>
     <message>
         <source>Picture</source>
@@ -7543,6 +7743,14 @@ OpenGL: %3</translation>
     <message>
         <source>Take the chosen view away</source>
         <translation>Die gewählte Ansicht wegnehmen</translation>
+    </message>
+    <message>
+        <source>Text, Notes</source>
+        <translation>Text, Notizen</translation>
+    </message>
+    <message>
+        <source>Show what the chosen view says, to be typed below</source>
+        <translation>Zeigen, was die gewählte Ansicht sagt, um es darunter zu tippen</translation>
     </message>
 </context>
 </TS>

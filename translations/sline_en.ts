@@ -129,6 +129,13 @@
             <numerusform>%n structures are drawn without noise, which is made of pixels: %1.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n slides, one for each saved view.</source>
+        <translation>
+            <numerusform>%n slide, one for each saved view.</numerusform>
+            <numerusform>%n slides, one for each saved view.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::BrushBar</name>

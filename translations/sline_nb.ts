@@ -1397,6 +1397,14 @@
         <source>GLB surfaces (glTF)</source>
         <translation>GLB-overflater (glTF)</translation>
     </message>
+    <message>
+        <source>PowerPoint slides</source>
+        <translation>PowerPoint-lysbilder</translation>
+    </message>
+    <message>
+        <source>A slide for each saved view with its title, text and notes: labels are text boxes and lines that can be edited there, over the drawing</source>
+        <translation>Et lysbilde for hver lagrede visning med tittel, tekst og notater: etiketter er tekstbokser og linjer over tegningen, som kan redigeres der</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportOption</name>
@@ -1755,6 +1763,70 @@
     <message>
         <source>By what Γ varies, and how the drawing changes along it</source>
         <translation>Hva Γ varierer etter, og hvordan tegningen endres langs det</translation>
+    </message>
+    <message>
+        <source>Su&amp;btitles as a file, too</source>
+        <translation>Under&amp;tekster også som fil</translation>
+    </message>
+    <message>
+        <source>What the views say as a WebVTT file beside the film, for players and web pages</source>
+        <translation>Det visningene sier som en WebVTT-fil ved siden av filmen, for avspillere og nettsider</translation>
+    </message>
+    <message>
+        <source>Text of the &amp;view</source>
+        <translation>Te&amp;kst til visningen</translation>
+    </message>
+    <message>
+        <source>Title and text of a saved view at the picture&apos;s foot, where it says any; in films as a subtitle</source>
+        <translation>Tittel og tekst til en lagret visning nederst i bildet, der den har noen; i filmer som undertekst</translation>
+    </message>
+    <message>
+        <source>Each saved view</source>
+        <translation>Hver lagrede visning</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Det som vises</translation>
+    </message>
+    <message>
+        <source>16 : 9</source>
+        <translation>16 : 9</translation>
+    </message>
+    <message>
+        <source>4 : 3</source>
+        <translation>4 : 3</translation>
+    </message>
+    <message>
+        <source>Shape of slides</source>
+        <translation>Lysbildenes form</translation>
+    </message>
+    <message>
+        <source>Width and height of a slide</source>
+        <translation>Bredden og høyden på et lysbilde</translation>
+    </message>
+    <message>
+        <source>Labels by clicks</source>
+        <translation>Etiketter ved klikk</translation>
+    </message>
+    <message>
+        <source>Labels appear one by one, each with a click, in the scene&apos;s order</source>
+        <translation>Etiketter kommer én etter én, hver med et klikk, i scenens rekkefølge</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>Selvtest</translation>
+    </message>
+    <message>
+        <source>After each slide one with numbers in place of its labels, and then the key</source>
+        <translation>Etter hvert lysbilde ett med tall i stedet for etikettene, og så fasiten</translation>
+    </message>
+    <message>
+        <source>A slide for</source>
+        <translation>Et lysbilde for</translation>
+    </message>
+    <message>
+        <source>Without saved views there is one slide, of what is shown</source>
+        <translation>Uten lagrede visninger er det ett lysbilde, av det som vises</translation>
     </message>
 </context>
 <context>
@@ -4553,6 +4625,21 @@
         <source>the shade must be above, 0 in the light to 1</source>
         <translation>skyggen må ligge over, 0 i lyset til 1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n slides, one for each saved view.</source>
+        <translation>
+            <numerusform>%n lysbilde, ett for hver lagrede visning.</numerusform>
+            <numerusform>%n lysbilder, ett for hver lagrede visning.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, labels as text and lines.</source>
+        <translation>%1, etiketter som tekst og linjer.</translation>
+    </message>
+    <message>
+        <source>Names, and the views&apos; texts and notes, are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
+        <translation>Navn, og visningenes tekster og notater, står i filen slik scenen har dem. Stier, brukernavn, datoer og pasientdata gjør det ikke.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -6540,6 +6627,62 @@ OpenGL: %3</translation>
         <comment>number of the view, of so many, its name</comment>
         <translation>%1 / %2   %3</translation>
     </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>number of the view, of so many</comment>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PresentedQuiz</name>
+    <message>
+        <source>No label here names anything to ask for</source>
+        <translation>Ingen etikett her nevner noe å spørre om</translation>
+    </message>
+    <message>
+        <source>%1 of %2 right</source>
+        <comment>answers of a quiz</comment>
+        <translation>%1 av %2 riktige</translation>
+    </message>
+    <message>
+        <source>%1 / %2   Point at: %3</source>
+        <comment>number of the question, of so many, what to point at</comment>
+        <translation>%1 / %2   Pek på: %3</translation>
+    </message>
+    <message>
+        <source>Right: %1</source>
+        <comment>answer of a quiz</comment>
+        <translation>Riktig: %1</translation>
+    </message>
+    <message>
+        <source>No, that is: %1. Outlined is: %2</source>
+        <comment>answer of a quiz</comment>
+        <translation>Nei, det er: %1. Omrisset er: %2</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PresenterWindow</name>
+    <message>
+        <source>Notes</source>
+        <translation>Notater</translation>
+    </message>
+    <message>
+        <source>The next view</source>
+        <translation>Den neste visningen</translation>
+    </message>
+    <message>
+        <source>This is the last view</source>
+        <translation>Dette er den siste visningen</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Neste: %1</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <comment>the time of day, how long the presentation has taken</comment>
+        <translation>%1   %2</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::PresetPanel</name>
@@ -7520,6 +7663,63 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::ViewWordsEditor</name>
+    <message>
+        <source>What is to be read with the view</source>
+        <translation>Det som skal leses sammen med visningen</translation>
+    </message>
+    <message>
+        <source>Notes for who presents the view</source>
+        <translation>Notater for den som viser visningen</translation>
+    </message>
+    <message>
+        <source>For you alone, while you present: no file for others has them</source>
+        <translation>Bare for deg mens du viser: ingen fil for andre har dem</translation>
+    </message>
+    <message>
+        <source>Title of the view</source>
+        <translation>Tittel på visningen</translation>
+    </message>
+    <message>
+        <source>What the view is called where it is shown, if that is not its name</source>
+        <translation>Hva visningen heter der den vises, om det ikke er navnet dens</translation>
+    </message>
+    <message>
+        <source>How long the view is shown</source>
+        <translation>Hvor lenge visningen vises</translation>
+    </message>
+    <message>
+        <source>How long a film rests at the view; 0 for as long as at the others</source>
+        <translation>Hvor lenge en film hviler ved visningen; 0 for like lenge som ved de andre</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <comment>seconds</comment>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>as others</source>
+        <comment>how long a view is shown</comment>
+        <translation>som andre</translation>
+    </message>
+    <message>
+        <source>Change What a View Says</source>
+        <translation>Endre hva en visning sier</translation>
+    </message>
+    <message>
+        <source>Choose a view</source>
+        <translation>Velg en visning</translation>
+    </message>
+    <message>
+        <source>Text, to be read with the view</source>
+        <translation>Tekst, å lese sammen med visningen</translation>
+    </message>
+    <message>
+        <source>Notes, for who presents it</source>
+        <translation>Notater, for den som viser den</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::Viewport</name>
     <message>
         <source>Picture</source>
@@ -7543,6 +7743,14 @@ OpenGL: %3</translation>
     <message>
         <source>Take the chosen view away</source>
         <translation>Ta bort den valgte visningen</translation>
+    </message>
+    <message>
+        <source>Text, Notes</source>
+        <translation>Tekst, notater</translation>
+    </message>
+    <message>
+        <source>Show what the chosen view says, to be typed below</source>
+        <translation>Vis hva den valgte visningen sier, å skrive nedenfor</translation>
     </message>
 </context>
 </TS>

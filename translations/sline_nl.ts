@@ -1397,6 +1397,14 @@
         <source>GLB surfaces (glTF)</source>
         <translation>GLB-oppervlakken (glTF)</translation>
     </message>
+    <message>
+        <source>PowerPoint slides</source>
+        <translation>PowerPoint-dia&apos;s</translation>
+    </message>
+    <message>
+        <source>A slide for each saved view with its title, text and notes: labels are text boxes and lines that can be edited there, over the drawing</source>
+        <translation>Een dia voor elk bewaard aanzicht met titel, tekst en notities: labels zijn tekstvakken en lijnen boven de tekening, die daar te bewerken zijn</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportOption</name>
@@ -1755,6 +1763,70 @@
     <message>
         <source>By what Γ varies, and how the drawing changes along it</source>
         <translation>Waarnaar Γ varieert, en hoe de tekening daarlangs verandert</translation>
+    </message>
+    <message>
+        <source>Su&amp;btitles as a file, too</source>
+        <translation>Onder&amp;titels ook als bestand</translation>
+    </message>
+    <message>
+        <source>What the views say as a WebVTT file beside the film, for players and web pages</source>
+        <translation>Wat de aanzichten zeggen als WebVTT-bestand naast de film, voor spelers en webpagina’s</translation>
+    </message>
+    <message>
+        <source>Text of the &amp;view</source>
+        <translation>Te&amp;kst van het aanzicht</translation>
+    </message>
+    <message>
+        <source>Title and text of a saved view at the picture&apos;s foot, where it says any; in films as a subtitle</source>
+        <translation>Titel en tekst van een bewaard aanzicht onder aan de afbeelding, waar het die heeft; in films als ondertitel</translation>
+    </message>
+    <message>
+        <source>Each saved view</source>
+        <translation>Elk bewaard aanzicht</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Wat te zien is</translation>
+    </message>
+    <message>
+        <source>16 : 9</source>
+        <translation>16 : 9</translation>
+    </message>
+    <message>
+        <source>4 : 3</source>
+        <translation>4 : 3</translation>
+    </message>
+    <message>
+        <source>Shape of slides</source>
+        <translation>Vorm van dia&apos;s</translation>
+    </message>
+    <message>
+        <source>Width and height of a slide</source>
+        <translation>Breedte en hoogte van een dia</translation>
+    </message>
+    <message>
+        <source>Labels by clicks</source>
+        <translation>Labels per klik</translation>
+    </message>
+    <message>
+        <source>Labels appear one by one, each with a click, in the scene&apos;s order</source>
+        <translation>Labels verschijnen een voor een, elk met een klik, in de volgorde van de scène</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>Zelftest</translation>
+    </message>
+    <message>
+        <source>After each slide one with numbers in place of its labels, and then the key</source>
+        <translation>Na elke dia een met nummers in plaats van de labels, en dan de antwoorden</translation>
+    </message>
+    <message>
+        <source>A slide for</source>
+        <translation>Een dia voor</translation>
+    </message>
+    <message>
+        <source>Without saved views there is one slide, of what is shown</source>
+        <translation>Zonder bewaarde aanzichten is er één dia, van wat te zien is</translation>
     </message>
 </context>
 <context>
@@ -4553,6 +4625,21 @@
         <source>the shade must be above, 0 in the light to 1</source>
         <translation>de schaduw moet erboven liggen, 0 in het licht tot 1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n slides, one for each saved view.</source>
+        <translation>
+            <numerusform>%n dia, één voor elk bewaard aanzicht.</numerusform>
+            <numerusform>%n dia&apos;s, één voor elk bewaard aanzicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, labels as text and lines.</source>
+        <translation>%1, labels als tekst en lijnen.</translation>
+    </message>
+    <message>
+        <source>Names, and the views&apos; texts and notes, are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
+        <translation>Namen, en teksten en notities van de aanzichten, staan in het bestand zoals de scène ze heeft. Paden, gebruikersnamen, datums en patiëntgegevens niet.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -6540,6 +6627,62 @@ OpenGL: %3</translation>
         <comment>number of the view, of so many, its name</comment>
         <translation>%1 / %2   %3</translation>
     </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>number of the view, of so many</comment>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PresentedQuiz</name>
+    <message>
+        <source>No label here names anything to ask for</source>
+        <translation>Geen label hier benoemt iets om naar te vragen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 right</source>
+        <comment>answers of a quiz</comment>
+        <translation>%1 van %2 goed</translation>
+    </message>
+    <message>
+        <source>%1 / %2   Point at: %3</source>
+        <comment>number of the question, of so many, what to point at</comment>
+        <translation>%1 / %2   Wijs aan: %3</translation>
+    </message>
+    <message>
+        <source>Right: %1</source>
+        <comment>answer of a quiz</comment>
+        <translation>Goed: %1</translation>
+    </message>
+    <message>
+        <source>No, that is: %1. Outlined is: %2</source>
+        <comment>answer of a quiz</comment>
+        <translation>Nee, dat is: %1. Omlijnd is: %2</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PresenterWindow</name>
+    <message>
+        <source>Notes</source>
+        <translation>Notities</translation>
+    </message>
+    <message>
+        <source>The next view</source>
+        <translation>Het volgende aanzicht</translation>
+    </message>
+    <message>
+        <source>This is the last view</source>
+        <translation>Dit is het laatste aanzicht</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Hierna: %1</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <comment>the time of day, how long the presentation has taken</comment>
+        <translation>%1   %2</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::PresetPanel</name>
@@ -7520,6 +7663,63 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::ViewWordsEditor</name>
+    <message>
+        <source>What is to be read with the view</source>
+        <translation>Wat bij het aanzicht te lezen is</translation>
+    </message>
+    <message>
+        <source>Notes for who presents the view</source>
+        <translation>Notities voor wie het aanzicht vertoont</translation>
+    </message>
+    <message>
+        <source>For you alone, while you present: no file for others has them</source>
+        <translation>Alleen voor jou, terwijl je vertoont: geen bestand voor anderen heeft ze</translation>
+    </message>
+    <message>
+        <source>Title of the view</source>
+        <translation>Titel van het aanzicht</translation>
+    </message>
+    <message>
+        <source>What the view is called where it is shown, if that is not its name</source>
+        <translation>Hoe het aanzicht heet waar het getoond wordt, als dat niet zijn naam is</translation>
+    </message>
+    <message>
+        <source>How long the view is shown</source>
+        <translation>Hoe lang het aanzicht getoond wordt</translation>
+    </message>
+    <message>
+        <source>How long a film rests at the view; 0 for as long as at the others</source>
+        <translation>Hoe lang een film bij het aanzicht rust; 0 voor even lang als bij de andere</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <comment>seconds</comment>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>as others</source>
+        <comment>how long a view is shown</comment>
+        <translation>als andere</translation>
+    </message>
+    <message>
+        <source>Change What a View Says</source>
+        <translation>Wijzigen wat een aanzicht zegt</translation>
+    </message>
+    <message>
+        <source>Choose a view</source>
+        <translation>Kies een aanzicht</translation>
+    </message>
+    <message>
+        <source>Text, to be read with the view</source>
+        <translation>Tekst, bij het aanzicht te lezen</translation>
+    </message>
+    <message>
+        <source>Notes, for who presents it</source>
+        <translation>Notities, voor wie het vertoont</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::Viewport</name>
     <message>
         <source>Picture</source>
@@ -7543,6 +7743,14 @@ OpenGL: %3</translation>
     <message>
         <source>Take the chosen view away</source>
         <translation>Het gekozen aanzicht weghalen</translation>
+    </message>
+    <message>
+        <source>Text, Notes</source>
+        <translation>Tekst, notities</translation>
+    </message>
+    <message>
+        <source>Show what the chosen view says, to be typed below</source>
+        <translation>Tonen wat het gekozen aanzicht zegt, om het eronder te typen</translation>
     </message>
 </context>
 </TS>
