@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests a presentation by its keys and the mouse: jumping, blank screens, laser, pen, notes, labels
 // one by one and the quiz.
+#include <QApplication>
 #include <QPlainTextEdit>
+#include <algorithm>
 
 #include "model/edit/annotations.h"
 #include "model/edit/views.h"

@@ -50,6 +50,7 @@ class ViewWordsTest : public QObject {
   void hostile();
   void preview();
   void remembered();
+  void madeAnew();
 };
 
 void ViewWordsTest::typed() {
@@ -195,6 +196,22 @@ void ViewWordsTest::remembered() {
   f.press("viewWords");
   QVERIFY(!f.settings.value("views/words").toBool());
   QTRY_VERIFY(f.dock().height() <= 130);
+}
+
+/// Controls that are made anew, as in another language, leave no second caption in the picture.
+void ViewWordsTest::madeAnew() {
+  Words f;
+  f.speak("scene");
+  QTest::keyClicks(&f.text(), "Seen from behind");
+  QVERIFY(f.caption().isVisible());
+  QEvent change(QEvent::LanguageChange);
+  QCoreApplication::sendEvent(&f.window, &change);
+  const auto captions = f.viewport().findChildren<QWidget*>(QStringLiteral("viewCaption"));
+  QCOMPARE(captions.size(), 1);
+  QVERIFY(f.text().isVisible());
+  f.clickCard(1);
+  QVERIFY(f.caption().isVisible());
+  QCOMPARE(f.text().toPlainText(), QString("Seen from behind"));
 }
 
 }  // namespace sline::test

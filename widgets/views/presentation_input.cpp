@@ -2,8 +2,10 @@
 // What keys and the mouse do in a presentation.
 #include <QApplication>
 #include <QKeyEvent>
+#include <QMainWindow>
 #include <QMouseEvent>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/views/presentation.h"
 #include "widgets/views/presentation_board.h"

@@ -74,6 +74,14 @@ ViewWordsEditor::ViewWordsEditor(Session& session, Viewport& viewport, Preferenc
   showWords();
 }
 
+ViewWordsEditor::~ViewWordsEditor() {
+  if (!m_caption)
+    return;  // the window is being destroyed, and the picture before it
+  if (m_caption->isVisible())
+    m_viewport.setPresented(false);
+  delete m_caption;
+}
+
 void ViewWordsEditor::makeTitle(QGridLayout& grid) {
   m_title = new QLineEdit;
   m_title->setObjectName(QStringLiteral("viewTitle"));

@@ -25,6 +25,7 @@ class ViewWordsEditor : public QWidget {
   Q_OBJECT
  public:
   ViewWordsEditor(Session& session, Viewport& viewport, Preferences& preferences);
+  ~ViewWordsEditor() override;
   /// Sets the view that is edited; −1 for none.
   void setView(int index);
 

@@ -3,6 +3,7 @@
 #include "render/export/motion/subtitles.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 

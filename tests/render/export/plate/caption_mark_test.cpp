@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests what a view says among the marks of a picture.
 #include <QtTest>
+#include <algorithm>
 
 #include "render/export/plate/marks.h"
 #include "tests/support/shapes.h"
