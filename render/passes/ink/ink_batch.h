@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "render/raster/pixel_rect.h"
+#include "render/gpu/device.h"
 #include "render/strokes/stroke.h"
 
 namespace sline::render::passes {
