@@ -192,6 +192,8 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   std::map<model::NodeId, StructureLines> lines;
   const bool whole = !output.pieces && std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
+  for (const PreparedStructure& s : visible)
+    s.cached->scales.hurry(settings.hurried);
   const PictureInput input{.view = view,
                            .shown = visible,
                            .background = settings.environment.background,
@@ -207,9 +209,16 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
     const int rows = std::min(band, top);
     done = paint(input, {0, top - rows, settings.width, rows}, stopwatch, output);
   }
+  const bool makeshift =
+      std::any_of(visible.begin(), visible.end(),
+                  [](const PreparedStructure& s) { return s.cached->scales.lacks(); });
+  // The next picture shall not keep what lacks something.
+  if (makeshift)
+    easel(output).painter->forget();
   if (!output.aside) {
     timings = stopwatch.done();
     timings.layersDrawn = layersDrawn;
+    timings.makeshift = makeshift;
   }
   return done;
 }

@@ -37,6 +37,8 @@ struct PictureTimings {
   std::vector<Pass> passes;
   double total = 0.0;
   int layersDrawn = 0;  ///< the other layers were kept from the picture before
+  /// The picture was hurried and lacks something that one without hurry has.
+  bool makeshift = false;
 };
 
 /// Limits how much of the driver a picture may use; pictures that need more are drawn in pieces.

@@ -29,6 +29,10 @@ float deviationOf(const model::Surface& surface, int level) {
   return levelZero * surface.meanEdge * std::exp2(float(level));
 }
 
+float thresholdOf(const model::Surface& surface, int level) {
+  return std::max(1.0f, deviationOf(surface, level) / (trustedShare * surface.featureSize));
+}
+
 }  // namespace
 
 float scaleDeviation(const model::Surface& surface, const PictureView& view, float lineScale,
@@ -46,16 +50,40 @@ std::vector<ScaledShape> LineScales::at(const model::SurfacePtr& surface, float 
     return {{surface}};
   const int low = int(std::floor(at));
   const float t = std::clamp((at - float(low) - fadeFrom) / (fadeTo - fadeFrom), 0.0f, 1.0f);
+  std::vector<std::pair<int, float>> wanted{{low, 1.0f - t}, {low + 1, t}};
+  std::erase_if(wanted, [](const auto& one) { return !(one.second > 0.0f); });
+  if (m_hurried && !knows(wanted)) {
+    m_lacks = true;
+    return {nearest(surface, at)};
+  }
   std::vector<ScaledShape> shapes;
-  const auto add = [&](int which, float share) {
-    if (share > 0.0f)
-      shapes.push_back(
-          {level(surface, which), share,
-           std::max(1.0f, deviationOf(*surface, which) / (trustedShare * surface->featureSize))});
-  };
-  add(low, 1.0f - t);
-  add(low + 1, t);
+  for (const auto& [which, share] : wanted)
+    shapes.push_back({level(surface, which), share, thresholdOf(*surface, which)});
   return shapes;
+}
+
+void LineScales::hurry(bool hurried) {
+  m_hurried = hurried;
+  m_lacks = false;
+}
+
+bool LineScales::knows(const std::vector<std::pair<int, float>>& wanted) const {
+  const std::lock_guard lock(m_mutex);
+  return std::all_of(wanted.begin(), wanted.end(), [this](const auto& one) {
+    return one.first <= 0 || m_levels.contains(one.first);
+  });
+}
+
+ScaledShape LineScales::nearest(const model::SurfacePtr& surface, float level) const {
+  const std::lock_guard lock(m_mutex);
+  ScaledShape nearest{surface};
+  float least = std::abs(level);
+  for (const auto& [which, shape] : m_levels)
+    if (const float away = std::abs(level - float(which)); away < least) {
+      least = away;
+      nearest = {shape, 1.0f, thresholdOf(*surface, which)};
+    }
+  return nearest;
 }
 
 model::SurfacePtr LineScales::level(const model::SurfacePtr& surface, int level) {

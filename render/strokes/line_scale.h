@@ -3,9 +3,11 @@
 // follow its large forms, near by its small ones.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "model/geometry/surface.h"
@@ -33,12 +35,21 @@ class LineScales {
   /// Returns the shapes that lines are found on for that deviation: one, or two of which one fades
   /// out while the other comes in, as the deviation grows.
   std::vector<ScaledShape> at(const model::SurfacePtr& surface, float deviation);
+  /// From now on nothing is made that takes long, as while the camera moves: where a scale is not
+  /// known, the nearest that is stands in for it. False: all are made again.
+  void hurry(bool hurried);
+  /// Tells whether one stood in for another since `hurry` was called.
+  bool lacks() const { return m_lacks; }
 
  private:
   model::SurfacePtr level(const model::SurfacePtr& surface, int level);
+  bool knows(const std::vector<std::pair<int, float>>& wanted) const;
+  ScaledShape nearest(const model::SurfacePtr& surface, float level) const;
 
-  std::mutex m_mutex;
+  mutable std::mutex m_mutex;
   std::map<int, model::SurfacePtr> m_levels;
+  std::atomic<bool> m_hurried = false;
+  std::atomic<bool> m_lacks = false;
 };
 
 }  // namespace sline::render

@@ -46,6 +46,9 @@ struct PictureSettings {
   /// Surfaces are drawn with one pixel for so many of the picture each way, 1 … 4, as is enough
   /// while they move; lines are as sharp as ever.
   int surfaceStep = 1;
+  /// Nothing is prepared that takes long and that a picture can do without, as while the camera
+  /// moves: lines may be found at another scale of a surface (PictureTimings::makeshift).
+  bool hurried = false;
 };
 
 /// Draws a picture for measures, which need not know how it is drawn.

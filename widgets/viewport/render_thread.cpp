@@ -25,6 +25,7 @@ class RendererPainter : public PicturePainter {
     return m_picture->preview(preview.scene, preview.camera, preview.settings, &unwanted);
   }
   int layersDrawn() const override { return m_picture->timings().layersDrawn; }
+  bool makeshift() const override { return m_picture->timings().makeshift; }
 
  private:
   std::unique_ptr<render::Picture> m_picture;
@@ -159,6 +160,7 @@ void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& re
                 .moving = request.moving,
                 .camera = request.camera,
                 .layersDrawn = painter.layersDrawn(),
+                .makeshift = painter.makeshift(),
                 .labels = m_sheet});
   const std::lock_guard lock(m_mutex);
   m_pictureEnd = std::chrono::steady_clock::now();

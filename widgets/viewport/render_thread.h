@@ -72,6 +72,8 @@ class PicturePainter {
   }
   /// Returns the number of layers that the last picture drew, where it is known.
   virtual int layersDrawn() const { return 0; }
+  /// Tells whether the last picture lacks something, as it was drawn in a hurry.
+  virtual bool makeshift() const { return false; }
 };
 using PainterFactory = std::function<Result<std::unique_ptr<PicturePainter>>()>;
 /// Makes a painter that uses the renderer itself.
@@ -84,8 +86,9 @@ struct PictureReport {
   Fineness fineness;    ///< as requested
   bool moving = false;  ///< as requested
   model::Camera camera;
-  int layersDrawn = 0;   ///< the others were as in the picture before
-  LabelSheetPtr labels;  ///< null: they come later, by `labelled`
+  int layersDrawn = 0;     ///< the others were as in the picture before
+  bool makeshift = false;  ///< lacks something, as it was drawn in a hurry
+  LabelSheetPtr labels;    ///< null: they come later, by `labelled`
 };
 
 class RenderThread : public QThread {

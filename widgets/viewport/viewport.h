@@ -98,10 +98,10 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   /// Returns OpenGL's own name for itself; empty until the window was first shown.
   const QString& driver() const { return m_driver; }
   /// Returns the time that the last picture took to draw, and how fine it was.
-  double lastMilliseconds() const { return m_lastMilliseconds; }
-  const Fineness& lastFineness() const { return m_lastFineness; }
+  double lastMilliseconds() const { return m_last.milliseconds; }
+  const Fineness& lastFineness() const { return m_last.fineness; }
   /// Returns how many of its layers had to be drawn; the others were kept.
-  int lastLayersDrawn() const { return m_lastLayersDrawn; }
+  int lastLayersDrawn() const { return m_last.layersDrawn; }
   /// Asks for small pictures by the same renderer, whenever the picture itself is done; `previewed`
   /// follows for each. They replace those asked for before.
   void askPreviews(PreviewRequest request);
@@ -225,8 +225,7 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   Fineness m_askedFineness;
   std::uint64_t m_took = 0;   ///< the newest that was drawn
   std::uint64_t m_shown = 0;  ///< on screen
-  double m_lastMilliseconds = 0.0;
-  Fineness m_lastFineness;
+  PictureReport m_last;
   std::optional<model::Camera> m_drawnCamera;  ///< of the newest picture
   /// Holds what the marks show.
   struct Marked {
@@ -238,7 +237,6 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   /// The number of the picture to wait for: until it is there, another document's picture is on
   /// screen, and its marks stay.
   std::uint64_t m_marksAwait = 1;
-  int m_lastLayersDrawn = 0;
 
   Picker m_picker;
   QTimer m_nameRest;

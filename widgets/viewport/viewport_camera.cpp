@@ -39,7 +39,9 @@ void Viewport::rest() {
   m_moving = false;
   m_cutting = false;
   const bool arrived = std::exchange(m_arrived, false) && m_labels->arrive();
-  if (arrived || !m_askedFineness.full() || m_labels->waits() || m_labels->outgrown())
+  // Of a picture that is not done yet one cannot know what it will lack.
+  const bool lacks = m_last.makeshift || m_took != m_asked;
+  if (arrived || lacks || !m_askedFineness.full() || m_labels->waits() || m_labels->outgrown())
     refresh();
 }
 

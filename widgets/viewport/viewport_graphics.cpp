@@ -118,7 +118,8 @@ void Viewport::refresh(model::Scene scene) {
                          .settings = {.width = scaled(size.width, m_askedFineness.scale),
                                       .height = scaled(size.height, m_askedFineness.scale),
                                       .environment = environment(),
-                                      .surfaceStep = m_askedFineness.surfaceStep},
+                                      .surfaceStep = m_askedFineness.surfaceStep,
+                                      .hurried = m_moving},
                          .fineness = m_askedFineness,
                          .moving = m_moving,
                          .labels = m_labels->wish(m_moving),
@@ -143,12 +144,10 @@ void Viewport::askPreviews(PreviewRequest request) {
 void Viewport::took(const PictureReport& report) {
   m_rebuilt = false;
   m_took = report.number;
-  m_lastMilliseconds = report.milliseconds;
-  m_lastLayersDrawn = report.layersDrawn;
+  m_last = report;
   // Only pictures of a moving camera are drawn anew as a whole; others keep most layers.
   if (report.moving && !m_cutting)
     m_quality.took(report.milliseconds, report.fineness);
-  m_lastFineness = report.fineness;
   m_marks->showTime(report.milliseconds, report.fineness.scale);
   m_drawnCamera = report.camera;
   m_labels->took(report.labels, report.camera);

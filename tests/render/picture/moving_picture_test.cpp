@@ -188,6 +188,34 @@ class MovingPictureTest : public QObject {
     QCOMPARE(difference(before, *after).largest, 0);
   }
 
+  /// In a hurry no scale of a surface is made for its lines; at rest it is.
+  void whatAHurryLeavesOutComesAtRest() {
+    const model::MeshPtr ball = sphere(40.0f, 6);
+    std::vector<glm::vec3> positions(ball->positions().begin(), ball->positions().end());
+    for (glm::vec3& p : positions)
+      p *= 1.0f + 0.01f * std::sin(0.9f * p.x) * std::sin(0.9f * p.z);
+    model::Scene scene;
+    add(scene,
+        std::make_shared<const model::Mesh>(
+            *model::Mesh::create(positions, {ball->triangles().begin(), ball->triangles().end()})),
+        gammaStyle(2.0f));
+    PictureSettings hurried = still;
+    hurried.hurried = true;
+    const Image rough = picture(scene, hurried);
+    QVERIFY(m_studio.picture->timings().makeshift);
+    const Image rest = picture(scene, still);
+    QVERIFY(!m_studio.picture->timings().makeshift);
+    QVERIFY(difference(rough, rest).share > 0.001);
+    // What was made for it serves the next move.
+    QCOMPARE(difference(rest, picture(scene, hurried)).largest, 0);
+    QVERIFY(!m_studio.picture->timings().makeshift);
+    auto fresh = render::Picture::create();
+    QVERIFY(fresh.ok());
+    const auto other = (*fresh)->render(scene, frontal(110.0f), still);
+    QVERIFY(other.ok());
+    QCOMPARE(difference(rest, *other).largest, 0);
+  }
+
   void keepsCoarseLayers() {
     std::vector<model::Node> nodes = balls(3.5f).nodes();
     const auto drawn = [&](int step) {

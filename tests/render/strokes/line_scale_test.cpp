@@ -69,6 +69,29 @@ class LineScaleTest : public QObject {
     // The same scale is not made twice.
     QCOMPARE(scales.at(ball, 4.0f * ball->meanEdge).front().surface, shapes.front().surface);
   }
+  void inAHurryTheNearestScaleStandsIn() {
+    const model::SurfacePtr ball = rippled();
+    const auto deviation = [&ball](float level) { return ball->meanEdge * std::exp2(level); };
+    LineScales scales;
+    scales.hurry(true);
+    QCOMPARE(scales.at(ball, deviation(2.0f)).front().surface, ball);
+    QVERIFY(scales.lacks());
+    scales.hurry(false);
+    const model::SurfacePtr second = scales.at(ball, deviation(2.0f)).front().surface;
+    QVERIFY(second != ball);
+    QVERIFY(!scales.lacks());
+    scales.hurry(true);
+    QCOMPARE(scales.at(ball, deviation(2.0f)).front().surface, second);
+    QVERIFY(!scales.lacks());
+    const auto third = scales.at(ball, deviation(3.0f));
+    QCOMPARE(third.size(), std::size_t(1));
+    QCOMPARE(third.front().surface, second);
+    QCOMPARE(third.front().share, 1.0f);
+    QCOMPARE(scales.at(ball, deviation(0.8f)).front().surface, ball);
+    QVERIFY(scales.lacks());
+    scales.hurry(false);
+    QVERIFY(scales.at(ball, deviation(3.0f)).front().surface != second);
+  }
   void scalesGiveWayToEachOther() {
     const model::SurfacePtr ball = rippled();
     LineScales scales;
