@@ -3,6 +3,7 @@
 // one by one and the quiz.
 #include <QApplication>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <algorithm>
 
 #include "model/edit/annotations.h"
@@ -76,6 +77,7 @@ class PresentingTest : public QObject {
   void keysOfOthers_data();
   void keysOfOthers();
   void titleAndText();
+  void theWindowMayGoMeanwhile();
   void jumping();
   void blanked();
   void laser();
@@ -126,6 +128,20 @@ void PresentingTest::titleAndText() {
   f.key(Qt::Key_Right);
   QCOMPARE(f.presented(), QString("2 / 3   View 2"));
   QVERIFY(!f.text().isVisible());
+}
+
+void PresentingTest::theWindowMayGoMeanwhile() {
+  QPointer<widgets::PresentationBoard> board;
+  {
+    Views f;
+    f.addThree();
+    f.clickCard(0);
+    QTest::keyClick(&f.viewport(), Qt::Key_F5, Qt::ShiftModifier);
+    QVERIFY(f.settled());
+    board = f.viewport().findChild<widgets::PresentationBoard*>();
+    QVERIFY(board && board->isVisible());
+  }
+  QVERIFY(!board);
 }
 
 void PresentingTest::jumping() {

@@ -54,9 +54,7 @@ Presentation::Presentation(QMainWindow& window, Session& session, Viewport& view
 }
 
 Presentation::~Presentation() {
-  if (!m_name)
-    return;  // the window is being destroyed, and the picture before it
-  end();
+  // It goes with its window, which is to be restored no more.
   delete m_name;
   delete m_caption;
   delete m_board;
