@@ -1765,8 +1765,8 @@
         <translation>Wonach Γ sich ändert, und wie sich die Zeichnung dabei wandelt</translation>
     </message>
     <message>
-        <source>Su&amp;btitles as a file, too</source>
-        <translation>&amp;Untertitel auch als Datei</translation>
+        <source>Su&amp;btitle file</source>
+        <translation>&amp;Untertiteldatei</translation>
     </message>
     <message>
         <source>What the views say as a WebVTT file beside the film, for players and web pages</source>

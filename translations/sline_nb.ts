@@ -1765,8 +1765,8 @@
         <translation>Hva Γ varierer etter, og hvordan tegningen endres langs det</translation>
     </message>
     <message>
-        <source>Su&amp;btitles as a file, too</source>
-        <translation>Under&amp;tekster også som fil</translation>
+        <source>Su&amp;btitle file</source>
+        <translation>Under&amp;tekstfil</translation>
     </message>
     <message>
         <source>What the views say as a WebVTT file beside the film, for players and web pages</source>

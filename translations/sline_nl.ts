@@ -1765,8 +1765,8 @@
         <translation>Waarnaar Γ varieert, en hoe de tekening daarlangs verandert</translation>
     </message>
     <message>
-        <source>Su&amp;btitles as a file, too</source>
-        <translation>Onder&amp;titels ook als bestand</translation>
+        <source>Su&amp;btitle file</source>
+        <translation>Onder&amp;titelbestand</translation>
     </message>
     <message>
         <source>What the views say as a WebVTT file beside the film, for players and web pages</source>

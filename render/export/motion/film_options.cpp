@@ -85,7 +85,7 @@ constexpr ExportOption subtitles{
         "Writes what the views of a tour say into a WebVTT file, too, of the film's name and the "
         "ending .vtt, in the folder of frames subtitles.vtt; --marks says whether the pictures "
         "have it",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Su&btitles as a file, too"),
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Su&btitle file"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
                              "What the views say as a WebVTT file beside the film, for players and "
                              "web pages"),
