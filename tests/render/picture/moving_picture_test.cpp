@@ -190,10 +190,10 @@ class MovingPictureTest : public QObject {
 
   /// In a hurry no scale of a surface is made for its lines; at rest it is.
   void whatAHurryLeavesOutComesAtRest() {
-    const model::MeshPtr ball = sphere(40.0f, 6);
+    const model::MeshPtr ball = sphere(15.0f, 6);
     std::vector<glm::vec3> positions(ball->positions().begin(), ball->positions().end());
     for (glm::vec3& p : positions)
-      p *= 1.0f + 0.01f * std::sin(0.9f * p.x) * std::sin(0.9f * p.z);
+      p *= 1.0f + 0.01f * std::sin(2.5f * p.x) * std::sin(2.5f * p.z);
     model::Scene scene;
     add(scene,
         std::make_shared<const model::Mesh>(
