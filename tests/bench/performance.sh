@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Measures the scenes named, makes the guide's page about speed and keeps the reports:
-#   performance.sh SLINE_BENCH REPORTS GROWING.ply [SCENE…]
+#   performance.sh SLINE_BENCH REPORTS GROWING.ply [NAME=SCENE…]
 # GROWING is a closed surface of some tens of thousands of triangles; it is measured as it is and
 # after one to four subdivisions. The machine must have nothing else to do.
 set -euo pipefail
 
-usage="usage: performance.sh SLINE_BENCH REPORTS GROWING.ply [SCENE…]"
+usage="usage: performance.sh SLINE_BENCH REPORTS GROWING.ply [NAME=SCENE…]"
 bench=$(realpath "${1:?$usage}")
 mkdir -p "${2:?$usage}"
 reports=$(realpath "$2")
@@ -28,7 +28,6 @@ for times in 0 1 2 3 4; do
   measure "surface $((times + 1))" "$scratch/surface.ply" --gamma 2 --frames $((times > 2 ? 12 : 60))
 done
 for scene in "$@"; do
-  name=$(basename "${scene%%.*}")
-  measure "${name//_/ }" "$scene"
+  measure "${scene%%=*}" "${scene#*=}"
 done
 "$bench" "${made[@]}" --page "$page"

@@ -9,13 +9,13 @@ namespace sline::widgets {
 namespace {
 
 /// A fineness, and the milliseconds that a picture of it should not exceed. Above 60, turning feels
-/// like pushing; but blurred lines are worse than that, and few pictures a second better than none.
+/// like pushing; but blurred lines are worse than that, up to four pictures a second.
 struct Choice {
   Fineness fineness;
   double limit;
 };
 constexpr double fluent = 60.0;
-constexpr double bearable = 600.0;
+constexpr double bearable = 250.0;
 constexpr std::array choices{Choice{{1.0f, 1}, fluent},   Choice{{1.0f, 2}, fluent},
                              Choice{{1.0f, 3}, bearable}, Choice{{0.75f, 3}, bearable},
                              Choice{{0.5f, 3}, bearable}, Choice{{1.0f / 3.0f, 3}, bearable}};

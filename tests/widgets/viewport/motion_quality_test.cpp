@@ -22,8 +22,8 @@ class MotionQualityTest : public QObject {
     QTest::newRow("a little slow") << 70.0 << full << half;
     QTest::newRow("slow") << 120.0 << full << third;
     // Lines stay sharp for long.
-    QTest::newRow("very slow") << 700.0 << full << third;
-    QTest::newRow("too slow") << 900.0 << full << Fineness{0.75f, 3};
+    QTest::newRow("very slow") << 300.0 << full << third;
+    QTest::newRow("too slow") << 340.0 << full << Fineness{0.75f, 3};
     QTest::newRow("hopeless") << 9000.0 << full << Fineness{1.0f / 3.0f, 3};
     // The coarse picture is fast, but a full one would not be.
     QTest::newRow("coarse and slow") << 59.0 << half << half;
