@@ -162,7 +162,7 @@ class Plot {
  private:
   static constexpr int width = 760;
   static constexpr int height = 460;
-  static constexpr int margin = 76;
+  static constexpr int margin = 84;
   static constexpr int nameRoom = 130;
 
   QPointF at(double x, double y) const {
@@ -207,7 +207,7 @@ class Plot {
     m_painter.drawText(name, QString::fromLatin1(curve.name));
   }
 
-  static QString numberOf(double power) { return QString::number(std::pow(10.0, power), 'g', 4); }
+  static QString numberOf(double power) { return QString::number(std::pow(10.0, power), 'g', 6); }
 
   QImage m_image;
   QPainter m_painter;

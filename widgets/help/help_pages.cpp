@@ -41,10 +41,11 @@ QString read(const QString& path) {
 std::vector<QString> helpPageIds() {
   std::vector<QString> ids;
   for (const char* id :
-       {"start",  "tree",      "gamma",         "focus",         "sections", "picture",
-        "labels", "views",     "export_dialog", "export",        "sheets",   "films",
-        "files",  "import",    "keys",          "label_volumes", "scans",    "dicom",
-        "slicer", "molecules", "annotate",      "command_line",  "vectors",  "scene_file"})
+       {"start",         "tree",         "gamma",   "focus",         "sections",
+        "picture",       "labels",       "views",   "export_dialog", "export",
+        "sheets",        "films",        "files",   "import",        "keys",
+        "label_volumes", "scans",        "dicom",   "slicer",        "molecules",
+        "annotate",      "command_line", "vectors", "scene_file",    "performance"})
     ids.push_back(QLatin1String(id));
   return ids;
 }
