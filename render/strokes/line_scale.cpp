@@ -57,6 +57,7 @@ std::vector<ScaledShape> LineScales::at(const model::SurfacePtr& surface, float 
     return {nearest(surface, at)};
   }
   std::vector<ScaledShape> shapes;
+  shapes.reserve(wanted.size());
   for (const auto& [which, share] : wanted)
     shapes.push_back({level(surface, which), share, thresholdOf(*surface, which)});
   return shapes;
