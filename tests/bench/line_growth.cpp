@@ -8,10 +8,10 @@
 #include <ostream>
 
 #include "model/geometry/surface.h"
-#include "model/meshing/loop_subdivision.h"
 #include "render/gpu/headless/context.h"
 #include "render/lines/line_technique.h"
 #include "tests/bench/measure.h"
+#include "tests/bench/stage.h"
 #include "tests/bench/vtk_phong.h"
 #include "tests/support/process_memory.h"
 
@@ -40,22 +40,6 @@ Spread timesOf(std::span<const model::Camera> cameras, const Body& body) {
     times.push_back(watch.milliseconds());
   }
   return spreadOf(times);
-}
-
-model::Scene subdivided(const model::Scene& scene) {
-  std::vector<model::Node> nodes = scene.nodes();
-  for (model::Node& node : nodes)
-    if (node.mesh) {
-      model::Subdivided fine =
-          model::loopSubdivided({node.mesh->positions().begin(), node.mesh->positions().end()},
-                                {node.mesh->triangles().begin(), node.mesh->triangles().end()});
-      node.mesh = std::make_shared<const model::Mesh>(
-          std::move(model::Mesh::create(std::move(fine.positions), std::move(fine.triangles)))
-              .value());
-    }
-  model::Scene result = scene;
-  result.setNodes(std::move(nodes));
-  return result;
 }
 
 Spread linesOf(const LineGrowthRun& run, const std::vector<model::SurfacePtr>& surfaces,

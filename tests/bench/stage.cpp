@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/edit/look.h"
+#include "model/meshing/loop_subdivision.h"
 
 namespace sline::bench {
 
@@ -23,6 +24,22 @@ model::Scene withGamma(const model::Scene& scene, std::optional<float> gamma) {
                              .visible = true};
     result = model::withLook(result, std::span(&ids[i], 1), patch).scene;
   }
+  return result;
+}
+
+model::Scene subdivided(const model::Scene& scene) {
+  std::vector<model::Node> nodes = scene.nodes();
+  for (model::Node& node : nodes)
+    if (node.mesh) {
+      model::Subdivided fine =
+          model::loopSubdivided({node.mesh->positions().begin(), node.mesh->positions().end()},
+                                {node.mesh->triangles().begin(), node.mesh->triangles().end()});
+      node.mesh = std::make_shared<const model::Mesh>(
+          std::move(model::Mesh::create(std::move(fine.positions), std::move(fine.triangles)))
+              .value());
+    }
+  model::Scene result = scene;
+  result.setNodes(std::move(nodes));
   return result;
 }
 

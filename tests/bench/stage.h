@@ -15,6 +15,9 @@ namespace sline::bench {
 /// Sets Γ for all, or from 0 to 5 over the structures sorted by name.
 model::Scene withGamma(const model::Scene& scene, std::optional<float> gamma);
 
+/// Returns the scene with each of its surfaces subdivided once.
+model::Scene subdivided(const model::Scene& scene);
+
 /// Returns the anterior camera turned about the vertical through the middle of the scene; 1 is a
 /// whole turn.
 model::Camera turned(const model::Camera& start, float share);

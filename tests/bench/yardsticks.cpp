@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "model/disk/whole_file.h"
-#include "model/meshing/loop_subdivision.h"
 #include "model/scene_file/ply_writer.h"
 #include "model/scene_file/scene_file.h"
 #include "render/gpu/headless/context.h"
@@ -81,21 +80,20 @@ Status measureReopening(const Stage& stage, Report& report) {
 }
 
 Status writeSubdivided(const model::Scene& scene, int times, const std::filesystem::path& file) {
+  model::Scene fine = scene;
+  for (int i = 0; i < times; ++i)
+    fine = subdivided(fine);
   std::vector<glm::vec3> positions;
   std::vector<model::Triangle> triangles;
-  for (const model::NodeId id : scene.structuresBelow(model::rootId)) {
-    const model::Mesh& mesh = *scene.find(id)->mesh;
-    model::Subdivided fine{{mesh.positions().begin(), mesh.positions().end()},
-                           {mesh.triangles().begin(), mesh.triangles().end()}};
-    for (int i = 0; i < times; ++i)
-      fine = model::loopSubdivided(fine.positions, fine.triangles);
+  for (const model::NodeId id : fine.structuresBelow(model::rootId)) {
+    const model::Mesh& mesh = *fine.find(id)->mesh;
     const auto first = std::uint32_t(positions.size());
-    for (model::Triangle triangle : fine.triangles) {
+    for (model::Triangle triangle : mesh.triangles()) {
       for (std::uint32_t& corner : triangle)
         corner += first;
       triangles.push_back(triangle);
     }
-    positions.insert(positions.end(), fine.positions.begin(), fine.positions.end());
+    positions.insert(positions.end(), mesh.positions().begin(), mesh.positions().end());
   }
   const auto whole = model::Mesh::create(std::move(positions), std::move(triangles));
   if (!whole)
