@@ -73,13 +73,19 @@ Texture::~Texture() {
 }
 
 void Texture::upload(std::span<const std::byte> bytes, int rows) {
-  assert(m_format != TextureFormat::depth32f && rows <= m_size.height);
-  assert(bytes.size() == std::size_t(rows) * m_size.width * pixelSize(m_format));
+  upload(bytes, {0, 0, m_size.width, rows});
+}
+
+void Texture::upload(std::span<const std::byte> bytes, const PixelRect& area) const {
+  assert(area.x >= 0 && area.right() <= m_size.width);
+  assert(area.y >= 0 && area.top() <= m_size.height);
+  assert(bytes.size() == std::size_t(area.width) * area.height * pixelSize(m_format));
   const Layout l = layout(m_format);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, m_handle);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, m_size.width, rows, l.format, l.type, bytes.data());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, area.x, area.y, area.width, area.height, l.format, l.type,
+                  bytes.data());
 }
 
 }  // namespace sline::render::gpu

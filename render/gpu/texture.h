@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "render/raster/pixel_rect.h"
+
 namespace sline::render::gpu {
 
 /// Lists the formats of textures. `rgba16` exists in OpenGL only: ES 3.0 does not guarantee it.
@@ -26,8 +28,10 @@ class Texture {
   Texture(const Texture&) = delete;
   Texture& operator=(const Texture&) = delete;
 
-  /// Replaces the first `rows` rows; bytes are tightly packed. It does not work for depth.
+  /// Replaces the first `rows` rows; bytes are tightly packed.
   void upload(std::span<const std::byte> bytes, int rows);
+  /// Replaces the pixels of the area, whose rows follow each other from the bottom.
+  void upload(std::span<const std::byte> bytes, const PixelRect& area) const;
 
   TextureSize size() const { return m_size; }
   TextureFormat format() const { return m_format; }

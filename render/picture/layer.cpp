@@ -2,9 +2,12 @@
 #include "render/picture/layer.h"
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
 #include "model/base/parallel.h"
 #include "render/picture/printed_hatching.h"
+#include "render/picture/surface_depths.h"
 #include "render/picture/visible_triangles.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/hidden_lines.h"
@@ -41,6 +44,12 @@ void markReach(const std::vector<Stroke>& strokes, int reach, TileMask& mask) {
     mask.mark(grown(strokeBounds(stroke), reach));
 }
 
+/// Returns where surfaces of the region are sampled.
+SampleGrid sampleGrid(const PixelRect& region, int step) {
+  const auto within = [step](int pixels) { return (pixels % step + step) % step; };
+  return {{within(region.x), within(region.y)}, step};
+}
+
 }  // namespace
 
 SurfacePlace surfacePlace(const Layer& layer, const PixelRect& slot) {
@@ -51,10 +60,27 @@ SurfacePlace surfacePlace(const Layer& layer, const PixelRect& slot) {
           coarse};
 }
 
+bool findDepths(Layer& layer, const PictureView& view, const PixelRect& region) {
+  const PreparedStructure& shown = layer.members.front();
+  if (layer.filled || layer.members.size() > 1 || shown.printedHatching || shown.cut)
+    return false;
+  const SampleGrid grid = sampleGrid(region, layer.surfaceStep);
+  const SurfacePlace place = surfacePlace(layer, layer.slot);
+  const PixelRect samples{(place.pixels.x - grid.corner.x) / grid.step,
+                          (place.pixels.y - grid.corner.y) / grid.step, place.slot.width,
+                          place.slot.height};
+  assert(grid.corner.x + grid.step * samples.x == place.pixels.x &&
+         grid.corner.y + grid.step * samples.y == place.pixels.y);
+  auto depths = surfaceDepths(shown, view, layer.touched, {grid, samples});
+  if (!depths)
+    return false;
+  layer.depths = std::move(*depths);
+  layer.triangles.resize(layer.members.size());
+  return true;
+}
+
 void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region) {
-  const int step = layer.surfaceStep;
-  const auto within = [step](int pixels) { return (pixels % step + step) % step; };
-  const SampleGrid grid{{within(region.x), within(region.y)}, step};
+  const SampleGrid grid = sampleGrid(region, layer.surfaceStep);
   layer.triangles.resize(layer.members.size());
   parallelFor(layer.members.size(), 1, [&](std::size_t i) {
     const PreparedStructure& shown = layer.members[i];

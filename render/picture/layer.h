@@ -34,6 +34,7 @@ struct Layer {
   std::vector<PreparedStructure>
       members;  ///< one structure, or by id all that are opaque and without lines
   std::vector<std::vector<std::uint32_t>> triangles;  ///< of each member: see `findTriangles`
+  std::vector<float> depths;                          ///< of its surface instead: see `findDepths`
   PixelRect area;                                     ///< in pixels of the whole picture
   PixelRect slot;                                     ///< in the atlas
   PictureContent parts;
@@ -75,6 +76,10 @@ std::vector<ListedLayer> listedLayers(std::span<const Layer> layers, const Pixel
 /// show.
 std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const PictureView& view,
                               const PixelRect& region, const PictureContent& parts);
+/// Finds how deep the surface lies in the layer's place, `slot`, where nothing else is drawn of it.
+/// Returns false where it has a fill, a section or a place behind the eye, so that a driver must
+/// draw it.
+bool findDepths(Layer& layer, const PictureView& view, const PixelRect& region);
 /// Finds the members' triangles within the squares that the layer touches. As they are many, only
 /// layers about to be drawn need them, and only until they are drawn.
 void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region);

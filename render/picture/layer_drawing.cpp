@@ -115,8 +115,13 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
                                 std::span<const std::size_t> changed) const {
   gpu::DrawQueue queue;
   const bool enlarged = input.surfaceStep > 1;
+  // Found depths come before all that is drawn, for which a driver would have to wait.
   for (const std::size_t i : changed)
-    if (layers[i].shows()) {
+    if (layers[i].shows() && !layers[i].depths.empty())
+      m_atlas.surfaceDepths().upload(std::as_bytes(std::span(layers[i].depths)),
+                                     surfacePlace(layers[i], layers[i].slot).slot);
+  for (const std::size_t i : changed)
+    if (layers[i].shows() && layers[i].depths.empty()) {
       m_wipePass->draw(device, m_atlas.surfaceTarget(),
                        {surfaceSquares(layers[i]), layers[i].filled, true});
       drawSurface(device, input, layers[i], queue);

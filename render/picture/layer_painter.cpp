@@ -256,8 +256,11 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
               [&](std::size_t i) { completeLayer(layers[changed[i]], input.view, region, lines); });
   own.clear();
   stopwatch.pass(device, "strokes");
-  parallelFor(changed.size(), 1,
-              [&](std::size_t i) { findTriangles(layers[changed[i]], input.view, region); });
+  parallelFor(changed.size(), 1, [&](std::size_t i) {
+    Layer& layer = layers[changed[i]];
+    if (!findDepths(layer, input.view, region))
+      findTriangles(layer, input.view, region);
+  });
   stopwatch.pass(device, "plan");
   if (input.isUnwanted())
     return Outcome::givenUp;
@@ -276,8 +279,10 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   stopwatch.pass(device, "ink");
   resolve(device, input.background, canvas(target, region, layers, changed), layers);
   stopwatch.pass(device, "resolve");
-  for (Layer& layer : layers)
+  for (Layer& layer : layers) {
     layer.triangles = {};
+    layer.depths = {};
+  }
   m_layersDrawn = int(changed.size());
   m_kept = std::move(layers);
   return Outcome::painted;

@@ -3,21 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec2.hpp>
 #include <vector>
 
+#include "render/picture/seen_cluster.h"
 #include "render/picture/tile_lists.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/picture_view.h"
 
 namespace sline::render {
-
-/// Says where surfaces are sampled: in the middles of squares of `step` pixels, one of which has
-/// its lower left corner at `corner`.
-struct SampleGrid {
-  glm::ivec2 corner{0};
-  int step = 1;
-};
 
 /// Returns the triangles that may cover a sample in the squares, three indices into
 /// `Clusters::vertices` each; of a surface with an outside only, those that turn it to the eye. In

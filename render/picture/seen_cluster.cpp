@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/picture/seen_cluster.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sline::render {
+
+namespace {
+
+/// By how much a driver's vertices may lie beside ours, in pixels: it rounds them to 1/256.
+constexpr float slack = 1.0f / 256.0f;
+/// Farther from the picture's corner floats do not resolve the slack.
+constexpr float farthest = 8192.0f;
+
+/// Rounds down; `x` lies within ±`farthest`.
+std::int32_t below(float x) {
+  const auto whole = std::int32_t(x);
+  return whole - std::int32_t(float(whole) > x);
+}
+
+}  // namespace
+
+bool SeenCluster::project(const model::Cluster& cluster, const model::Surface& surface,
+                          const PictureView& view, const SampleGrid& grid) {
+  const glm::mat4& m = view.viewProjection();
+  const glm::vec2 half = 0.5f * view.size();
+  const glm::vec2 corner(grid.corner);
+  const float perPixel = 1.0f / float(grid.step);
+  const std::uint32_t* vertices = surface.clusters.vertices.data() + cluster.firstVertex;
+  const auto positions = surface.mesh->positions();
+  for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      position[std::size_t(axis)][i] = positions[vertices[i]][axis];
+  const auto& [px, py, pz] = position;
+  constexpr float nearest = 1e-6f;
+  std::int32_t lost = 0;
+  for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
+    const float w = m[0][3] * px[i] + m[1][3] * py[i] + m[2][3] * pz[i] + m[3][3];
+    const float clipX = m[0][0] * px[i] + m[1][0] * py[i] + m[2][0] * pz[i] + m[3][0];
+    const float clipY = m[0][1] * px[i] + m[1][1] * py[i] + m[2][1] * pz[i] + m[3][1];
+    const float clipZ = m[0][2] * px[i] + m[1][2] * py[i] + m[2][2] * pz[i] + m[3][2];
+    x[i] = (clipX / w + 1.0f) * half.x;
+    y[i] = (clipY / w + 1.0f) * half.y;
+    depth[i] = 0.5f * (clipZ / w) + 0.5f;
+    lost |= std::int32_t(!(w > nearest)) | std::int32_t(!(std::abs(x[i]) < farthest)) |
+            std::int32_t(!(std::abs(y[i]) < farthest));
+    x[i] = (x[i] - corner.x) * perPixel;
+    y[i] = (y[i] - corner.y) * perPixel;
+  }
+  return lost == 0;
+}
+
+void SeenCluster::findBoxes(std::span<const std::array<std::uint8_t, 3>> triangles) {
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      cornerX[c][i] = x[triangles[i][c]];
+      cornerY[c][i] = y[triangles[i][c]];
+    }
+  const auto& [ax, bx, cx] = cornerX;
+  const auto& [ay, by, cy] = cornerY;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    area[i] = (bx[i] - ax[i]) * (cy[i] - ay[i]) - (cx[i] - ax[i]) * (by[i] - ay[i]);
+    // The middle of pixel k is at k + 1/2.
+    left[i] = -below(slack + 0.5f - std::min(ax[i], std::min(bx[i], cx[i])));
+    columns[i] = below(std::max(ax[i], std::max(bx[i], cx[i])) + slack - 0.5f) - left[i] + 1;
+    bottom[i] = -below(slack + 0.5f - std::min(ay[i], std::min(by[i], cy[i])));
+    rows[i] = below(std::max(ay[i], std::max(by[i], cy[i])) + slack - 0.5f) - bottom[i] + 1;
+  }
+}
+
+TriangleEdges::TriangleEdges(const SeenCluster& seen, std::size_t triangle, Corners corners) {
+  const float turn = seen.area[triangle] < 0.0f ? -1.0f : 1.0f;
+  const glm::vec2 first(float(seen.left[triangle]) + 0.5f, float(seen.bottom[triangle]) + 0.5f);
+  float around = 0.0f;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t next = (c + 1) % 3;
+    const float dx = turn * (seen.cornerX[next][triangle] - seen.cornerX[c][triangle]);
+    const float dy = turn * (seen.cornerY[next][triangle] - seen.cornerY[c][triangle]);
+    m_inside[c] = {
+        -dy, dx,
+        dx * (first.y - seen.cornerY[c][triangle]) - dy * (first.x - seen.cornerX[c][triangle])};
+    around += std::abs(dx) + std::abs(dy);
+  }
+  // By no more than this do moves of corners within the slack change what lies within the box.
+  const float moves = corners == Corners::rounded ? slack * around : 0.0f;
+  for (glm::vec3& edge : m_inside)
+    edge.z += slack * (std::abs(edge.x) + std::abs(edge.y)) + moves;
+}
+
+}  // namespace sline::render
