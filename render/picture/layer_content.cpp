@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/picture/layer_content.h"
 
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -45,37 +50,116 @@ void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
   parallelFor(each.size(), 1, [&](std::size_t i) { each[i].first->need(each[i].second); });
 }
 
-void findLines(const PictureInput& input, std::span<const Layer> layers,
-               std::span<const std::size_t> changed, std::map<model::NodeId, StructureLines>& lines,
-               Stopwatch& stopwatch) {
-  struct Absent {
-    const PreparedStructure* shown;
-    StructureLines* lines;
-  };
-  std::vector<Absent> absent;
-  for (const std::size_t i : changed)
-    for (const PreparedStructure& shown : layers[i].members)
+namespace {
+
+/// What a layer is made of, one part after the other.
+enum Part : std::size_t { linePart, strokePart, trianglePart };
+
+/// Sums up how long all threads work on each part.
+class PartTimes {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Counts the time since `from` as spent on the part; returns where it ends.
+  Clock::time_point add(Part part, Clock::time_point from) {
+    const Clock::time_point now = Clock::now();
+    m_times[part] += std::chrono::nanoseconds(now - from).count();
+    return now;
+  }
+  /// Returns the part's share of all that was counted.
+  double share(Part part) const {
+    const double all = double(m_times[linePart] + m_times[strokePart] + m_times[trianglePart]);
+    return all > 0.0 ? double(m_times[part]) / all : 0.0;
+  }
+
+ private:
+  std::array<std::atomic<std::int64_t>, 3> m_times{};
+};
+
+void findLines(const PictureInput& input, const PreparedStructure& shown, StructureLines& drawn) {
+  drawn.lines =
+      styledLines(*shown.prepared, input.view, shown.style, shown.gammaOffsets.get(), input.light);
+}
+
+/// Makes of the lines what a pen draws, and adds hatching and patterns.
+void drawLines(const PictureInput& input, const PreparedStructure& shown, StructureLines& drawn) {
+  if (hatches(input, shown))
+    drawn.hatching = styledHatching(*shown.cached->strokes, input.view, shown.style, input.light,
+                                    shown.gammaOffsets.get());
+  if (shown.cut) {
+    cutLines(*shown.cut, drawn);
+    drawn.patterns = facePatterns(shown, input.view);
+  }
+  joinLines(shown.surface(), input.view, shown.style, input.light, drawn);
+}
+
+/// A structure whose lines are to be found.
+struct AbsentLines {
+  const PreparedStructure* shown;
+  StructureLines* lines;
+};
+
+/// A layer to complete.
+struct LayerWork {
+  Layer* layer;
+  std::vector<AbsentLines> absent;
+  std::size_t clusters = 0;
+};
+
+/// Lists the layers, those of the largest surfaces first: so no thread is left with one of them
+/// when all else is done.
+std::vector<LayerWork> layerWork(const PictureInput& input, std::span<Layer> layers,
+                                 std::span<const std::size_t> changed,
+                                 std::map<model::NodeId, StructureLines>& lines) {
+  std::vector<LayerWork> works;
+  for (const std::size_t i : changed) {
+    LayerWork& work = works.emplace_back(LayerWork{.layer = &layers[i], .absent = {}});
+    for (const PreparedStructure& shown : layers[i].members) {
+      work.clusters += shown.surface().clusters.items.size();
       if (needsLines(input, shown))
         if (const auto [it, fresh] = lines.try_emplace(shown.id); fresh)
-          absent.push_back({&shown, &it->second});
-  parallelFor(absent.size(), 1, [&](std::size_t i) {
-    const PreparedStructure& shown = *absent[i].shown;
-    absent[i].lines->lines = styledLines(*shown.prepared, input.view, shown.style,
-                                         shown.gammaOffsets.get(), input.light);
-  });
-  stopwatch.lines();
-  parallelFor(absent.size(), 1, [&](std::size_t i) {
-    const PreparedStructure& shown = *absent[i].shown;
-    StructureLines& drawn = *absent[i].lines;
-    if (hatches(input, shown))
-      drawn.hatching = styledHatching(*shown.cached->strokes, input.view, shown.style, input.light,
-                                      shown.gammaOffsets.get());
-    if (shown.cut) {
-      cutLines(*shown.cut, drawn);
-      drawn.patterns = facePatterns(shown, input.view);
+          work.absent.push_back({&shown, &it->second});
     }
-    joinLines(shown.surface(), input.view, shown.style, input.light, drawn);
+  }
+  std::stable_sort(works.begin(), works.end(),
+                   [](const LayerWork& a, const LayerWork& b) { return a.clusters > b.clusters; });
+  return works;
+}
+
+}  // namespace
+
+void completeLayers(const PictureInput& input, const PixelRect& region, std::span<Layer> layers,
+                    std::span<const std::size_t> changed, Stopwatch& stopwatch) {
+  std::map<model::NodeId, StructureLines> own;
+  std::map<model::NodeId, StructureLines>& lines = input.lines ? *input.lines : own;
+  const std::vector<LayerWork> works = layerWork(input, layers, changed, lines);
+  PartTimes times;
+  std::atomic<std::size_t> next = 0;
+  parallelFor(works.size(), 1, [&](std::size_t) {
+    // Whichever thread is free takes the largest that is left.
+    const LayerWork& work = works[next++];
+    if (input.isUnwanted())
+      return;
+    const auto forEachAbsent = [&](const auto& body) {
+      parallelFor(work.absent.size(), 1, [&](std::size_t i) {
+        body(input, *work.absent[i].shown, *work.absent[i].lines);
+      });
+    };
+    auto at = PartTimes::Clock::now();
+    forEachAbsent(findLines);
+    at = times.add(linePart, at);
+    forEachAbsent(drawLines);
+    completeLayer(*work.layer, input.view, region, lines);
+    if (!input.lines)
+      for (const AbsentLines& absent : work.absent)
+        *absent.lines = {};
+    at = times.add(strokePart, at);
+    if (!findDepths(*work.layer, input.view, region))
+      findTriangles(*work.layer, input.view, region);
+    times.add(trianglePart, at);
   });
+  stopwatch.shared(times.share(linePart),
+                   {{"strokes", times.share(strokePart)}, {"plan", times.share(trianglePart)}});
 }
 
 }  // namespace sline::render

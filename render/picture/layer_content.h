@@ -18,9 +18,11 @@ SurfaceFill shownFill(const PictureInput& input, const PreparedStructure& shown)
 void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
                       std::span<const std::size_t> changed);
 
-/// Finds the lines of all changed layers that have none in `lines` yet.
-void findLines(const PictureInput& input, std::span<const Layer> layers,
-               std::span<const std::size_t> changed, std::map<model::NodeId, StructureLines>& lines,
-               Stopwatch& stopwatch);
+/// Finds the lines of all changed layers, those that `input.lines` lacks, and from these the
+/// layers' strokes, squares and triangles. One layer is completed after the other, so that what is
+/// looked at for its lines is still near the processor for all that follows. Where the picture is
+/// unwanted, some layers stay incomplete.
+void completeLayers(const PictureInput& input, const PixelRect& region, std::span<Layer> layers,
+                    std::span<const std::size_t> changed, Stopwatch& stopwatch);
 
 }  // namespace sline::render

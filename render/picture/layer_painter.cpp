@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "model/base/parallel.h"
 #include "render/picture/layer_content.h"
 #include "render/strokes/surface_fill.h"
 
@@ -249,19 +248,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   if (input.isUnwanted())
     return Outcome::givenUp;
 
-  std::map<model::NodeId, StructureLines> own;
-  std::map<model::NodeId, StructureLines>& lines = input.lines ? *input.lines : own;
-  findLines(input, layers, changed, lines, stopwatch);
-  parallelFor(changed.size(), 1,
-              [&](std::size_t i) { completeLayer(layers[changed[i]], input.view, region, lines); });
-  own.clear();
-  stopwatch.pass(device, "strokes");
-  parallelFor(changed.size(), 1, [&](std::size_t i) {
-    Layer& layer = layers[changed[i]];
-    if (!findDepths(layer, input.view, region))
-      findTriangles(layer, input.view, region);
-  });
-  stopwatch.pass(device, "plan");
+  completeLayers(input, region, layers, changed, stopwatch);
   if (input.isUnwanted())
     return Outcome::givenUp;
 
