@@ -19,8 +19,7 @@ float hatchLevel(const StrokeLayout& layout, float perMm, float spacing);
 /// Returns all cells with strokes that a picture may show on these clusters when strokes of its
 /// finest level are `spacing` λ apart or up to twice as close. They are in ascending order, so the
 /// coarsest come first.
-std::vector<LaidCell> neededCells(const StrokeLayout& layout,
-                                  std::span<const std::uint32_t> clusters, const ViewScale& scale,
-                                  const Frustum& frustum, float spacing);
+std::vector<LaidCell> neededCells(StrokeLayout& layout, std::span<const std::uint32_t> clusters,
+                                  const ViewScale& scale, const Frustum& frustum, float spacing);
 
 }  // namespace sline::render

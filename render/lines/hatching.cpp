@@ -65,45 +65,54 @@ class Hatcher {
         m_fields(layout.surface(), {.eye = m_eye,
                                     .light = inPatient(request.light, camera),
                                     .twoSided = request.twoSided,
-                                    .tone = request.tone}) {}
+                                    .tone = request.tone}),
+        m_bare(bareOpacity()) {}
 
   Hatching hatch() {
     m_layout.beginView();
     const std::vector<LaidCell> cells =
         neededCells(m_layout, m_fields.clusters(), m_scale, m_frustum, m_request.spacing);
-    if (varies()) {
+    m_entered = m_request.entered;
+    if (varies() || m_entered < 1.0f) {
       measureInk(cells);
-    } else {
-      m_entered = m_request.entered;
-      if (m_entered < 1.0f) {
-        measureInk(cells);
+      if (!varies())
         m_entered = evenlyEntered(m_entered);
+      for (const MeasuredStroke& measured : m_measuredStrokes) {
+        recall(measured);
+        keepPieces(measured.tile->positions[measured.stroke->seedPoint], measured.stroke->seed);
       }
+    } else {
+      forEachStroke(cells, [this](int level, const TilePtr& tile, const LaidStroke& stroke) {
+        if (sample(level, *tile, stroke))
+          keepPieces(tile->positions[stroke.seedPoint], stroke.seed);
+      });
     }
-    forEachStroke(cells, [this](const LaidCell& cell, const LaidTile& tile, const LaidStroke& s) {
-      if (m_measured.empty())
-        sample(cell.level, tile, s);
-      else
-        recall(tile, s);
-      keepPieces(tile.positions[s.seedPoint], s.seed);
-    });
     return std::move(m_hatching);
   }
 
  private:
   bool varies() const { return !m_request.gammas.empty(); }
 
+  using TilePtr = std::shared_ptr<const LaidTile>;
+  /// A stroke on which ink was measured.
+  struct MeasuredStroke {
+    TilePtr tile;
+    const LaidStroke* stroke;
+    std::size_t first;  ///< in `m_measured`
+  };
+
   template <class Body>
   void forEachStroke(const std::vector<LaidCell>& cells, const Body& body) {
     for (const LaidCell& cell : cells) {
-      const std::shared_ptr<const LaidTile> tile = m_layout.tile(cell);
+      const TilePtr tile = m_layout.tile(cell);
       for (const LaidStroke& stroke : tile->strokes)
         if (!m_frustum.misses(stroke.bounds))
-          body(cell, *tile, stroke);
+          body(cell.level, tile, stroke);
     }
   }
 
-  void sample(int level, const LaidTile& tile, const LaidStroke& stroke) {
+  /// Samples the stroke; returns false where no sample can have any width.
+  bool sample(int level, const LaidTile& tile, const LaidStroke& stroke) {
     turnTo(tile, stroke);
     m_samples.assign(stroke.count, Sample());
     const std::uint32_t end = stroke.first + stroke.count;
@@ -111,9 +120,14 @@ class Hatcher {
     for (const LaidRun* run = &tile.runs[stroke.firstRun]; from < end; from = run++->end)
       if (m_fields.facesEye(run->cluster))
         sampleRun(run->cluster, from - stroke.first, run->end - stroke.first);
+    if (std::none_of(m_samples.begin(), m_samples.end(), [this](const Sample& s) {
+          return hatchOpacity(s.weight, s.angle, 1.0f) > m_bare;
+        }))
+      return false;
     for (std::uint32_t i = 0; i < stroke.count; ++i)
       if (m_samples[i].weight > 0.0f && m_samples[i].angle < 1.0f)
         place(level, i);
+    return true;
   }
 
   void turnTo(const LaidTile& tile, const LaidStroke& stroke) {
@@ -121,12 +135,11 @@ class Hatcher {
     m_positions = std::span(tile.positions).subspan(stroke.first, stroke.count);
   }
 
-  /// Takes the samples of the next stroke that ink was measured on.
-  void recall(const LaidTile& tile, const LaidStroke& stroke) {
-    turnTo(tile, stroke);
-    const auto first = m_measured.begin() + std::ptrdiff_t(m_recalled);
-    m_samples.assign(first, first + stroke.count);
-    m_recalled += stroke.count;
+  /// Takes the samples of a stroke that ink was measured on.
+  void recall(const MeasuredStroke& measured) {
+    turnTo(*measured.tile, *measured.stroke);
+    const auto first = m_measured.begin() + std::ptrdiff_t(measured.first);
+    m_samples.assign(first, first + measured.stroke->count);
   }
 
   /// Interpolates the fields at points of one cluster, which others behind the contour lack.
@@ -190,21 +203,36 @@ class Hatcher {
                     std::sqrt(m_request.tone));
   }
 
+  /// Returns an opacity at which strokes still have no width where all of their level shows.
+  float bareOpacity() const {
+    float bare = 0.0f;
+    for (float step = 0.5f; step > 1e-3f; step *= 0.5f)
+      if (!(halfWidth({.weight = 2.0f * (bare + step), .angle = 0.5f, .presence = 1.0f}, 1.0f) >
+            0.0f))
+        bare += step;
+    return 0.999f * bare;
+  }
+
   /// Finds how much ink the strokes have for some values of `entered`.
   void measureInk(const std::vector<LaidCell>& cells) {
     constexpr std::uint32_t stride = 3;
     const CoarseDepth depth(m_layout.surface(), m_camera);
-    forEachStroke(cells, [&](const LaidCell& cell, const LaidTile& tile, const LaidStroke& stroke) {
-      sample(cell.level, tile, stroke);
+    forEachStroke(cells, [&](int level, const TilePtr& tile, const LaidStroke& stroke) {
+      if (!sample(level, *tile, stroke))
+        return;
+      m_measuredStrokes.push_back({tile, &stroke, m_measured.size()});
       m_measured.insert(m_measured.end(), m_samples.begin(), m_samples.end());
       for (std::uint32_t i = 0; i < stroke.count; i += stride) {
         const Sample& s = m_samples[i];
-        if (!s.inked() || !depth.sees(m_positions[i]))
+        if (!s.inked() || !(hatchOpacity(s.weight, s.angle, 1.0f) > m_bare) ||
+            !depth.sees(m_positions[i]))
           continue;
         const Sample& before = m_samples[i > 0 ? i - 1 : 0];
         const float length = before.inked() ? glm::distance(before.seen, s.seen) : 0.0f;
-        for (int step = 1; step <= inkSteps; ++step) {
+        for (int step = inkSteps; step > 0; --step) {
           const float width = halfWidth(s, float(step) / float(inkSteps));
+          if (!(width > 0.0f))
+            break;  // nor has it any before
           m_ink[std::size_t(step)] += m_layout.length() > 0.0f ? width * length : width * width;
         }
       }
@@ -327,14 +355,15 @@ class Hatcher {
   ViewScale m_scale;
   Frustum m_frustum;
   HatchFields m_fields;
+  float m_bare;  ///< see `bareOpacity`
   static constexpr int inkSteps = 32;
   std::array<float, inkSteps + 1> m_ink{};
   float m_entered = 1.0f;
   std::span<const LaidPoint> m_points;     ///< of the stroke that is sampled
   std::span<const glm::vec3> m_positions;  ///< likewise
   std::vector<Sample> m_samples;
-  std::vector<Sample> m_measured;  ///< of all strokes, where their ink was measured
-  std::size_t m_recalled = 0;      ///< how many of these have been drawn
+  std::vector<MeasuredStroke> m_measuredStrokes;
+  std::vector<Sample> m_measured;  ///< of these
   std::vector<HatchPoint> m_piece;
   std::vector<glm::vec2> m_along;
   Hatching m_hatching;

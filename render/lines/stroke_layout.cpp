@@ -18,10 +18,10 @@ constexpr float cellShare = 0.7f;
 // strokes at least, so that strokes of cubes that are not neighbours never meet.
 constexpr float leastSide = 24.0f;
 constexpr float sideMargin = 4.0f;
-// Below this many points nothing is forgotten; above it, tiles that the last views did not ask for
-// are forgotten.
-constexpr std::size_t fewPoints = 10'000;
-constexpr std::uint32_t viewsKept = 12;
+// Below this many points, of 20 bytes each, nothing is forgotten; above it, what exceeds so many
+// times the points of the last view.
+constexpr std::size_t fewPoints = 50'000;
+constexpr std::size_t viewsKept = 4;
 
 model::Box grown(const model::Box& box, float by) {
   return {box.low - by, box.high + by};
@@ -105,14 +105,25 @@ glm::vec3 StrokeLayout::position(const LaidPoint& point) const {
 
 void StrokeLayout::beginView() {
   const std::lock_guard lock(m_mutex);
-  ++m_view;
-  if (m_points <= fewPoints)
+  const std::size_t most = std::max(fewPoints, viewsKept * m_shown);
+  m_shown = 0;
+  const std::uint32_t last = m_view++;
+  if (m_points <= most)
     return;
-  std::erase_if(m_tiles, [this](const auto& entry) {
-    const bool old = m_view - entry.second.lastView > viewsKept;
-    m_points -= old ? entry.second.tile->points.size() : 0;
-    return old;
+  using Kept = std::pair<const LaidCell, KeptCell>;
+  std::vector<const Kept*> unused;
+  for (const Kept& cell : m_cells)
+    if (cell.second.lastView != last)
+      unused.push_back(&cell);
+  std::stable_sort(unused.begin(), unused.end(), [](const Kept* a, const Kept* b) {
+    return a->second.lastView < b->second.lastView;
   });
+  for (const Kept* cell : unused) {
+    if (m_points <= most)
+      return;
+    m_points -= cell->second.tile ? cell->second.tile->points.size() : 0;
+    m_cells.erase(LaidCell(cell->first));
+  }
 }
 
 std::shared_ptr<const LaidTile> StrokeLayout::tile(const LaidCell& cell) {
@@ -120,23 +131,44 @@ std::shared_ptr<const LaidTile> StrokeLayout::tile(const LaidCell& cell) {
   return found(cell);
 }
 
-std::shared_ptr<const LaidTile> StrokeLayout::found(const LaidCell& cell) {
-  auto known = m_tiles.find(cell);
-  if (known == m_tiles.end()) {
-    auto laid = std::make_shared<const LaidTile>(lay(cell));
-    m_points += laid->points.size();
-    known = m_tiles.emplace(cell, KeptTile{std::move(laid)}).first;
+std::shared_ptr<const std::vector<std::uint32_t>> StrokeLayout::clustersReached(
+    const LaidCell& cell) {
+  const std::lock_guard lock(m_mutex);
+  return kept(cell).clusters;
+}
+
+StrokeLayout::KeptCell& StrokeLayout::kept(const LaidCell& cell) {
+  KeptCell& known = m_cells[cell];
+  if (!known.clusters) {
+    const model::Box box = reached(cell);
+    std::vector<std::uint32_t> clusters;
+    for (std::size_t c = 0; c < m_surface->clusters.items.size(); ++c)
+      if (touches(m_surface->clusters.items[c].bounds, box))
+        clusters.push_back(std::uint32_t(c));
+    known.clusters = std::make_shared<const std::vector<std::uint32_t>>(std::move(clusters));
   }
-  known->second.lastView = m_view;
-  return known->second.tile;
+  if (known.lastView != m_view && known.tile)
+    m_shown += known.tile->points.size();
+  known.lastView = m_view;
+  return known;
+}
+
+std::shared_ptr<const LaidTile> StrokeLayout::found(const LaidCell& cell) {
+  KeptCell& known = kept(cell);
+  if (!known.tile) {
+    known.tile = std::make_shared<const LaidTile>(lay(cell));
+    m_points += known.tile->points.size();
+    m_shown += known.tile->points.size();
+  }
+  return known.tile;
 }
 
 LaidTile StrokeLayout::lay(const LaidCell& cell) {
   const model::Box box = home(cell);
   std::vector<std::uint32_t> clusters;
-  for (std::size_t c = 0; c < m_surface->clusters.items.size(); ++c)
+  for (const std::uint32_t c : *kept(cell).clusters)
     if (touches(m_surface->clusters.items[c].bounds, box))
-      clusters.push_back(std::uint32_t(c));
+      clusters.push_back(c);
   const glm::vec3 origin = m_surface->boundingSphere.centre;
   const std::vector<PlacedSeed> seeds =
       hatchSeeds(*m_surface, cell.level, {box.low - origin, box.high - origin}, clusters);

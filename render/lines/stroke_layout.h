@@ -110,10 +110,13 @@ class StrokeLayout {
   /// Returns the cells from which strokes may reach into the sphere.
   CellRange rangeNear(int level, const model::Sphere& sphere) const;
   std::vector<LaidCell> cellsNear(int level, const model::Sphere& sphere) const;
-  /// Must be called before a view asks for its cells. Cells that no recent view has asked for are
-  /// forgotten when there are many, and laid again, identically, if they are needed.
+  /// Must be called before a view asks for its cells. Where strokes take much more memory than
+  /// those of the last view, cells that were not asked for the longest are forgotten, and laid
+  /// again, identically, if they are needed.
   void beginView();
   std::shared_ptr<const LaidTile> tile(const LaidCell& cell);
+  /// Returns the clusters that strokes starting in the cell may reach, ascending.
+  std::shared_ptr<const std::vector<std::uint32_t>> clustersReached(const LaidCell& cell);
 
   static glm::vec3 barycentric(const LaidPoint& point) {
     const float second = float(point.second) / 65535.0f;
@@ -127,10 +130,12 @@ class StrokeLayout {
   class Placer;
   float reach(int level) const;
   float side(int level) const;
-  struct KeptTile {
-    std::shared_ptr<const LaidTile> tile;
+  struct KeptCell {
+    std::shared_ptr<const std::vector<std::uint32_t>> clusters;  ///< see `clustersReached`
+    std::shared_ptr<const LaidTile> tile;                        ///< null until it is laid
     std::uint32_t lastView = 0;
   };
+  KeptCell& kept(const LaidCell& cell);
   std::shared_ptr<const LaidTile> found(const LaidCell& cell);
   LaidTile lay(const LaidCell& cell);
   void markAround(const LaidCell& cell, const model::Box& box, StrokeSpacing& taken);
@@ -144,9 +149,10 @@ class StrokeLayout {
   StrokeDirections m_directions;
   float m_length;
   int m_firstLevel;
-  std::mutex m_mutex;  ///< guards the tiles
-  std::map<LaidCell, KeptTile> m_tiles;
+  std::mutex m_mutex;  ///< guards the cells
+  std::map<LaidCell, KeptCell> m_cells;
   std::size_t m_points = 0;  ///< in all tiles
+  std::size_t m_shown = 0;   ///< in tiles that the view has asked for
   std::uint32_t m_view = 0;
 };
 
