@@ -13,9 +13,9 @@
 
 #include <compare>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <mutex>
+#include <unordered_map>
 #include <vector>
 
 #include "model/geometry/face_neighbours.h"
@@ -135,6 +135,14 @@ class StrokeLayout {
     std::shared_ptr<const LaidTile> tile;                        ///< null until it is laid
     std::uint32_t lastView = 0;
   };
+  struct CellHash {
+    std::size_t operator()(const LaidCell& cell) const {
+      std::uint64_t h = std::uint32_t(cell.level);
+      for (const std::int32_t at : {cell.x, cell.y, cell.z})
+        h = (h ^ std::uint32_t(at)) * 0x9e3779b97f4a7c15u;
+      return std::size_t(h ^ (h >> 32));
+    }
+  };
   KeptCell& kept(const LaidCell& cell);
   std::shared_ptr<const LaidTile> found(const LaidCell& cell);
   LaidTile lay(const LaidCell& cell);
@@ -150,7 +158,7 @@ class StrokeLayout {
   float m_length;
   int m_firstLevel;
   std::mutex m_mutex;  ///< guards the cells
-  std::map<LaidCell, KeptCell> m_cells;
+  std::unordered_map<LaidCell, KeptCell, CellHash> m_cells;
   std::size_t m_points = 0;  ///< in all tiles
   std::size_t m_shown = 0;   ///< in tiles that the view has asked for
   std::uint32_t m_view = 0;

@@ -24,6 +24,15 @@ class TriangleFinder {
   TriangleFinder(const DrawnStructure& shown, const PictureView& view, const SampleGrid& grid)
       : m_shown(shown), m_view(view), m_grid(grid), m_cull(cullsBack(shown, view)) {}
 
+  /// Has the memory fetch the positions of a cluster that will be looked at soon.
+  void fetch(const model::Cluster& cluster) const {
+    const model::Surface& surface = m_shown.surface();
+    const glm::vec3* positions = surface.mesh->positions().data();
+    const std::uint32_t* vertices = surface.clusters.vertices.data() + cluster.firstVertex;
+    for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)
+      __builtin_prefetch(positions + vertices[i]);
+  }
+
   void append(const model::Cluster& cluster, std::vector<std::uint32_t>& visible) {
     const Clusters& clusters = m_shown.surface().clusters;
     const auto* triangles = clusters.localTriangles.data() + cluster.firstTriangle;
@@ -31,13 +40,16 @@ class TriangleFinder {
     const bool known = m_seen.project(cluster, m_shown.surface(), m_view, m_grid);
     if (known)
       m_seen.findBoxes({triangles, cluster.triangleCount});
+    std::array<std::uint32_t, 3 * std::size_t(Clusters::maximumTriangles)> kept;
+    auto end = kept.begin();
     for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
       if (known ? (mixed && !(m_seen.area[i] > 0.0f)) || !covers(i)
                 : mixed && !facesEye(cluster, triangles[i]))
         continue;
       for (const std::uint8_t corner : triangles[i])
-        visible.push_back(cluster.firstVertex + corner);
+        *end++ = cluster.firstVertex + corner;
     }
+    visible.insert(visible.end(), kept.begin(), end);
   }
 
  private:
@@ -92,8 +104,11 @@ std::vector<std::uint32_t> visibleTriangles(const DrawnStructure& shown, const P
   parallelFor(found.size(), 1, [&](std::size_t i) {
     TriangleFinder finder(shown, view, grid);
     const std::size_t end = std::min(clusters.size(), (i + 1) * piece);
-    for (std::size_t k = i * piece; k < end; ++k)
+    for (std::size_t k = i * piece; k < end; ++k) {
+      if (k + 1 < end)
+        finder.fetch(*clusters[k + 1]);
       finder.append(*clusters[k], found[i]);
+    }
   });
   if (found.size() == 1)
     return std::move(found.front());
