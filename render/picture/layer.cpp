@@ -38,10 +38,19 @@ int testReach(const PreparedStructure& shown, const PictureView& view, int step)
   return strokeReach(shown, view) + 2 * (step - 1);
 }
 
-/// Marks what strokes draw on, and so many pixels around.
+/// Marks so many pixels around what strokes draw on.
 void markReach(const std::vector<Stroke>& strokes, int reach, TileMask& mask) {
   for (const Stroke& stroke : strokes)
     mask.mark(grown(strokeBounds(stroke), reach));
+}
+
+/// Marks what strokes draw on as shown, and so many pixels around it as touched.
+void markStrokes(const std::vector<Stroke>& strokes, int reach, Layer& layer) {
+  for (const Stroke& stroke : strokes) {
+    const PixelRect bounds = strokeBounds(stroke);
+    layer.mask.mark(bounds);
+    layer.touched.mark(grown(bounds, reach));
+  }
 }
 
 /// Returns where surfaces of the region are sampled.
@@ -149,10 +158,8 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
   }
   layer.hiddenInk = !layer.hidden.empty();
   layer.haloed = !layer.halos.empty();
-  for (const std::vector<Stroke>* strokes : {&layer.strokes, &layer.hidden, &layer.halos}) {
-    markReach(*strokes, 0, layer.mask);
-    markReach(*strokes, testReach(first, view, layer.surfaceStep), layer.touched);
-  }
+  for (const std::vector<Stroke>* strokes : {&layer.strokes, &layer.hidden, &layer.halos})
+    markStrokes(*strokes, testReach(first, view, layer.surfaceStep), layer);
 }
 
 }  // namespace sline::render

@@ -445,8 +445,14 @@ std::vector<Segment> curved(const std::vector<Segment>& segments, const Chains& 
                     .subspan(chains.first[chain], chains.first[chain + 1] - chains.first[chain]),
                 parts[block]);
   });
+  if (blocks == 1)
+    return std::move(parts.front());
+  std::size_t count = 0;
+  for (const std::vector<Segment>& part : parts)
+    count += part.size();
   std::vector<Segment> out;
-  for (std::vector<Segment>& part : parts)
+  out.reserve(count);
+  for (const std::vector<Segment>& part : parts)
     out.insert(out.end(), part.begin(), part.end());
   return out;
 }

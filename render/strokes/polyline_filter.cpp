@@ -39,25 +39,30 @@ void blur(std::vector<glm::vec2>& points, float deviation, bool closed) {
     return;
   const auto count = std::ptrdiff_t(points.size());
   const std::ptrdiff_t pad = std::ptrdiff_t(boxes) * r;
-  std::vector<glm::vec2> line(std::size_t(count + 2 * pad));
-  for (std::ptrdiff_t i = 0; i < std::ptrdiff_t(line.size()); ++i)
-    line[std::size_t(i)] = extended(points, i - pad, closed);
+  const std::ptrdiff_t padded = count + 2 * pad;
+  std::vector<glm::vec2> both(std::size_t(2 * padded));
+  glm::vec2* line = both.data();
+  glm::vec2* next = line + padded;
+  for (std::ptrdiff_t i = 0; i < pad; ++i) {
+    line[i] = extended(points, i - pad, closed);
+    line[pad + count + i] = extended(points, count + i, closed);
+  }
+  std::copy_n(points.begin(), count, line + pad);
   const float share = 1.0f / float(2 * r + 1);
-  std::vector<glm::vec2> next(line.size());
   std::ptrdiff_t from = r;
-  std::ptrdiff_t to = std::ptrdiff_t(line.size()) - r;
+  std::ptrdiff_t to = padded - r;
   for (int box = 0; box < boxes; ++box, from += r, to -= r) {
     glm::dvec2 sum(0.0);
     for (std::ptrdiff_t k = from - r; k < from + r; ++k)
-      sum += glm::dvec2(line[std::size_t(k)]);
+      sum += glm::dvec2(line[k]);
     for (std::ptrdiff_t i = from; i < to; ++i) {
-      sum += glm::dvec2(line[std::size_t(i + r)]);
-      next[std::size_t(i)] = share * glm::vec2(sum);
-      sum -= glm::dvec2(line[std::size_t(i - r)]);
+      sum += glm::dvec2(line[i + r]);
+      next[i] = share * glm::vec2(sum);
+      sum -= glm::dvec2(line[i - r]);
     }
     std::swap(line, next);
   }
-  std::copy_n(line.begin() + pad, count, points.begin());
+  std::copy_n(line + pad, count, points.begin());
 }
 
 std::vector<float> softMinimum(const std::vector<float>& values, int reach, bool closed) {
