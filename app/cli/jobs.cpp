@@ -10,6 +10,7 @@
 #include "app/cli/flags/film_flags.h"
 #include "app/cli/jobs/job_list.h"
 #include "model/base/letters.h"
+#include "model/disk/paths_below.h"
 #include "render/export/formats/export_formats.h"
 
 namespace sline::cli {
@@ -240,13 +241,13 @@ class JobPlanner {
           .where = field.where, .reason = "it names no file, or several", .remedy = "Write one"};
     const std::filesystem::path named(field.values.front());
     const std::filesystem::path target = (m_targets / named).lexically_normal();
-    if (!staysBelow(named) || !liesBelow(target, m_targets))
+    if (!model::staysBelow(named) || !model::liesBelow(target, m_targets))
       return Error{.where = field.where,
                    .reason = "\"" + named.string() +
                              "\" lies outside of the folder that is "
                              "written to",
                    .remedy = "Write a path below it, or choose that folder with --to"};
-    const auto [before, fresh] = m_seen.emplace(realPath(target), field.where);
+    const auto [before, fresh] = m_seen.emplace(model::realPath(target), field.where);
     if (!fresh)
       return Error{.where = field.where,
                    .reason = "\"" + named.string() + "\" is written by " + before->second + ", too",
@@ -266,10 +267,10 @@ class JobPlanner {
     std::map<std::filesystem::path, std::string> readers;
     for (const PlannedJob& planned : plannedJobs)
       for (const std::string& input : planned.inputs)
-        readers.emplace(realPath(input), planned.where);
+        readers.emplace(model::realPath(input), planned.where);
     for (const PlannedJob& planned : plannedJobs)
       for (const std::filesystem::path& target : planned.targets)
-        if (const auto reader = readers.find(realPath(target)); reader != readers.end())
+        if (const auto reader = readers.find(model::realPath(target)); reader != readers.end())
           return Error{.where = planned.where,
                        .reason = "\"" + target.string() + "\" is read by " + reader->second,
                        .remedy = "Give it another name"};

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "app/cli/jobs/job_list.h"
+#include "model/disk/paths_below.h"
 #include "tests/support/mutator.h"
 #include "tests/support/suite.h"
 
@@ -154,7 +155,7 @@ class JobListTest : public QObject {
   void pathsThatStay() {
     QFETCH(QString, path);
     QFETCH(bool, stays);
-    QCOMPARE(staysBelow(path.toStdString()), stays);
+    QCOMPARE(model::staysBelow(path.toStdString()), stays);
   }
 
   /// Any text gives either a list or an error with a remedy.

@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "model/base/result.h"
+#include "model/scene/near_names.h"
 #include "model/scene/scene.h"
 
 namespace sline::cli {
 
-/// Returns up to five of the names that are most like the wanted one, best first: those that
-/// contain it or are contained in it, then those a few typing errors away.
-std::vector<std::string> nearNames(std::string_view wanted, std::span<const std::string> names);
+using model::nearNames;
 
 /// Returns the structures and groups of that name, at least one; the error lists names that are
 /// near.

@@ -50,14 +50,4 @@ struct Shard {
 /// Reads "3/16".
 Result<Shard> parseShard(std::string_view text);
 
-/// Tells whether a path that a list gives stays in the folder it is relative to: it is not absolute
-/// and never climbs out.
-bool staysBelow(const std::filesystem::path& path);
-
-/// Returns where a path leads with all its links followed, even a last one that leads to nothing
-/// yet.
-std::filesystem::path realPath(const std::filesystem::path& path);
-/// Tells whether the path leads below the folder, links followed.
-bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
-
 }  // namespace sline::cli
