@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "model/scene/style_fields.h"
+#include "render/vectors/cropped.h"
 
 namespace sline::render {
 
@@ -50,18 +51,6 @@ std::vector<model::Triangle> beanTriangles() {
   return triangles;
 }
 
-Path moved(Path path, const glm::vec2& by) {
-  for (Curve& curve : path) {
-    curve.start += by;
-    for (Cubic& piece : curve.pieces) {
-      piece.control1 += by;
-      piece.control2 += by;
-      piece.end += by;
-    }
-  }
-  return path;
-}
-
 /// Draws the middle of a page as high as the figure, since pens are measured by the page's height.
 Result<VectorDrawing> sampleOf(const ExportOrder& order, const model::Scene& scene) {
   const float height = std::max(order.page.sizeMm.y, 2.0f * sampleMm.y);
@@ -74,19 +63,7 @@ Result<VectorDrawing> sampleOf(const ExportOrder& order, const model::Scene& sce
   Result<VectorDrawing> drawing = drawVectors(scene, camera, settings);
   if (!drawing.ok())
     return drawing;
-  drawing->sizeMm = sampleMm;
-  for (VectorStructure& structure : drawing->structures) {
-    if (structure.tones) {
-      structure.tones->at -= corner;
-      structure.tones->edge = moved(std::move(structure.tones->edge), -corner);
-    }
-    for (VectorShape& shape : structure.fills)
-      shape.path = moved(std::move(shape.path), -corner);
-    for (VectorLines& lines : structure.lines)
-      for (VectorShape& shape : lines.shapes)
-        shape.path = moved(std::move(shape.path), -corner);
-  }
-  return drawing;
+  return cropped(std::move(*drawing), corner, sampleMm);
 }
 
 /// Adds the bean with that style, so many times as large, and then moved.

@@ -21,4 +21,7 @@ namespace sline::render {
 std::string svgDocument(const VectorDrawing& drawing, const model::Scene& scene,
                         std::span<const SvgWriting> writings = {}, const ExportCredit& credit = {});
 
+/// Appends the credit as Inkscape writes and reads it: Dublin Core about the document.
+void appendCredit(std::string& text, const ExportCredit& credit);
+
 }  // namespace sline::render

@@ -48,7 +48,9 @@ class Layer {
   void add(const SvgWriting& writing) {
     m_text += "<g id=\"" + writing.id + "\" inkscape:label=\"" + xmlText(writing.name) +
               "\" inkscape:groupmode=\"layer\" stroke-linejoin=\"round\" font-family=\"" +
-              std::string(families) + "\">\n";
+              std::string(families) + "\"";
+    appendMove(m_text, writing.at);
+    m_text += ">\n";
     if (writing.halos)
       addHalos(writing.lettering);
     for (const LetteringItem& item : writing.lettering.items)
@@ -140,6 +142,13 @@ class Layer {
 };
 
 }  // namespace
+
+void appendMove(std::string& text, const glm::vec2& by) {
+  constexpr int decimals = 3;
+  if (by != glm::vec2(0.0f))
+    text += " transform=\"translate(" + number(double(by.x), decimals) + " " +
+            number(double(by.y), decimals) + ")\"";
+}
 
 void appendLettering(std::string& text, const SvgWriting& writing, int decimals) {
   if (!writing.lettering.items.empty())

@@ -2,6 +2,7 @@
 // Writes labels and marks to SVG as real text, so that it can be found, edited and translated.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <string>
 
 #include "render/lettering/lettering.h"
@@ -13,8 +14,12 @@ struct SvgWriting {
   std::string id;    ///< "labels"
   std::string name;  ///< "Labels"
   Lettering lettering;
-  bool halos = true;  ///< what is written stands on a drawing
+  bool halos = true;   ///< what is written stands on a drawing
+  glm::vec2 at{0.0f};  ///< where its upper left corner lies on the page, mm
 };
+
+/// Appends the attribute that moves a group; nothing where it stays.
+void appendMove(std::string& text, const glm::vec2& by);
 
 /// Appends the layer: a group of halos, which are paths, so that no reader paints them over
 /// letters, and above them a group for each label or mark. An empty list adds nothing.
