@@ -25,6 +25,7 @@ enum class Exit : int {
 void addRender(CLI::App& program, Exit& exit);
 void addAnnotate(CLI::App& program, Exit& exit);
 void addCompare(CLI::App& program, Exit& exit);
+void addCompose(CLI::App& program, Exit& exit);
 void addLines(CLI::App& program, Exit& exit);
 void addCurvature(CLI::App& program, Exit& exit);
 void addInfo(CLI::App& program, Exit& exit);

@@ -70,6 +70,7 @@ int run(int argc, char** argv) {
   sline::cli::addProof(program, exit);
   sline::cli::addJobs(program, exit);
   sline::cli::addCompare(program, exit);
+  sline::cli::addCompose(program, exit);
   sline::cli::addLines(program, exit);
   sline::cli::addCurvature(program, exit);
   sline::cli::addInfo(program, exit);

@@ -287,11 +287,11 @@ class Drawing {
     addHidden(work, layers, index, stack, structure);
     if (pens) {
       one.hatching = std::move(work.lines.hatching);
-      add("Hatching", ink);
+      add(hatchingLayer, ink);
     }
     if (!work.lines.patterns.empty()) {
       one.patterns = std::move(work.lines.patterns);
-      add("Cut tissue", 1.0f);
+      add(cutTissueLayer, 1.0f);
     }
     for (const LineTechnique& technique : lineTechniques()) {
       // Cut edges stay outlined where other lines leave.

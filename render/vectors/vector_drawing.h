@@ -30,9 +30,13 @@ struct VectorShape {
   float light = 1.0f;
 };
 
+/// The kinds of lines that are tones: their strokes fade by getting thinner.
+inline constexpr const char* hatchingLayer = "Hatching";
+inline constexpr const char* cutTissueLayer = "Cut tissue";
+
 /// One kind of line that a pen draws of a structure.
 struct VectorLines {
-  const char* kind = "";            ///< "Hatching", or a technique's layer
+  const char* kind = "";            ///< `hatchingLayer` …, or a technique's layer
   float opacity = 1.0f;             ///< of all the lines together
   bool hidden = false;              ///< by other structures
   std::vector<VectorShape> shapes;  ///< of one colour, except where they are veiled; by light

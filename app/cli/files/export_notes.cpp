@@ -108,4 +108,9 @@ std::string textOf(const render::ExportNote& note) {
   return {};
 }
 
+std::string factOf(const render::ExportNote& note) {
+  const std::string text = textOf(note);
+  return text.substr(0, text.rfind(". "));  // what to do is the last sentence
+}
+
 }  // namespace sline::cli

@@ -64,7 +64,7 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const
     return plate;
   LabelStyle style = order.labels;
   style.onDark = order.environment.background == Background::dark;
-  style.reserved = plate.marks.boxes;
+  style.reserved.insert(style.reserved.end(), plate.marks.boxes.begin(), plate.marks.boxes.end());
   const Screen screen(order.camera, order.page.sizeMm);
   plate.labels = labelPlate(order.scene, screen, style, trees, turn);
   const UnseenLabels& unseen = plate.labels->unseen;

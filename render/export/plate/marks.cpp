@@ -8,6 +8,7 @@
 #include "model/scene/label_words.h"
 #include "render/export/plate/gamma_key.h"
 #include "render/export/plate/legend.h"
+#include "render/export/plate/legend_row.h"
 #include "render/lettering/caption.h"
 #include "render/lettering/label_texts.h"
 #include "render/lettering/mark_words.h"
@@ -29,7 +30,7 @@ constexpr float widestBar = 40.0f;
 // Shares of the labels' size.
 constexpr float letterSize = 1.1f;
 constexpr float nameSize = 1.0f;
-constexpr float smallSize = 0.8f;
+constexpr float smallSize = legendShare;
 
 constexpr std::size_t mostSectionLines = 3;
 
@@ -70,26 +71,14 @@ std::vector<const model::Section*> sectionsSeen(const model::Scene& scene) {
   return seen;
 }
 
-/// Lengths within a legend, for letters of that size.
-struct LegendMeasure {
-  explicit LegendMeasure(float points)
-      : row(1.5f * points * millimetresPerPoint),
-        swatch(1.2f * capHeightMm(points)),
-        indent(swatch + 0.45f * points * millimetresPerPoint),
-        between(1.2f * points * millimetresPerPoint) {}
-  float row;      ///< from one baseline to the next
-  float swatch;   ///< a swatch's side
-  float indent;   ///< from a swatch's left edge to its name
-  float between;  ///< between columns
-};
-
 class MarkLayout {
  public:
   explicit MarkLayout(const ExportOrder& order)
       : m_order(order),
         m_size(order.page.sizeMm),
         m_colours(letteringColours(order.environment.background == Background::dark)),
-        m_words(order.labels.language) {
+        m_words(order.labels.language),
+        m_boxes(order.labels.reserved) {
     m_marks.lettering.ground = m_colours.ground;
   }
 
@@ -183,6 +172,15 @@ class MarkLayout {
     return QFontMetricsF(labelFont()).elidedText(line, Qt::ElideRight, qreal(width) / scale);
   }
 
+  /// Returns where a line between those heights begins, beside what is reserved at the left.
+  float leftEnd(float top, float bottom) const {
+    float left = margin;
+    for (const LabelBox& box : m_order.labels.reserved)
+      if (box.low.x <= margin && box.low.y < bottom && box.high.y > top)
+        left = std::max(left, box.high.x + gap);
+    return left;
+  }
+
   /// Adds lines from the upper left corner downwards; the first stands beside the letter if it fits
   /// there.
   void addUpperLeft() {
@@ -195,12 +193,13 @@ class MarkLayout {
       float baseline = above > 0.0f ? above + 1.35f * em : margin + std::max(letterCap(), cap);
       if (above <= 0.0f && m_top && textWidthMm(line, points(size)) > besideLetter)
         baseline += letterCap() + gap;
-      const QString fitted = elided(line, size, m_size.x - 2.0f * margin);
+      const float left = leftEnd(baseline - cap, baseline);
+      const QString fitted = elided(line, size, m_size.x - margin - left);
       if (fitted != line)
         addNote(
             m_marks.notes,
             {.kind = ExportNote::Kind::textShortened, .names = {line.toStdString()}, .detail = {}});
-      const LetteringText one = text(fitted, {margin, baseline}, size, TextAnchor::start);
+      const LetteringText one = text(fitted, {left, baseline}, size, TextAnchor::start);
       if (add({.name = name, .shapes = {}, .text = one}, boxOf(one))) {
         above = baseline;
         m_marks.edges.top = std::max(m_marks.edges.top, baseline + gap);
@@ -279,7 +278,6 @@ class MarkLayout {
   void addGammaKeys();
   void addCaption();
   void addLegend();
-  void addLegendRow(const model::Node& node, const QString& name, const glm::vec2& at);
 
   const ExportOrder& m_order;
   glm::vec2 m_size;
@@ -345,9 +343,13 @@ void MarkLayout::addLegend() {
   const glm::vec2 corner = m_size - margin - size;
   for (std::size_t i = 0; i < shown; ++i) {
     const std::size_t column = i / down;
-    addLegendRow(*structures[i], names[i],
-                 corner + glm::vec2(float(column) * (width + measure.between),
-                                    float(i % down + 1) * measure.row));
+    m_marks.lettering.items.push_back(legendRow(
+        {.name = structures[i]->name,
+         .text = names[i],
+         .colour = m_order.scene.resolve(structures[i]->id).colour},
+        corner +
+            glm::vec2(float(column) * (width + measure.between), float(i % down + 1) * measure.row),
+        points(smallSize), m_colours));
   }
   m_boxes.push_back({corner, corner + size});
   m_marks.legend = m_boxes.back().grown(gap);
@@ -380,24 +382,6 @@ void MarkLayout::addCaption() {
     return;
   m_marks.caption = m_boxes.back().grown(gap);
   m_marks.edges.bottom = std::max(m_marks.edges.bottom, m_size.y - caption->box.low.y + gap);
-}
-
-/// Adds a row at that left end of its baseline.
-void MarkLayout::addLegendRow(const model::Node& node, const QString& name, const glm::vec2& at) {
-  constexpr float edge = 0.12f;
-  const LegendMeasure measure(points(smallSize));
-  const glm::vec2 high{at.x + measure.swatch, at.y};
-  LetteringItem row{
-      .name = "legend: " + node.name,
-      .shapes = {},
-      .text = text(name, {at.x + measure.indent, at.y}, smallSize, TextAnchor::start)};
-  row.shapes.push_back({.path = roundedBox(high - measure.swatch, high, 0.4f),
-                        .pen = edge,
-                        .ink = m_colours.ink,
-                        .fill = m_order.scene.resolve(node.id).colour,
-                        .dashed = false,
-                        .halo = barHalo});
-  m_marks.lettering.items.push_back(std::move(row));
 }
 
 }  // namespace

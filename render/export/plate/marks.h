@@ -29,7 +29,8 @@ struct Marks {
 /// Lays out the marks that are wanted for the order's scene, camera and page, in the labels' size
 /// and language. Letters stand where a side of the body lies in the picture's plane, as in the
 /// window; there are none where everything visible comes from files of unknown directions. A mark
-/// that has no room on the page is left out. The camera must be valid.
+/// that has no room on the page, beside what the labels' style reserves, is left out. The camera
+/// must be valid.
 Marks marksOf(const ExportOrder& order);
 
 /// Paints the marks. The painter's unit must be a millimetre, from the picture's upper left corner.

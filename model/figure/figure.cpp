@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/figure/figure.h"
+
+#include "model/base/letters.h"
+
+namespace sline::model {
+
+std::vector<std::string> lettersOf(const Figure& figure) {
+  std::vector<std::string> letters;
+  char next = 'a';
+  for (const FigurePanel& panel : figure.panels) {
+    std::string letter = panel.letter.value_or("");
+    if (!panel.letter && !(panel.inset && panel.inset->inside) && next <= 'z')
+      letter = std::string(1, next++);
+    if (figure.letters == PanelLetters::upper && !panel.letter && !letter.empty())
+      letter.front() = char(letter.front() - 'a' + 'A');
+    letters.push_back(letter);
+  }
+  return letters;
+}
+
+std::optional<std::size_t> panelOfLetter(const Figure& figure, std::string_view letter) {
+  const std::vector<std::string> letters = lettersOf(figure);
+  const std::string wanted = lowerCase(letter);
+  if (!wanted.empty())
+    for (std::size_t i = 0; i < letters.size(); ++i)
+      if (lowerCase(letters[i]) == wanted)
+        return i;
+  return std::nullopt;
+}
+
+const std::string& sceneOf(const Figure& figure, const FigurePanel& panel) {
+  return panel.scene.empty() ? figure.scene : panel.scene;
+}
+
+std::string panelName(const Figure& figure, std::size_t index) {
+  const std::string letter = lettersOf(figure).at(index);
+  return "panel " + (letter.empty() ? std::to_string(index + 1) : letter);
+}
+
+}  // namespace sline::model

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/figure/figure_plan.h"
+
+#include <algorithm>
+
+#include "model/edit/look.h"
+#include "model/edit/views.h"
+#include "model/scene/near_names.h"
+#include "model/scene/resolved_styles.h"
+#include "model/scene/visible_structures.h"
+#include "render/export/figure/panel_cameras.h"
+#include "render/export/plate/plate_image.h"
+#include "render/lettering/typesetting.h"
+
+namespace sline::render {
+
+namespace {
+
+// Millimetres.
+constexpr float letterIndent = 0.4f;
+constexpr float letterAir = 1.0f;
+constexpr float insetAir = 1.0f;
+constexpr float linesOfHeight = 720.0f;  // λ (METHOD §1)
+constexpr float contourPen = 2.0f;       // λ
+
+LegendList listOf(model::FigureLegend legend) {
+  switch (legend) {
+    case model::FigureLegend::all:
+      return LegendList::all;
+    case model::FigureLegend::labelled:
+      return LegendList::labelled;
+    case model::FigureLegend::focus:
+      return LegendList::focus;
+    case model::FigureLegend::none:
+      break;
+  }
+  return LegendList::none;
+}
+
+LetteringText letterText(const model::Figure& figure, const std::string& letter,
+                         const glm::vec2& corner) {
+  TextLine line;
+  append(line, QString::fromStdString(letter), {.bold = true});
+  return {.lines = {line},
+          .at = corner + glm::vec2(letterIndent, letterIndent + capHeightMm(figure.letterPoints)),
+          .points = figure.letterPoints,
+          .ink = letteringColours(false).ink};
+}
+
+class Planning {
+ public:
+  Planning(const model::Figure& figure, const FigureScenes& scenes) : m_scenes(scenes) {
+    m_plan.figure = figure;
+  }
+
+  Result<FigurePlan> make() {
+    if (const Status fine = model::checkFigure(figure()); !fine.ok())
+      return fine.error();
+    Result<std::unique_ptr<Typesetting>> typesetting = Typesetting::create();
+    if (!typesetting.ok())
+      return typesetting.error();
+    m_typesetting = std::move(*typesetting);
+    m_plan.legend = {listOf(figure().legend), legendShare * figure().points};
+    Result<model::FigureLayout> layout = model::layOut(figure());
+    if (!layout.ok())
+      return layout.error();
+    m_plan.panels.resize(figure().panels.size());
+    for (const std::size_t i : layout->order)
+      if (const Status shown = showScene(i, layout->panels[i].from); !shown.ok())
+        return shown.error();
+    for (const ExportOrder& panel : m_plan.panels)
+      m_plan.legend.add(panel.scene, figure().language);
+    layout = model::layOut(figure(), m_plan.legend.heightIn(figure().widthMm));
+    if (!layout.ok())
+      return layout.error();
+    m_plan.layout = std::move(*layout);
+    reserve();
+    for (const std::size_t i : m_plan.layout.order)
+      aim(i);
+    measurePens();
+    return std::move(m_plan);
+  }
+
+ private:
+  const model::Figure& figure() const { return m_plan.figure; }
+  const model::FigurePanel& wish(std::size_t index) const { return figure().panels[index]; }
+
+  Error fault(std::size_t index, std::string reason, std::string remedy) const {
+    return {.where = model::panelName(figure(), index),
+            .reason = std::move(reason),
+            .remedy = std::move(remedy)};
+  }
+
+  /// Gives the panel its scene as its view shows it; an inset's is that of its panel.
+  Status showScene(std::size_t index, const std::optional<std::size_t>& from) {
+    const model::FigurePanel& panel = wish(index);
+    ExportOrder& order = m_plan.panels[index];
+    const bool inset = panel.inset.has_value();
+    const std::string& file = inset ? m_files[*from] : model::sceneOf(figure(), panel);
+    m_files[index] = file;
+    const auto found = m_scenes.find(file);
+    if (found == m_scenes.end() || !found->second)
+      return fault(index, file.empty() ? "it shows no scene" : "there is no scene " + file,
+                   "Name a scene file with \"scene\"");
+    const model::Scene& scene = *found->second;
+    if (inset && panel.view.empty()) {
+      order.scene = m_plan.panels[*from].scene;
+      return Unit{};
+    }
+    order.scene = scene;
+    const model::View* saved = viewNamed(scene, panel.view);
+    if (saved) {
+      order.scene = model::withViewApplied(scene, *saved).scene;
+      order.camera = saved->camera;
+      order.viewName = saved->name;
+      m_saved.insert({index, true});
+    } else if (!panel.view.empty() &&
+               !model::anatomicalViewNamed(model::normalisedName(panel.view))) {
+      return unknownView(index, scene);
+    }
+    if (figure().blackAndWhite)
+      order.scene = model::withInkAlone(order.scene).scene;
+    return Unit{};
+  }
+
+  static const model::View* viewNamed(const model::Scene& scene, const std::string& name) {
+    const std::string wanted = model::normalisedName(name);
+    for (const model::View& view : scene.views())
+      if (!wanted.empty() && model::normalisedName(view.name) == wanted)
+        return &view;
+    return nullptr;
+  }
+
+  Status unknownView(std::size_t index, const model::Scene& scene) const {
+    std::vector<std::string> names;
+    for (const model::View& view : scene.views())
+      names.push_back(view.name);
+    names.insert(names.end(), model::anatomicalViewNames.begin(), model::anatomicalViewNames.end());
+    std::string near = model::nearNamesText(wish(index).view, names);
+    return fault(index, "its scene has no view \"" + wish(index).view + "\"",
+                 near.empty() ? "`sline view SCENE --list` lists the saved views" : near);
+  }
+
+  /// Gives each panel its page and says where nothing may stand in it.
+  void reserve() {
+    for (std::size_t i = 0; i < m_plan.panels.size(); ++i) {
+      const model::FigurePanel& panel = wish(i);
+      const model::PlacedPanel& placed = m_plan.layout.panels[i];
+      ExportOrder& order = m_plan.panels[i];
+      order.page.sizeMm = placed.box.size;
+      order.legend = LegendList::none;
+      order.labels = {
+          .mode = panel.labels.value_or(figure().labels) ? LabelMode::on : LabelMode::off,
+          .points = figure().points,
+          .language = figure().language};
+      order.marks = ExportMarks::none();
+      order.marks.scaleBar = panel.scaleBar.value_or(figure().scaleBars);
+      order.marks.sides = panel.sides.value_or(figure().sides && !panel.inset);
+      order.marks.gammaKey = true;
+      order.pureInk = figure().blackAndWhite;
+      if (!placed.letter.empty())
+        order.labels.reserved.push_back(letterBox(figure(), placed.letter));
+    }
+    for (std::size_t i = 0; i < m_plan.panels.size(); ++i)
+      if (wish(i).inset && wish(i).inset->inside) {
+        const model::FigureBox& box = *wish(i).inset->inside;
+        m_plan.panels[*m_plan.layout.panels[i].from].labels.reserved.push_back(
+            LabelBox{box.at, box.end()}.grown(insetAir));
+      }
+  }
+
+  /// Gives the panel its camera.
+  void aim(std::size_t index) {
+    const model::FigurePanel& panel = wish(index);
+    ExportOrder& order = m_plan.panels[index];
+    const auto& from = m_plan.layout.panels[index].from;
+    if (panel.inset)
+      return aimInset(index, *from);
+    if (from) {
+      const ExportOrder& other = m_plan.panels[*from];
+      order.camera = withHeight(other.camera, order.page.sizeMm.y / other.page.sizeMm.y);
+      if (panel.camera->centred)
+        centre(order, other);
+      return;
+    }
+    const float aspect = order.page.sizeMm.x / order.page.sizeMm.y;
+    const bool saved = m_saved.contains(index);
+    if (!saved)
+      order.camera =
+          model::anatomicalCamera(model::anatomicalViewNamed(model::normalisedName(panel.view))
+                                      .value_or(model::AnatomicalView::anterior),
+                                  order.scene.visibleBounds(), aspect);
+    if (figure().projection == model::FigureProjection::parallel)
+      order.camera = inParallel(order.camera);
+    if (!saved || (panel.camera && panel.camera->fit))
+      order.camera = model::fittedToVisible(order.scene, order.camera, aspect,
+                                            sidesOfPlate(order, *m_typesetting));
+  }
+
+  /// Moves the camera aside so that it looks at the middle of what its own panel shows.
+  static void centre(ExportOrder& order, const ExportOrder& other) {
+    const glm::vec3 by =
+        order.scene.visibleBounds().centre() - other.scene.visibleBounds().centre();
+    order.camera.eye += by;
+    order.camera.target += by;
+  }
+
+  void aimInset(std::size_t index, std::size_t of) {
+    const model::PanelInset& inset = *wish(index).inset;
+    ExportOrder& order = m_plan.panels[index];
+    const ExportOrder& parent = m_plan.panels[of];
+    order.camera = insetCamera(parent.camera, parent.page.sizeMm, inset.part, order.page.sizeMm);
+    InsetFrame frame{.panel = index, .of = of, .corners = {}, .lines = inset.lines};
+    for (const glm::vec2& corner :
+         cornersIn(parent.camera, parent.page.sizeMm, order.camera, order.page.sizeMm))
+      frame.corners.push_back(m_plan.layout.panels[of].box.at + corner);
+    m_plan.frames.push_back(std::move(frame));
+  }
+
+  /// Chooses the height that all panels' pens are measured by. Where the tallest panel is higher
+  /// than the one at which contours are as wide as asked for, pens are made finer.
+  void measurePens() {
+    const float wanted = figure().penPoints * millimetresPerPoint * linesOfHeight / contourPen;
+    m_plan.penHeightMm = wanted;
+    for (const ExportOrder& order : m_plan.panels)
+      m_plan.penHeightMm = std::max(m_plan.penHeightMm, order.page.sizeMm.y);
+    const float finer = wanted / m_plan.penHeightMm;
+    if (finer == 1.0f)
+      return;
+    for (ExportOrder& order : m_plan.panels) {
+      const std::vector<model::ResolvedStyle> styles = model::resolveAll(order.scene);
+      std::vector<model::Node> nodes = order.scene.nodes();
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (!nodes[i].isGroup())
+          nodes[i].style.penWeight = finer * styles[i].penWeight;
+      order.scene.setNodes(std::move(nodes));
+    }
+  }
+
+  const FigureScenes& m_scenes;
+  std::unique_ptr<Typesetting> m_typesetting;
+  FigurePlan m_plan;
+  std::map<std::size_t, std::string> m_files;  ///< of the panels' scenes
+  std::map<std::size_t, bool> m_saved;         ///< panels with a saved view
+};
+
+}  // namespace
+
+LabelBox letterBox(const model::Figure& figure, const std::string& letter) {
+  const LetteringText text = letterText(figure, letter, {});
+  return {glm::vec2(0.0f),
+          {text.at.x + textWidthMm(text.lines.front(), text.points) + letterAir,
+           text.at.y + letterAir}};
+}
+
+LetteringItem drawnLetter(const model::Figure& figure, const std::string& letter,
+                          const glm::vec2& corner) {
+  return {.name = "letter " + letter, .shapes = {}, .text = letterText(figure, letter, corner)};
+}
+
+Result<FigurePlan> planFigure(const model::Figure& figure, const FigureScenes& scenes) {
+  return Planning(figure, scenes).make();
+}
+
+}  // namespace sline::render
