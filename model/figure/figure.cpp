@@ -35,7 +35,10 @@ const std::string& sceneOf(const Figure& figure, const FigurePanel& panel) {
 
 std::string panelName(const Figure& figure, std::size_t index) {
   const std::string letter = lettersOf(figure).at(index);
-  return "panel " + (letter.empty() ? std::to_string(index + 1) : letter);
+  if (!letter.empty())
+    return "panel " + letter;
+  const auto& inset = figure.panels[index].inset;
+  return "panel " + std::to_string(index + 1) + (inset ? ", an inset of " + inset->of : "");
 }
 
 }  // namespace sline::model

@@ -32,9 +32,8 @@ std::vector<MenuRow> menuRows() {
   return {
       row("fileMenu", tr("&File"),
           ids("new openFiles openFolder >recentMenu >demoMenu | importFiles importFolder "
-              "importAgain | save saveAs saveCopy revert | export printProof compareTechniques | "
-              "reload "
-              "recover | close quit")),
+              "importAgain | save saveAs saveCopy revert | export composeFigure printProof "
+              "compareTechniques | reload recover | close quit")),
       row("recentMenu", tr("Open &Recent"), {}),
       row("demoMenu", tr("&Demo"), {}),
       row("editMenu", tr("&Edit"),

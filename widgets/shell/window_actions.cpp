@@ -50,6 +50,11 @@ std::vector<ActionRow> fileRows() {
       {QStringLiteral("export"), tr("&Export…"), key(tr("Ctrl+Shift+E")),
        tr("Write pictures, drawings and other files for print, teaching and other programs"),
        "export"},
+      {QStringLiteral("composeFigure"),
+       tr("Fi&gure of Several Panels…"),
+       {},
+       tr("Lay saved views out as panels a, b, c on a page for a journal, with insets, scale bars "
+          "and one legend")},
       {QStringLiteral("printProof"),
        tr("&Print Proof…"),
        {},

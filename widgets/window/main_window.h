@@ -22,6 +22,7 @@ namespace sline::widgets {
 
 class BrushTool;
 class ComparisonActions;
+class FigureActions;
 class ExportActions;
 class FileActions;
 class FocusContext;
@@ -111,6 +112,7 @@ class MainWindow : public QMainWindow {
   FileActions* m_files = nullptr;
   ExportActions* m_exports = nullptr;
   ComparisonActions* m_comparisons = nullptr;
+  FigureActions* m_figures = nullptr;
   StartPage* m_start = nullptr;
   StructureTree* m_tree = nullptr;
   FocusContext* m_focus = nullptr;

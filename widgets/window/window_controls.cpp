@@ -20,6 +20,7 @@
 #include "widgets/annotations/in_picture/label_actions.h"
 #include "widgets/comparison/comparison_actions.h"
 #include "widgets/export/export_actions.h"
+#include "widgets/figure/figure_actions.h"
 #include "widgets/focus/focus_context.h"
 #include "widgets/focus/near_tool.h"
 #include "widgets/gamma/brush_actions.h"
@@ -212,6 +213,7 @@ void MainWindow::makeExports() {
   // It holds what is being written, too.
   if (m_exports) {
     m_exports->controlsRemade();
+    m_figures->controlsRemade();
     return m_comparisons->controlsRemade();
   }
   m_exports = new ExportActions({.session = m_session,
@@ -220,6 +222,7 @@ void MainWindow::makeExports() {
                                  .message = *m_message,
                                  .viewport = *m_viewport},
                                 *this);
+  m_figures = new FigureActions(m_session, m_actions, *this);
   m_comparisons = new ComparisonActions(
       {.session = m_session, .actions = m_actions, .viewport = *m_viewport}, *this);
 }

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/figure/figure_desk.h"
+
+#include <system_error>
+#include <utility>
+
+#include "model/figure/figure_edit.h"
+#include "model/figure/figure_file.h"
+#include "model/figure/figure_layout.h"
+#include "model/scene_file/scene_file.h"
+
+namespace sline::widgets {
+
+namespace {
+
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code unknown;
+  return !a.empty() && !b.empty() && std::filesystem::equivalent(a, b, unknown);
+}
+
+}  // namespace
+
+FigureDesk::FigureDesk(OpenScene open) : m_open(std::move(open)) {
+  const std::string name = m_open.file.filename().string();
+  m_figure = model::figureOf(*m_open.scene, name);
+  m_saved = m_figure;
+  m_scenes[name] = m_open.scene;
+  m_paths[name] = m_open.file;
+}
+
+const model::Scene* FigureDesk::sceneOfPanel(std::size_t index) const {
+  for (std::size_t step = 0; step < m_figure.panels.size(); ++step) {
+    const auto& inset = m_figure.panels[index].inset;
+    const auto of = inset ? model::panelOfLetter(m_figure, inset->of) : std::nullopt;
+    if (!of)
+      break;
+    index = *of;
+  }
+  const auto found = m_scenes.find(model::sceneOf(m_figure, m_figure.panels[index]));
+  return found == m_scenes.end() ? nullptr : found->second.get();
+}
+
+Result<FigureDesk> FigureDesk::read(const OpenScene& open, const std::filesystem::path& file) {
+  Result<model::Figure> figure = model::readFigure(file);
+  if (!figure.ok())
+    return figure.error();
+  FigureDesk desk(open);
+  desk.m_scenes.clear();
+  desk.m_paths.clear();
+  for (const model::FigurePanel& panel : figure->panels) {
+    const std::string& name = model::sceneOf(*figure, panel);
+    if (panel.inset || desk.m_scenes.contains(name))
+      continue;
+    const Result<std::filesystem::path> path = model::scenePath(file, name);
+    if (!path.ok())
+      return path.error();
+    desk.m_paths[name] = *path;
+    if (isSameFile(*path, open.file)) {
+      desk.m_scenes[name] = open.scene;
+      continue;
+    }
+    Result<model::SceneDocument> document = model::readSceneFile(*path);
+    if (!document.ok())
+      return document.error();
+    desk.m_scenes[name] = std::make_shared<const model::Scene>(std::move(document->scene));
+  }
+  desk.m_figure = *figure;
+  desk.m_saved = std::move(*figure);
+  desk.m_file = file;
+  return desk;
+}
+
+Status FigureDesk::save(const std::filesystem::path& file) {
+  FigureDesk named = *this;
+  named.m_scenes.clear();
+  named.m_paths.clear();
+  std::map<std::string, std::string> names;
+  for (const auto& [old, path] : m_paths) {
+    if (path.empty())
+      return Error{.reason = "the scene has never been saved",
+                   .remedy = "Save it first, so that the figure's file can name it"};
+    Result<std::string> now = model::sceneName(file, path);
+    if (!now.ok())
+      return now.error();
+    named.m_scenes[*now] = m_scenes.at(old);
+    named.m_paths[*now] = path;
+    names[old] = std::move(*now);
+  }
+  const auto rename = [&names](std::string& scene) {
+    if (const auto found = names.find(scene); found != names.end())
+      scene = found->second;
+  };
+  rename(named.m_figure.scene);
+  for (model::FigurePanel& panel : named.m_figure.panels)
+    if (!panel.scene.empty())
+      rename(panel.scene);
+  if (const Status fine = model::checkFigure(named.m_figure); !fine.ok())
+    return fine;
+  if (Status written = model::writeFigure(named.m_figure, file); !written.ok())
+    return written;
+  named.m_saved = named.m_figure;
+  named.m_file = file;
+  *this = std::move(named);
+  return Unit{};
+}
+
+Status FigureDesk::addScene(const std::filesystem::path& file) {
+  Result<model::SceneDocument> document = model::readSceneFile(file);
+  if (!document.ok())
+    return document.error();
+  std::string name = file.filename().string();
+  while (m_scenes.contains(name) && !isSameFile(m_paths[name], file))
+    name = "_" + name;
+  const auto scene = std::make_shared<const model::Scene>(std::move(document->scene));
+  for (model::FigurePanel panel : model::figureOf(*scene, name).panels) {
+    panel.scene = name;
+    m_figure = model::withPanel(m_figure, panel);
+  }
+  m_scenes[name] = scene;
+  m_paths[name] = file;
+  return Unit{};
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/figure/figure_dialog.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPointer>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "model/figure/figure_edit.h"
+#include "render/export/figure/figure_checks.h"
+#include "widgets/figure/figure_preview.h"
+#include "widgets/form/control.h"
+#include "widgets/text/path_text.h"
+#include "widgets/text/told.h"
+
+namespace sline::widgets {
+
+namespace {
+
+constexpr int soonMs = 120;
+constexpr float figureDpi = 600.0f;
+
+QToolButton* button(const char* name, const QString& text, const QString& tip) {
+  auto* made = new QToolButton;
+  made->setObjectName(QLatin1String(name));
+  made->setText(text);
+  made->setToolTip(tip);
+  made->setAccessibleName(tip);
+  return made;
+}
+
+QFormLayout* emptied(QWidget& form) {
+  delete form.layout();
+  qDeleteAll(form.findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+  auto* layout = new QFormLayout(&form);
+  layout->setContentsMargins(0, 0, 0, 0);
+  return layout;
+}
+
+/// Plans and draws the figure; what `before` shows the same is taken from there.
+Result<render::ComposedFigure> composed(const model::Figure& figure,
+                                        const render::FigureScenes& scenes,
+                                        const std::stop_token& stop,
+                                        const render::ComposedFigure* before) {
+  const Result<render::FigurePlan> plan = render::planFigure(figure, scenes);
+  if (!plan.ok())
+    return plan.error();
+  return render::composeFigure(
+      *plan, [&stop](double, std::string_view) { return !stop.stop_requested(); }, before);
+}
+
+}  // namespace
+
+/// What the background has drawn.
+struct FigureDialog::Composed {
+  int round = 0;
+  std::optional<Error> error;
+  std::shared_ptr<const render::ComposedFigure> figure;
+  QImage page;
+  std::vector<Error> faults;
+};
+
+FigureDialog::FigureDialog(OpenScene open, BackgroundQueue& files, QWidget* parent)
+    : QDialog(parent),
+      m_open(open),
+      m_files(files),
+      m_desk(std::move(open)),
+      m_page(FigureFields::ofPage()),
+      m_preview(new FigurePreview),
+      m_list(new QListWidget),
+      m_panelForm(new QWidget),
+      m_pageForm(new QWidget),
+      m_told(new QLabel),
+      m_add(button("figureAdd", tr("Add"), tr("Add a panel with a view"))),
+      m_remove(button("figureRemove", tr("Remove"), tr("Remove the panel"))),
+      m_up(button("figureUp", tr("Up"), tr("Move the panel up"))),
+      m_down(button("figureDown", tr("Down"), tr("Move the panel down"))),
+      m_export(new QPushButton(tr("&Export…"))) {
+  setObjectName(QStringLiteral("figureDialog"));
+  setWindowTitle(tr("Figure of Several Panels"));
+  auto* across = new QHBoxLayout;
+  across->addWidget(m_preview, 1);
+  across->addWidget(makeSide());
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(across, 1);
+  layout->addWidget(makeBottom());
+  m_soon.setSingleShot(true);
+  m_soon.setInterval(soonMs);
+  connect(&m_soon, &QTimer::timeout, this, &FigureDialog::compose);
+  connect(m_preview, &FigurePreview::resized, this, [this] {
+    if (m_drawn)
+      m_soon.start();
+  });
+  connect(m_preview, &FigurePreview::chosen, this,
+          [this](std::size_t panel) { m_list->setCurrentRow(int(panel)); });
+  connect(m_preview, &FigurePreview::framed, this, &FigureDialog::addInset);
+  connect(m_list, &QListWidget::currentRowChanged, this, &FigureDialog::chooseRow);
+  showAll();
+  m_list->setCurrentRow(0);
+  resize(980, 620);
+}
+
+FigureDialog::~FigureDialog() {
+  m_queue.drop();
+}
+
+QWidget* FigureDialog::makeSide() {
+  auto* side = new QWidget;
+  auto* layout = new QVBoxLayout(side);
+  layout->addWidget(makePanels());
+  auto* page = new QGroupBox(tr("Page"));
+  auto* inPage = new QVBoxLayout(page);
+  inPage->addWidget(m_pageForm);
+  layout->addWidget(page);
+  layout->addStretch(1);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(side);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  fillForm(*emptied(*m_pageForm), m_page);
+  scroll->setMinimumWidth(340);
+  return scroll;
+}
+
+QWidget* FigureDialog::makePanels() {
+  auto* panels = new QGroupBox(tr("Panels"));
+  auto* layout = new QVBoxLayout(panels);
+  m_list->setObjectName(QStringLiteral("figurePanels"));
+  m_list->setAccessibleName(tr("Panels"));
+  m_list->setMaximumHeight(130);
+  layout->addWidget(m_list);
+  auto* buttons = new QHBoxLayout;
+  m_add->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(m_add);
+  menu->setObjectName(QStringLiteral("figureAddMenu"));
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillAddMenu(*menu); });
+  m_add->setMenu(menu);
+  for (QToolButton* each : {m_add, m_remove, m_up, m_down})
+    buttons->addWidget(each);
+  buttons->addStretch(1);
+  layout->addLayout(buttons);
+  layout->addWidget(m_panelForm);
+  connect(m_remove, &QToolButton::clicked, this,
+          [this] { change(model::withoutPanel(figure(), std::size_t(m_list->currentRow()))); });
+  const auto move = [this](int by) {
+    const int row = m_list->currentRow();
+    change(model::withPanelMoved(figure(), std::size_t(row), std::size_t(row + by)));
+    m_list->setCurrentRow(row + by);
+  };
+  connect(m_up, &QToolButton::clicked, this, [move] { move(-1); });
+  connect(m_down, &QToolButton::clicked, this, [move] { move(1); });
+  return panels;
+}
+
+QWidget* FigureDialog::makeBottom() {
+  auto* bottom = new QWidget;
+  auto* layout = new QHBoxLayout(bottom);
+  layout->setContentsMargins(0, 0, 0, 0);
+  m_told->setObjectName(QStringLiteral("figureTold"));
+  m_told->setTextFormat(Qt::PlainText);
+  m_told->setWordWrap(true);
+  layout->addWidget(m_told, 1);
+  const auto add = [&](const char* name, QPushButton* made, const auto& what) {
+    made->setObjectName(QLatin1String(name));
+    made->setAutoDefault(false);
+    connect(made, &QPushButton::clicked, this, what);
+    layout->addWidget(made);
+  };
+  add("figureOpen", new QPushButton(tr("&Open…")), [this] { askThen([this] { chooseOpen(); }); });
+  add("figureSave", new QPushButton(tr("&Save Figure…")), [this] { chooseSave(); });
+  m_export->setToolTip(tr("As PDF, SVG or PNG"));
+  add("figureExport", m_export, [this] { chooseExport(); });
+  add("figureClose", new QPushButton(tr("Close")), [this] { reject(); });
+  return bottom;
+}
+
+void FigureDialog::fillForm(QFormLayout& layout, const std::vector<FigureField>& fields) {
+  for (const FigureField& each : fields) {
+    QWidget* control = makeControl(each.field, [this, write = each.write](const QVariant& value) {
+      if (m_filling)
+        return;
+      model::Figure changed = figure();
+      write(changed, value);
+      change(std::move(changed));
+    });
+    showValue(*control, each.field.kind, each.read(figure()));
+    if (std::holds_alternative<SwitchField>(each.field.kind))
+      layout.addRow(control);
+    else
+      layout.addRow(each.field.text, control);
+  }
+}
+
+void FigureDialog::fillAddMenu(QMenu& menu) {
+  menu.clear();
+  const auto add = [this, &menu](const std::string& view) {
+    QString text = FigureFields::viewName(view);
+    menu.addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")), this, [this, view] {
+      change(model::withPanel(figure(), {.view = view}));
+      m_list->setCurrentRow(m_list->count() - 1);
+    });
+  };
+  for (const model::View& view : m_open.scene->views())
+    add(view.name);
+  menu.addSeparator();
+  for (const std::string_view side : model::anatomicalViewNames)
+    add(std::string(side));
+  menu.addSeparator();
+  menu.addAction(tr("Another Scene…"), this, [this] { chooseScene(); });
+}
+
+void FigureDialog::showAll() {
+  m_filling = true;
+  for (const FigureField& each : m_page)
+    if (auto* control = m_pageForm->findChild<QWidget*>(each.field.id))
+      showValue(*control, each.field.kind, each.read(figure()));
+  {
+    const QSignalBlocker quiet(m_list);
+    const int row = m_list->currentRow();
+    m_list->clear();
+    for (std::size_t i = 0; i < figure().panels.size(); ++i)
+      m_list->addItem(FigureFields::nameOf(figure(), i));
+    m_list->setCurrentRow(std::min(std::max(row, 0), m_list->count() - 1));
+  }
+  m_filling = false;
+  showPanel();
+  setWindowModified(m_desk.modified());
+  ++m_round;
+  m_soon.start();
+}
+
+void FigureDialog::chooseRow(int) {
+  showPanel();
+}
+
+void FigureDialog::showPanel() {
+  const int row = m_list->currentRow();
+  const bool any = row >= 0 && row < int(figure().panels.size());
+  m_remove->setEnabled(any && figure().panels.size() > 1);
+  m_up->setEnabled(any && row > 0);
+  m_down->setEnabled(any && row + 1 < m_list->count());
+  m_add->setEnabled(figure().panels.size() < model::mostPanels);
+  m_preview->choose(any ? std::optional(std::size_t(row)) : std::nullopt);
+  m_filling = true;
+  QFormLayout* layout = emptied(*m_panelForm);
+  if (any)
+    fillForm(*layout, FigureFields::ofPanel(figure(), std::size_t(row),
+                                            m_desk.sceneOfPanel(std::size_t(row))));
+  m_filling = false;
+}
+
+void FigureDialog::change(model::Figure changed) {
+  if (changed == figure())
+    return;
+  m_desk.set(std::move(changed));
+  // A control that has just been used must not be deleted by what it says.
+  QMetaObject::invokeMethod(this, &FigureDialog::showAll, Qt::QueuedConnection);
+}
+
+void FigureDialog::addInset(std::size_t panel, const model::FigureBox& part) {
+  change(model::withInset(figure(), panel, part));
+  QMetaObject::invokeMethod(
+      this, [this] { m_list->setCurrentRow(m_list->count() - 1); }, Qt::QueuedConnection);
+}
+
+void FigureDialog::compose() {
+  m_queue.drop();
+  m_queue.add([dialog = QPointer(this), round = m_round, figure = figure(),
+               scenes = m_desk.scenes(), before = m_drawn,
+               room = QSizeF(m_preview->size()) *
+                      m_preview->devicePixelRatioF()](const std::stop_token& stop) {
+    Composed made{.round = round};
+    Result<render::ComposedFigure> drawn = composed(figure, scenes, stop, before.get());
+    if (drawn.ok()) {
+      made.faults = render::printFaults(*drawn);
+      made.page = render::pagePicture(render::pageOf(*drawn),
+                                      FigurePreview::pageWidth(room, drawn->plan.layout.sizeMm));
+      made.figure = std::make_shared<const render::ComposedFigure>(std::move(*drawn));
+    } else {
+      made.error = drawn.error();
+    }
+    return BackgroundQueue::Sequel([dialog, made = std::move(made)] {
+      if (dialog)
+        dialog->show(made);
+    });
+  });
+}
+
+void FigureDialog::show(const Composed& made) {
+  if (made.round != m_round)
+    return;
+  m_shown = made.round;
+  m_export->setEnabled(made.figure && made.faults.empty());
+  const Error* problem = made.error            ? &*made.error
+                         : made.faults.empty() ? nullptr
+                                               : &made.faults.front();
+  if (problem)
+    m_told->setText(told(problem->text()));
+  else if (m_problem)
+    m_told->clear();
+  m_problem = problem != nullptr;
+  if (!made.figure)
+    return;
+  m_drawn = made.figure;
+  m_preview->show(made.page, made.figure->plan.layout);
+}
+
+void FigureDialog::tell(const Status& status, const QString& done) {
+  m_told->setText(status.ok() ? done : told(status.error().text()));
+}
+
+QString FigureDialog::folder() const {
+  const std::filesystem::path& file = m_desk.file().empty() ? m_open.file : m_desk.file();
+  return file.empty() ? QDir::homePath() : textOf(file.parent_path());
+}
+
+void FigureDialog::chooseOpen() {
+  auto* dialog = new QFileDialog(this, tr("Open Figure"), folder());
+  dialog->setObjectName(QStringLiteral("figureOpenDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setNameFilter(tr("Figures (*.json)"));
+  connect(dialog, &QFileDialog::fileSelected, this, &FigureDialog::openFile);
+  dialog->open();
+}
+
+void FigureDialog::openFile(const QString& path) {
+  m_queue.drop();
+  m_queue.add(
+      [dialog = QPointer(this), open = m_open, file = pathOf(path)](const std::stop_token&) {
+        const auto desk = std::make_shared<Result<FigureDesk>>(FigureDesk::read(open, file));
+        return BackgroundQueue::Sequel([dialog, desk] {
+          if (!dialog)
+            return;
+          if (!desk->ok())
+            return dialog->m_told->setText(told(desk->error().text()));
+          dialog->m_desk = **desk;
+          dialog->m_list->setCurrentRow(0);
+          dialog->showAll();
+        });
+      });
+}
+
+void FigureDialog::chooseScene() {
+  auto* dialog = new QFileDialog(this, tr("Add Views of Another Scene"), folder());
+  dialog->setObjectName(QStringLiteral("figureSceneDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setNameFilter(tr("Scenes (*.sline)"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    tell(m_desk.addScene(pathOf(path)), {});
+    showAll();
+  });
+  dialog->open();
+}
+
+void FigureDialog::chooseSave(const std::function<void()>& then) {
+  auto* dialog = new QFileDialog(this, tr("Save Figure"), folder());
+  dialog->setObjectName(QStringLiteral("figureSaveDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setNameFilter(tr("Figures (*.json)"));
+  dialog->setDefaultSuffix(QStringLiteral("json"));
+  if (!m_desk.file().empty())
+    dialog->selectFile(textOf(m_desk.file()));
+  connect(dialog, &QFileDialog::fileSelected, this, [this, then](const QString& path) {
+    if (saveFile(path) && then)
+      then();
+  });
+  dialog->open();
+}
+
+bool FigureDialog::saveFile(const QString& path) {
+  const Status saved = m_desk.save(pathOf(path));
+  if (saved.ok())
+    showAll();
+  tell(saved, tr("Saved %1").arg(QFileInfo(path).fileName()));
+  return saved.ok();
+}
+
+void FigureDialog::chooseExport() {
+  auto* dialog = new QFileDialog(this, tr("Export Figure"), folder());
+  dialog->setObjectName(QStringLiteral("figureExportDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setNameFilters({tr("PDF (*.pdf)"), tr("SVG drawing (*.svg)"), tr("PNG picture (*.png)")});
+  dialog->setDefaultSuffix(QStringLiteral("pdf"));
+  connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+    dialog->setDefaultSuffix(filter.section(QLatin1Char('.'), -1).chopped(1));
+  });
+  connect(dialog, &QFileDialog::fileSelected, this, &FigureDialog::exportFile);
+  dialog->open();
+}
+
+void FigureDialog::exportFile(const QString& path) {
+  const std::filesystem::path target = pathOf(path);
+  if (const Status named = render::checkPageName(target, "a figure"); !named.ok())
+    return tell(named, {});
+  m_told->setText(tr("Writing the figure…"));
+  m_files.add([dialog = QPointer(this), path, target, figure = figure(), scenes = m_desk.scenes(),
+               before = m_drawn](const std::stop_token& stop) {
+    const Result<render::ComposedFigure> drawn = composed(figure, scenes, stop, before.get());
+    Status status = Unit{};
+    if (!drawn.ok())
+      status = drawn.error();
+    else if (const std::vector<Error> faults = render::printFaults(*drawn); !faults.empty())
+      status = faults.front();
+    else
+      status = render::writePage(render::pageOf(*drawn), target, figureDpi);
+    return BackgroundQueue::Sequel([dialog, path, status] {
+      if (dialog)
+        dialog->tell(status, tr("Saved %1").arg(QFileInfo(path).fileName()));
+    });
+  });
+}
+
+void FigureDialog::askThen(const std::function<void()>& goOn) {
+  if (!m_desk.modified())
+    return goOn();
+  auto* box = new QMessageBox(this);
+  box->setObjectName(QStringLiteral("figureAsk"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setIcon(QMessageBox::Question);
+  box->setText(tr("The figure has changes that are in no file."));
+  QPushButton* save = box->addButton(tr("Save…"), QMessageBox::AcceptRole);
+  QPushButton* discard = box->addButton(tr("Discard"), QMessageBox::DestructiveRole);
+  save->setObjectName(QStringLiteral("figureAskSave"));
+  discard->setObjectName(QStringLiteral("figureAskDiscard"));
+  box->setDefaultButton(box->addButton(QMessageBox::Cancel));
+  connect(save, &QPushButton::clicked, this, [this, goOn] { chooseSave(goOn); });
+  connect(discard, &QPushButton::clicked, this, goOn);
+  box->open();
+}
+
+void FigureDialog::reject() {
+  askThen([this] { QDialog::reject(); });
+}
+
+}  // namespace sline::widgets
+
+#include "moc_figure_dialog.cpp"
