@@ -84,6 +84,9 @@ Result<std::filesystem::path> scenePath(const std::filesystem::path& figureFile,
 
 Result<std::string> sceneName(const std::filesystem::path& figureFile,
                               const std::filesystem::path& scene) {
+  if (scene.empty())
+    return Error{.reason = "the scene has never been saved",
+                 .remedy = "Save it first, so that the figure's file can name it"};
   const std::filesystem::path folder =
       figureFile.has_parent_path() ? figureFile.parent_path() : std::filesystem::path(".");
   const std::filesystem::path named = realPath(scene).lexically_relative(realPath(folder));

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <initializer_list>
 
 #include "model/figure/figure_rows.h"
 #include "model/scene/near_names.h"
@@ -17,7 +19,8 @@ constexpr std::size_t longestLetter = 8;
 constexpr int figureFormat = 1;
 
 std::string shortText(float value) {
-  return FigureJson(jsonNumber(value)).dump();
+  return value == std::floor(value) ? std::to_string(int(value))
+                                    : FigureJson(jsonNumber(value)).dump();
 }
 
 float numberIn(const JsonValue& value, const Limits<float>& limits) {
@@ -181,7 +184,7 @@ FigureJson jsonOfPanels(const Figure& figure) {
   return list;
 }
 
-constexpr auto figureTable = std::to_array<FigureRow<Figure>>({
+constexpr FigureRow<Figure> sizeTable[] = {
     {"sline_figure", "1", "The format of the file; every figure says it", readFormat,
      [](const Figure&) { return FigureJson(figureFormat); }},
     {"width", "single|middle|double|MM",
@@ -205,6 +208,9 @@ constexpr auto figureTable = std::to_array<FigureRow<Figure>>({
     {"rows", "N|[WEIGHT, …]", "The rows of the grid; without it as many as there are panels for",
      [](const JsonValue& value, Figure& figure) { figure.rows = tracksOf(value); },
      [](const Figure& figure) { return figure.rows.empty() ? FigureJson() : jsonOf(figure.rows); }},
+};
+
+constexpr FigureRow<Figure> sightTable[] = {
     {"scene", "FILE.sline",
      "The scene of all panels that name none: a scene file in the figure's folder or below it",
      readText<&Figure::scene, longestPath>, writeValue<&Figure::scene>},
@@ -229,6 +235,9 @@ constexpr auto figureTable = std::to_array<FigureRow<Figure>>({
      writeValue<&Figure::scaleBars>},
     {"sides", "true|false", "R, L and the other sides of the body", readFlag<&Figure::sides>,
      writeValue<&Figure::sides>},
+};
+
+constexpr FigureRow<Figure> printTable[] = {
     {"legend", "none|all|labelled|focus",
      "One legend for all panels, at the page's foot: of all that any of them shows, of what their "
      "labels point at, or of what is in focus",
@@ -247,9 +256,9 @@ constexpr auto figureTable = std::to_array<FigureRow<Figure>>({
      "Hatching and patterns of cut tissue fade by getting thinner and stay as they are",
      readChoice<&Figure::thinLines, thinLineNames>, writeChoice<&Figure::thinLines, thinLineNames>},
     {"panels", "[PANEL, …]", "The panels, in the order of their letters", readPanels, jsonOfPanels},
-});
+};
 
-constexpr auto panelTable = std::to_array<FigureRow<FigurePanel>>({
+constexpr FigureRow<FigurePanel> panelTable[] = {
     {"scene", "FILE.sline", "The panel's own scene", readText<&FigurePanel::scene, longestPath>,
      writeValue<&FigurePanel::scene>},
     {"view", "NAME",
@@ -268,11 +277,17 @@ constexpr auto panelTable = std::to_array<FigureRow<FigurePanel>>({
      }},
     {"inset", "INSET", "It shows a part of another panel enlarged",
      [](const JsonValue& value, FigurePanel& panel) {
-       readByRows(value, insetRows(), panel.inset.emplace());
+       PanelInset& inset = panel.inset.emplace();
+       readByRows(value, insetRows(), inset);
+       if (inset.part == FigureBox())
+         value.fail("\"part\" is missing");
      },
      [](const FigurePanel& panel) {
        return panel.inset ? writtenByRows(insetRows(), *panel.inset) : FigureJson();
      }},
+};
+
+constexpr FigureRow<FigurePanel> placeTable[] = {
     {"at", "[LEFT, TOP, WIDTH, HEIGHT]",
      "Its place on the page in millimetres; without it the next free one of the grid",
      readBox<&FigurePanel::at>, writeBox<&FigurePanel::at>},
@@ -286,9 +301,9 @@ constexpr auto panelTable = std::to_array<FigureRow<FigurePanel>>({
      writeIfAny<&FigurePanel::scaleBar>},
     {"sides", "true|false", "Its R, L and other sides of the body", readFlag<&FigurePanel::sides>,
      writeIfAny<&FigurePanel::sides>},
-});
+};
 
-constexpr auto cameraTable = std::to_array<FigureRow<PanelCamera>>({
+constexpr FigureRow<PanelCamera> cameraTable[] = {
     {"like", "LETTER",
      "The panel whose direction and scale this one has, too, so that what both show compares",
      readText<&PanelCamera::like, longestLetter>, writeValue<&PanelCamera::like>},
@@ -296,9 +311,9 @@ constexpr auto cameraTable = std::to_array<FigureRow<PanelCamera>>({
      readFlag<&PanelCamera::centred>, writeValue<&PanelCamera::centred>},
     {"fit", "true|false", "Moved so that all that is visible fills the panel beside its labels",
      readFlag<&PanelCamera::fit>, writeValue<&PanelCamera::fit>},
-});
+};
 
-constexpr auto insetTable = std::to_array<FigureRow<PanelInset>>({
+constexpr FigureRow<PanelInset> insetTable[] = {
     {"of", "LETTER", "The panel of which it shows a part", readText<&PanelInset::of, longestLetter>,
      writeValue<&PanelInset::of>},
     {"part", "[LEFT, TOP, WIDTH, HEIGHT]",
@@ -311,7 +326,16 @@ constexpr auto insetTable = std::to_array<FigureRow<PanelInset>>({
      readBox<&PanelInset::inside>, writeBox<&PanelInset::inside>},
     {"lines", "true|false", "Lines from the frame's corners to the inset's",
      readFlag<&PanelInset::lines>, writeValue<&PanelInset::lines>},
-});
+};
+
+template <class Owner>
+std::vector<FigureRow<Owner>> joined(
+    std::initializer_list<std::span<const FigureRow<Owner>>> parts) {
+  std::vector<FigureRow<Owner>> all;
+  for (const std::span<const FigureRow<Owner>>& part : parts)
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
 
 template <class Owner>
 void addNotes(std::vector<FigureKeyNote>& notes, const char* object,
@@ -323,10 +347,12 @@ void addNotes(std::vector<FigureKeyNote>& notes, const char* object,
 }  // namespace
 
 std::span<const FigureRow<Figure>> figureRows() {
-  return figureTable;
+  static const auto all = joined<Figure>({sizeTable, sightTable, printTable});
+  return all;
 }
 std::span<const FigureRow<FigurePanel>> panelRows() {
-  return panelTable;
+  static const auto all = joined<FigurePanel>({panelTable, placeTable});
+  return all;
 }
 std::span<const FigureRow<PanelCamera>> cameraRows() {
   return cameraTable;

@@ -287,7 +287,7 @@ Status checkFigure(const Figure& figure) {
   if (figure.blackAndWhite && figure.legend != FigureLegend::none)
     return Error{.where = "legend",
                  .reason = "a legend tells colours, and ink alone has none",
-                 .remedy = "Leave \"legend\" or \"black_and_white\" out"};
+                 .remedy = "Leave one of both out"};
   const Result<FigureLayout> layout = layOut(figure);
   return layout.ok() ? Status(Unit{}) : Status(layout.error());
 }

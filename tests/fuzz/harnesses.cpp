@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "model/edit/letter_style.h"
+#include "model/figure/figure_file.h"
 #include "model/import/dicom/dicom.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/import.h"
@@ -265,6 +266,17 @@ std::string markup(std::string_view bytes) {
   return made.selection.end > made.text.size() ? "the selection is outside of the text" : "";
 }
 
+/// Reads a figure's file; one that is read can be written, and reads back as the same.
+std::string figure(std::string_view bytes) {
+  const Result<model::Figure> read = model::figureFromText(bytes);
+  if (!read.ok())
+    return read.error().remedy.empty() ? "refused without a remedy" : faultOf(read.error());
+  const Result<model::Figure> again = model::figureFromText(model::figureText(*read));
+  if (!again.ok())
+    return "what was written is refused: " + again.error().text();
+  return *again == *read ? "" : "it changes when it is written";
+}
+
 /// Takes the whole way in: the reader's result is mended, smoothed and refined, or decimated, and
 /// saved. Refinement makes much of little by design, so the input is kept small.
 std::string wholeImport(std::string_view bytes) {
@@ -329,6 +341,7 @@ constexpr Harness table[] = {
     {"mesh_codec", meshCodec},
     {"scan_codec", scanCodec},
     {"markup", markup},
+    {"figure", figure},
     {"import", wholeImport},
 };
 }  // namespace

@@ -94,7 +94,7 @@ class AnyScreenTest : public QObject {
     QCoreApplication::processEvents();
     measure(f.window);
     for (const char* action : {"preferences", "controls", "about", "export", "help", "properties",
-                               "printProof", "compareTechniques"}) {
+                               "printProof", "compareTechniques", "composeFigure"}) {
       QWidget* dialog = opened(f, action);
       QVERIFY2(dialog, action);
       QVERIFY(QTest::qWaitForWindowExposed(dialog));

@@ -76,9 +76,6 @@ Status FigureDesk::save(const std::filesystem::path& file) {
   named.m_paths.clear();
   std::map<std::string, std::string> names;
   for (const auto& [old, path] : m_paths) {
-    if (path.empty())
-      return Error{.reason = "the scene has never been saved",
-                   .remedy = "Save it first, so that the figure's file can name it"};
     Result<std::string> now = model::sceneName(file, path);
     if (!now.ok())
       return now.error();

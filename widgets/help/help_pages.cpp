@@ -27,7 +27,7 @@ constexpr WidgetPage places[] = {
     {"historyPanel", "start"},         {"recoveryDialog", "files"},      {"saveDialog", "files"},
     {"importDialog", "import"},        {"controlsDialog", "keys"},       {"viewsPanel", "views"},
     {"annotationsPanel", "labels"},    {"pocketsPanel", "molecules"},    {"labelText", "labels"},
-    {"exportDialog", "export_dialog"},
+    {"exportDialog", "export_dialog"}, {"figureDialog", "figures"},
 };
 
 QString read(const QString& path) {
@@ -41,11 +41,11 @@ QString read(const QString& path) {
 std::vector<QString> helpPageIds() {
   std::vector<QString> ids;
   for (const char* id :
-       {"start",         "tree",         "gamma",   "focus",         "sections",
-        "picture",       "labels",       "views",   "export_dialog", "export",
-        "sheets",        "films",        "files",   "import",        "keys",
-        "label_volumes", "scans",        "dicom",   "slicer",        "molecules",
-        "annotate",      "command_line", "vectors", "scene_file",    "performance"})
+       {"start",      "tree",       "gamma",         "focus",    "sections",      "picture",
+        "labels",     "views",      "export_dialog", "export",   "sheets",        "figures",
+        "films",      "files",      "import",        "keys",     "label_volumes", "scans",
+        "dicom",      "slicer",     "molecules",     "annotate", "command_line",  "vectors",
+        "scene_file", "performance"})
     ids.push_back(QLatin1String(id));
   return ids;
 }

@@ -16,37 +16,40 @@ QList<QKeySequence> key(const QKeySequence& keys) {
 }
 
 std::vector<ActionRow> fileRows() {
+  return {{QStringLiteral("new"), tr("&New"), key(QKeySequence::New),
+           tr("A scene without anything in it"), "new"},
+          {QStringLiteral("openFiles"), tr("&Open Files…"), key(QKeySequence::Open),
+           tr("Open scenes, meshes, label volumes and other files"), "open_files"},
+          {QStringLiteral("openFolder"), tr("Open &Folder…"), key(tr("Ctrl+Shift+O")),
+           tr("Open all meshes in a folder"), "open_folder"},
+          {QStringLiteral("importFiles"), tr("&Import…"), key(tr("Ctrl+I")),
+           tr("See and change what an import would do, before it is done")},
+          {QStringLiteral("importFolder"), tr("I&mport Folder…"), key(tr("Ctrl+Shift+I")),
+           tr("The same for all meshes in a folder")},
+          {QStringLiteral("importAgain"),
+           tr("Import Op&tions…"),
+           {},
+           tr("Import what is open once more, with other units, smoothing or choice")},
+          {QStringLiteral("save"), tr("&Save"), key(QKeySequence::Save), tr("Write the scene file"),
+           "save"},
+          {QStringLiteral("saveAs"), tr("Save &As…"), key(tr("Ctrl+Shift+S")),
+           tr("Write another scene file and go on with that")},
+          {QStringLiteral("saveCopy"),
+           tr("Save a Cop&y…"),
+           {},
+           tr("Write another scene file and go on with this one")},
+          {QStringLiteral("revert"),
+           tr("Re&vert to Saved…"),
+           {},
+           tr("Read the scene file again; what was changed since is undone")},
+          {QStringLiteral("recover"),
+           tr("Recover &Unsaved Work…"),
+           {},
+           tr("What was kept when the program did not end as it should")}};
+}
+
+std::vector<ActionRow> exportRows() {
   return {
-      {QStringLiteral("new"), tr("&New"), key(QKeySequence::New),
-       tr("A scene without anything in it"), "new"},
-      {QStringLiteral("openFiles"), tr("&Open Files…"), key(QKeySequence::Open),
-       tr("Open scenes, meshes, label volumes and other files"), "open_files"},
-      {QStringLiteral("openFolder"), tr("Open &Folder…"), key(tr("Ctrl+Shift+O")),
-       tr("Open all meshes in a folder"), "open_folder"},
-      {QStringLiteral("importFiles"), tr("&Import…"), key(tr("Ctrl+I")),
-       tr("See and change what an import would do, before it is done")},
-      {QStringLiteral("importFolder"), tr("I&mport Folder…"), key(tr("Ctrl+Shift+I")),
-       tr("The same for all meshes in a folder")},
-      {QStringLiteral("importAgain"),
-       tr("Import Op&tions…"),
-       {},
-       tr("Import what is open once more, with other units, smoothing or choice")},
-      {QStringLiteral("save"), tr("&Save"), key(QKeySequence::Save), tr("Write the scene file"),
-       "save"},
-      {QStringLiteral("saveAs"), tr("Save &As…"), key(tr("Ctrl+Shift+S")),
-       tr("Write another scene file and go on with that")},
-      {QStringLiteral("saveCopy"),
-       tr("Save a Cop&y…"),
-       {},
-       tr("Write another scene file and go on with this one")},
-      {QStringLiteral("revert"),
-       tr("Re&vert to Saved…"),
-       {},
-       tr("Read the scene file again; what was changed since is undone")},
-      {QStringLiteral("recover"),
-       tr("Recover &Unsaved Work…"),
-       {},
-       tr("What was kept when the program did not end as it should")},
       {QStringLiteral("export"), tr("&Export…"), key(tr("Ctrl+Shift+E")),
        tr("Write pictures, drawings and other files for print, teaching and other programs"),
        "export"},
@@ -64,21 +67,24 @@ std::vector<ActionRow> fileRows() {
        tr("Compare Tec&hniques…"),
        {},
        tr("See what is selected, or all, drawn by several line techniques side by side, and save "
-          "that as a sheet")},
-      {QStringLiteral("close"), tr("&Close"), key(QKeySequence::Close),
-       tr("Close the scene and go to the start page")},
-      {QStringLiteral("reload"), tr("Re&load from Source"), key(QKeySequence::Refresh),
-       tr("Read meshes again whose files have changed")},
-      {QStringLiteral("quit"), tr("&Quit"), key(QKeySequence::Quit), tr("Close the program")},
-      {QStringLiteral("undo"), tr("&Undo"), key(QKeySequence::Undo), tr("Take the last step back"),
-       "undo"},
-      {QStringLiteral("redo"), tr("&Redo"), key(QKeySequence::Redo), tr("Do it again"), "redo"},
-      {QStringLiteral("copyPicture"), tr("&Copy Picture"), key(tr("Ctrl+Shift+C")),
-       tr("The picture on the clipboard, with its labels, for other programs")},
-      {QStringLiteral("preferences"), tr("&Preferences…"), key(QKeySequence::Preferences),
-       tr("Theme, background and other habits"), "preferences"},
-      {QStringLiteral("find"), tr("&Find Structure"), key(QKeySequence::Find),
-       tr("Type a few letters of a name")}};
+          "that as a sheet")}};
+}
+
+std::vector<ActionRow> closeAndEditRows() {
+  return {{QStringLiteral("close"), tr("&Close"), key(QKeySequence::Close),
+           tr("Close the scene and go to the start page")},
+          {QStringLiteral("reload"), tr("Re&load from Source"), key(QKeySequence::Refresh),
+           tr("Read meshes again whose files have changed")},
+          {QStringLiteral("quit"), tr("&Quit"), key(QKeySequence::Quit), tr("Close the program")},
+          {QStringLiteral("undo"), tr("&Undo"), key(QKeySequence::Undo),
+           tr("Take the last step back"), "undo"},
+          {QStringLiteral("redo"), tr("&Redo"), key(QKeySequence::Redo), tr("Do it again"), "redo"},
+          {QStringLiteral("copyPicture"), tr("&Copy Picture"), key(tr("Ctrl+Shift+C")),
+           tr("The picture on the clipboard, with its labels, for other programs")},
+          {QStringLiteral("preferences"), tr("&Preferences…"), key(QKeySequence::Preferences),
+           tr("Theme, background and other habits"), "preferences"},
+          {QStringLiteral("find"), tr("&Find Structure"), key(QKeySequence::Find),
+           tr("Type a few letters of a name")}};
 }
 
 std::vector<ActionRow> lookRows() {
@@ -287,8 +293,9 @@ std::vector<ActionRow> viewRows() {
 
 std::vector<ActionRow> actionRows() {
   std::vector<ActionRow> rows = fileRows();
-  for (const std::vector<ActionRow>& more : {lookRows(), handRows(), selectionRows(), styleRows(),
-                                             structureRows(), labelRows(), viewRows()})
+  for (const std::vector<ActionRow>& more :
+       {exportRows(), closeAndEditRows(), lookRows(), handRows(), selectionRows(), styleRows(),
+        structureRows(), labelRows(), viewRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

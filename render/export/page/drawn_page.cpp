@@ -12,6 +12,7 @@
 #include "render/export/encoding/row_file.h"
 #include "render/export/pdf/pdf_pages.h"
 #include "render/export/pdf/picture_pages.h"
+#include "render/lettering/lettering.h"
 
 namespace sline::render {
 

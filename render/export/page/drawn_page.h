@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/export/order/export_order.h"
+#include "render/export/svg/svg_lettering.h"
 #include "render/export/svg/svg_sheet.h"
 
 namespace sline::render {

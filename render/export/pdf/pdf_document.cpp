@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "render/export/encoding/xmp_packet.h"
+#include "render/export/pdf/pdf_fonts.h"
 
 namespace sline::render {
 
@@ -201,6 +202,16 @@ void describe(QPDF& file, const PdfDescription& description) {
   catalog.replaceKey("/Metadata", xmp);
 }
 
+QByteArray written(QPDF& file, bool linearized) {
+  QPDFWriter writer(file);
+  writer.setOutputMemory();
+  writer.setLinearization(linearized);
+  writer.setDeterministicID(true);
+  writer.write();
+  const std::shared_ptr<Buffer> bytes = writer.getBufferSharedPointer();
+  return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
+}
+
 /// Joins the pages; throws what qpdf throws.
 QByteArray joined(const QByteArray& painted, const std::vector<PdfContent>& below,
                   const PdfDescription& description) {
@@ -217,17 +228,17 @@ QByteArray joined(const QByteArray& painted, const std::vector<PdfContent>& belo
     removeTraces(object);
   for (std::size_t i = 0; i < pages.size(); ++i)
     putBelow(file, pages[i], below[i], description.pageSize);
+  nameFonts(pages);
   describe(file, description);
   if (file.anyWarnings())
     throw file.getWarnings().front();
 
-  QPDFWriter writer(file);
-  writer.setOutputMemory();
-  writer.setLinearization(true);
-  writer.setDeterministicID(true);
-  writer.write();
-  const std::shared_ptr<Buffer> bytes = writer.getBufferSharedPointer();
-  return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
+  // Objects stand in the order of their numbers, and Qt's are by chance where there are several
+  // fonts; written once, they are numbered as pages refer to them.
+  const QByteArray ordered = written(file, false);
+  QPDF again;
+  again.processMemoryFile("ordered", ordered.constData(), std::size_t(ordered.size()));
+  return written(again, true);
 }
 
 }  // namespace

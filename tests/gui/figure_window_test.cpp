@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests composing a figure by hand: panels, an inset by dragging, saving, exporting, and that
+// nothing is lost on closing.
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QToolButton>
+#include <QtTest>
+
+#include "model/edit/views.h"
+#include "model/figure/figure_file.h"
+#include "model/scene/visible_structures.h"
+#include "tests/gui/window_fixture.h"
+#include "tests/support/shapes.h"
+#include "tests/support/suite.h"
+#include "widgets/figure/figure_dialog.h"
+#include "widgets/figure/figure_preview.h"
+
+namespace sline::test {
+
+namespace {
+
+using widgets::FigureDialog;
+using widgets::FigurePreview;
+
+struct FigureDesktop : WindowFixture {
+  FigureDesktop() {
+    model::Scene scene;
+    scene.append({.name = "ring", .mesh = torus(40.0f, 15.0f, 60, 24)});
+    scene.append({.name = "ball", .mesh = moved(*sphere(10.0f, 2), 1.0f, {0, 0, 60})});
+    std::vector<model::View> views;
+    for (const char* name : {"One", "Two"}) {
+      views.push_back({.name = name});
+      views.back().camera = model::fittedView(
+          scene, views.size() == 1 ? model::AnatomicalView::anterior : model::AnatomicalView::left,
+          1.3f);
+    }
+    scene.setViews(views);
+    file = folder.filePath("rings.sline");
+    if (!model::writeSceneFile(file.toStdString(), {.scene = scene}).ok() || !drop(file) ||
+        !settled())
+      qFatal("the scene does not come");
+  }
+  FigureDialog& open() {
+    control<QAction>("composeFigure").trigger();
+    auto* dialog = window.findChild<FigureDialog*>();
+    if (!dialog || !QTest::qWaitForWindowExposed(dialog) || !drawn(*dialog))
+      qFatal("the figure does not come");
+    return *dialog;
+  }
+  static bool drawn(FigureDialog& dialog) {
+    return QTest::qWaitFor([&dialog] { return dialog.upToDate(); }, 60'000);
+  }
+
+  QTemporaryDir folder;
+  QString file;
+};
+
+template <class T>
+T& part(QObject& dialog, const char* name) {
+  T* found = dialog.findChild<T*>(QLatin1String(name));
+  if (!found)
+    qFatal("there is no %s", name);
+  return *found;
+}
+
+QString problem(FigureDialog& dialog) {
+  return part<QLabel>(dialog, "figureTold").text();
+}
+
+}  // namespace
+
+class FigureWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  /// It begins with the saved views; a drag in one adds a part of it.
+  void panelsAndInsets() {
+    FigureDesktop desk;
+    FigureDialog& dialog = desk.open();
+    auto& list = part<QListWidget>(dialog, "figurePanels");
+    auto& preview = part<FigurePreview>(dialog, "figurePreview");
+    QCOMPARE(list.count(), 2);
+    QVERIFY(list.item(1)->text().contains("Two"));
+    QVERIFY(!preview.picture().isNull());
+    const QImage before = preview.picture();
+    dragMouse(preview, preview.onScreen({30, 20}).toPoint(), preview.onScreen({60, 40}).toPoint());
+    QTRY_COMPARE(list.count(), 3);
+    QVERIFY(desk.drawn(dialog));
+    QVERIFY(preview.picture() != before);
+    const model::PanelInset inset = *dialog.figure().panels[2].inset;
+    QCOMPARE(inset.of, std::string("a"));
+    QVERIFY(std::abs(inset.part.at.x - 30.0f) < 1.0f && std::abs(inset.part.size.x - 30.0f) < 1.0f);
+    QVERIFY2(problem(dialog).isEmpty(), qPrintable(problem(dialog)));
+    // The first panel moves down; the inset stays with it.
+    list.setCurrentRow(0);
+    part<QToolButton>(dialog, "figureDown").click();
+    QTRY_COMPARE(dialog.figure().panels[0].view, std::string("Two"));
+    QCOMPARE(dialog.figure().panels[2].inset->of, std::string("b"));
+    QVERIFY(desk.drawn(dialog));
+    part<QToolButton>(dialog, "figureRemove").click();
+    QTRY_COMPARE(list.count(), 1);
+  }
+
+  void fieldsChangeTheFigure() {
+    FigureDesktop desk;
+    FigureDialog& dialog = desk.open();
+    auto& width = part<QComboBox>(dialog, "figureWidth");
+    width.setCurrentIndex(width.findData("single"));
+    QCOMPARE(dialog.figure().widthMm, 85.0f);
+    QVERIFY(desk.drawn(dialog));
+    QTRY_COMPARE(part<QDoubleSpinBox>(dialog, "figureWidthMm").value(), 85.0);
+    auto& list = part<QListWidget>(dialog, "figurePanels");
+    list.setCurrentRow(1);
+    auto& camera = part<QComboBox>(dialog, "panelCamera");
+    camera.setCurrentIndex(camera.findData("like a"));
+    QCOMPARE(dialog.figure().panels[1].camera->like, std::string("a"));
+    QVERIFY(desk.drawn(dialog));
+    // 5 pt letters: told with their panel, and nothing is written.
+    part<QDoubleSpinBox>(dialog, "figurePoints").setValue(5.0);
+    QVERIFY(desk.drawn(dialog));
+    QVERIFY2(problem(dialog).contains("4 pt"), qPrintable(problem(dialog)));
+    QVERIFY(!part<QPushButton>(dialog, "figureExport").isEnabled());
+    const QString target = desk.folder.filePath("no.pdf");
+    dialog.exportFile(target);
+    QTRY_VERIFY(problem(dialog).contains("pt"));
+    QVERIFY(!QFile::exists(target));
+  }
+
+  void savedOpenedExported() {
+    FigureDesktop desk;
+    FigureDialog& dialog = desk.open();
+    auto& add = part<QMenu>(dialog, "figureAddMenu");
+    emit add.aboutToShow();
+    add.actions().first()->trigger();
+    QTRY_COMPARE(dialog.figure().panels.size(), std::size_t(3));
+    // Its scene does not lie there.
+    QTemporaryDir elsewhere;
+    QVERIFY(!dialog.saveFile(elsewhere.filePath("figure.json")));
+    QVERIFY(!problem(dialog).isEmpty());
+    const QString figure = desk.folder.filePath("figure.json");
+    QVERIFY2(dialog.saveFile(figure), qPrintable(problem(dialog)));
+    const Result<model::Figure> read = model::readFigure(figure.toStdString());
+    QVERIFY(read.ok());
+    QVERIFY(*read == dialog.figure());
+    const QString target = desk.folder.filePath("figure.svg");
+    QVERIFY(desk.drawn(dialog));
+    dialog.exportFile(target);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(target), 60'000);
+    part<QToolButton>(dialog, "figureRemove").click();
+    QTRY_COMPARE(dialog.figure().panels.size(), std::size_t(2));
+    dialog.openFile(figure);
+    QTRY_COMPARE_WITH_TIMEOUT(dialog.figure().panels.size(), std::size_t(3), 60'000);
+    QVERIFY(*read == dialog.figure());
+  }
+
+  /// Closing asks where work is in no file, and closes at once where none is.
+  void closingAsks() {
+    FigureDesktop desk;
+    QPointer<FigureDialog> dialog = &desk.open();
+    part<QDoubleSpinBox>(*dialog, "figureColumns").setValue(1.0);
+    part<QPushButton>(*dialog, "figureClose").click();
+    auto* box = dialog->findChild<QMessageBox*>(QStringLiteral("figureAsk"));
+    QVERIFY(box && dialog->isVisible());
+    box->button(QMessageBox::Cancel)->click();
+    QTRY_VERIFY(!dialog->findChild<QMessageBox*>(QStringLiteral("figureAsk")));
+    QVERIFY(dialog->isVisible());
+    QVERIFY(dialog->saveFile(desk.folder.filePath("kept.json")));
+    part<QPushButton>(*dialog, "figureClose").click();
+    QTRY_VERIFY(!dialog);
+    dialog = &desk.open();
+    part<QDoubleSpinBox>(*dialog, "figureColumns").setValue(1.0);
+    part<QPushButton>(*dialog, "figureClose").click();
+    part<QPushButton>(*dialog, "figureAskDiscard").click();
+    QTRY_VERIFY(!dialog);
+  }
+};
+
+}  // namespace sline::test
+
+SLINE_TEST_WITH_WIDGETS(sline::test::FigureWindowTest)
+#include "figure_window_test.moc"
