@@ -32,7 +32,7 @@ float numberIn(const JsonValue& value, const Limits<float>& limits) {
 }
 
 std::string textOf(const JsonValue& value, std::size_t longest) {
-  const std::string text = value.text();
+  std::string text = value.text();
   if (text.size() > longest)
     value.fail("the text is longer than " + std::to_string(longest) + " bytes");
   const auto controls = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };

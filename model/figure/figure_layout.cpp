@@ -97,9 +97,9 @@ class Layout {
         return fault(i, "a camera is either like another or fits", "Leave \"fit\" out");
       if (panel.camera && panel.camera->centred && !likes)
         return fault(i, "\"centred\" belongs to a camera like another", "Add \"like\"");
-      const Status linked = panel.inset ? linkTo(i, panel.inset->of, "\"of\"")
-                            : likes     ? linkTo(i, panel.camera->like, "\"like\"")
-                                        : Status(Unit{});
+      Status linked = panel.inset ? linkTo(i, panel.inset->of, "\"of\"")
+                      : likes     ? linkTo(i, panel.camera->like, "\"like\"")
+                                  : Status(Unit{});
       if (!linked.ok())
         return linked;
     }
@@ -245,7 +245,7 @@ class Layout {
       if (!within(box, {m_layout.sizeMm.x, m_layout.sizeMm.y - legend}))
         return fault(i, "it reaches over the page's edge or into the legend",
                      "Move it, make it smaller or the page larger");
-      if (const Status fine = checkAgainstOthers(i); !fine.ok())
+      if (Status fine = checkAgainstOthers(i); !fine.ok())
         return fine;
     }
     return Unit{};

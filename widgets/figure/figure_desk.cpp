@@ -91,7 +91,7 @@ Status FigureDesk::save(const std::filesystem::path& file) {
   for (model::FigurePanel& panel : named.m_figure.panels)
     if (!panel.scene.empty())
       rename(panel.scene);
-  if (const Status fine = model::checkFigure(named.m_figure); !fine.ok())
+  if (Status fine = model::checkFigure(named.m_figure); !fine.ok())
     return fine;
   if (Status written = model::writeFigure(named.m_figure, file); !written.ok())
     return written;
@@ -107,7 +107,7 @@ Status FigureDesk::addScene(const std::filesystem::path& file) {
     return document.error();
   std::string name = file.filename().string();
   while (m_scenes.contains(name) && !isSameFile(m_paths[name], file))
-    name = "_" + name;
+    name.insert(0, "_");
   const auto scene = std::make_shared<const model::Scene>(std::move(document->scene));
   for (model::FigurePanel panel : model::figureOf(*scene, name).panels) {
     panel.scene = name;

@@ -88,7 +88,7 @@ FigureDialog::FigureDialog(OpenScene open, BackgroundQueue& files, QWidget* pare
       m_down(button("figureDown", tr("Down"), tr("Move the panel down"))),
       m_export(new QPushButton(tr("&Export…"))) {
   setObjectName(QStringLiteral("figureDialog"));
-  setWindowTitle(tr("Figure of Several Panels"));
+  setWindowTitle(tr("Figure of Several Panels") + QStringLiteral("[*]"));
   auto* across = new QHBoxLayout;
   across->addWidget(m_preview, 1);
   across->addWidget(makeSide());
@@ -156,8 +156,9 @@ QWidget* FigureDialog::makePanels() {
           [this] { change(model::withoutPanel(figure(), std::size_t(m_list->currentRow()))); });
   const auto move = [this](int by) {
     const int row = m_list->currentRow();
-    change(model::withPanelMoved(figure(), std::size_t(row), std::size_t(row + by)));
-    m_list->setCurrentRow(row + by);
+    const int to = row + by;
+    change(model::withPanelMoved(figure(), std::size_t(row), std::size_t(to)));
+    m_list->setCurrentRow(to);
   };
   connect(m_up, &QToolButton::clicked, this, [move] { move(-1); });
   connect(m_down, &QToolButton::clicked, this, [move] { move(1); });
@@ -265,6 +266,7 @@ void FigureDialog::change(model::Figure changed) {
   if (changed == figure())
     return;
   m_desk.set(std::move(changed));
+  ++m_round;
   // A control that has just been used must not be deleted by what it says.
   QMetaObject::invokeMethod(this, &FigureDialog::showAll, Qt::QueuedConnection);
 }

@@ -34,6 +34,7 @@ template <class Value>
 FigureField choiceOf(const char* id, const QString& text, std::vector<Choice> choices,
                      Value Figure::*member) {
   std::vector<QString> ids;
+  ids.reserve(choices.size());
   for (const Choice& choice : choices)
     ids.push_back(choice.id);
   return {
@@ -85,6 +86,7 @@ std::optional<model::FigureBox> placeOfInset(const Figure& figure, std::size_t i
 
 std::vector<FigureField> FigureFields::ofSize() {
   std::vector<Choice> widths;
+  widths.reserve(model::figureWidths.size() + 1);
   for (const model::FigureWidth& width : model::figureWidths)
     widths.push_back(named(width.name, tr("%1 mm").arg(double(width.mm))));
   widths.push_back({QStringLiteral("own"), tr("Other")});

@@ -65,13 +65,14 @@ glm::vec2 FigurePreview::onPage(const QPointF& place) const {
 }
 
 std::optional<std::size_t> FigurePreview::panelAt(const glm::vec2& place) const {
-  for (auto i = m_layout.order.rbegin(); i != m_layout.order.rend(); ++i) {
-    const model::FigureBox& box = m_layout.panels[*i].box;
+  std::optional<std::size_t> topmost;
+  for (const std::size_t i : m_layout.order) {
+    const model::FigureBox& box = m_layout.panels[i].box;
     if (place.x >= box.at.x && place.y >= box.at.y && place.x <= box.end().x &&
         place.y <= box.end().y)
-      return *i;
+      topmost = i;
   }
-  return std::nullopt;
+  return topmost;
 }
 
 model::FigureBox FigurePreview::dragged() const {
