@@ -1236,10 +1236,6 @@
         <translation>das Blatt hätte mehr als 20000 Pixel auf einer Seite</translation>
     </message>
     <message>
-        <source>Take fewer pixels to the inch, smaller cells or fewer models</source>
-        <translation>Nimm weniger Pixel je Zoll, kleinere Felder oder weniger Modelle</translation>
-    </message>
-    <message>
         <source>its atoms lie too far apart for a lattice between them</source>
         <translation>seine Atome liegen zu weit auseinander für ein Gitter dazwischen</translation>
     </message>
@@ -1262,6 +1258,90 @@
     <message>
         <source>the large probe must be larger than the small one</source>
         <translation>die große Kugel muss größer sein als die kleine</translation>
+    </message>
+    <message>
+        <source>panel %1</source>
+        <translation>Bildfeld %1</translation>
+    </message>
+    <message>
+        <source>panel %1, an inset of %2</source>
+        <translation>Bildfeld %1, ein Ausschnitt von %2</translation>
+    </message>
+    <message>
+        <source>letters and legend</source>
+        <translation>Buchstaben und Legende</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is set in %2 pt, and letters smaller than %3 pt are refused</source>
+        <translation>„%1“ steht in %2 pt, und Buchstaben unter %3 pt werden abgelehnt</translation>
+    </message>
+    <message>
+        <source>Make &quot;points&quot; %1 or more, or &quot;least_points&quot; %2</source>
+        <translation>Setze „points“ auf %1 oder mehr oder „least_points“ auf %2</translation>
+    </message>
+    <message>
+        <source>it reaches over the page&apos;s edge or into the legend</source>
+        <translation>es reicht über den Rand der Seite oder in die Legende</translation>
+    </message>
+    <message>
+        <source>Move it, make it smaller or the page larger</source>
+        <translation>Verschiebe oder verkleinere es, oder vergrößere die Seite</translation>
+    </message>
+    <message>
+        <source>it is narrower or lower than 10 mm</source>
+        <translation>es ist schmaler oder niedriger als 10 mm</translation>
+    </message>
+    <message>
+        <source>Make the page larger, or take fewer columns or rows</source>
+        <translation>Vergrößere die Seite, oder nimm weniger Spalten oder Zeilen</translation>
+    </message>
+    <message>
+        <source>the part that it shows reaches over the edge of panel %1</source>
+        <translation>der Teil, den es zeigt, reicht über den Rand von Bildfeld %1</translation>
+    </message>
+    <message>
+        <source>Move the part, or make it smaller</source>
+        <translation>Verschiebe den Teil, oder verkleinere ihn</translation>
+    </message>
+    <message>
+        <source>it spans more columns than there are</source>
+        <translation>es geht über mehr Spalten, als es gibt</translation>
+    </message>
+    <message>
+        <source>Give the grid more columns</source>
+        <translation>Gib dem Raster mehr Spalten</translation>
+    </message>
+    <message>
+        <source>a legend tells colours, and ink alone has none</source>
+        <translation>eine Legende erklärt Farben, und Tinte allein hat keine</translation>
+    </message>
+    <message>
+        <source>it does not lie in the figure&apos;s folder or below it</source>
+        <translation>sie liegt weder im Ordner der Abbildung noch darunter</translation>
+    </message>
+    <message>
+        <source>Put the figure&apos;s file beside its scenes</source>
+        <translation>Lege die Datei der Abbildung neben ihre Szenen</translation>
+    </message>
+    <message>
+        <source>the scene has never been saved</source>
+        <translation>die Szene ist nie gesichert worden</translation>
+    </message>
+    <message>
+        <source>Save it first, so that the figure&apos;s file can name it</source>
+        <translation>Sichere sie zuerst, damit die Datei der Abbildung sie nennen kann</translation>
+    </message>
+    <message>
+        <source>a figure is a png, pdf or svg file</source>
+        <translation>eine Abbildung ist eine Datei der Art png, pdf oder svg</translation>
+    </message>
+    <message>
+        <source>Leave one of both out</source>
+        <translation>Lass eins von beiden weg</translation>
+    </message>
+    <message>
+        <source>Take fewer pixels to the inch, or a smaller sheet</source>
+        <translation>Nimm weniger Pixel je Zoll oder ein kleineres Blatt</translation>
     </message>
 </context>
 <context>
@@ -4640,6 +4720,14 @@
         <source>Names, and the views&apos; texts and notes, are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
         <translation>Namen sowie Texte und Notizen der Ansichten stehen in der Datei, wie die Szene sie hat. Pfade, Benutzernamen, Daten und Patientendaten nicht.</translation>
     </message>
+    <message>
+        <source>Fi&amp;gure of Several Panels…</source>
+        <translation>&amp;Abbildung aus Bildfeldern…</translation>
+    </message>
+    <message>
+        <source>Lay saved views out as panels a, b, c on a page for a journal, with insets, scale bars and one legend</source>
+        <translation>Gespeicherte Ansichten als Bildfelder a, b, c auf einer Seite für eine Zeitschrift anordnen, mit Ausschnitten, Maßstäben und einer Legende</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -5215,6 +5303,331 @@ OpenGL: %3</translation>
     <message>
         <source>Preview</source>
         <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Wird gezeichnet…</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureDialog</name>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a panel with a view</source>
+        <translation>Ein Bildfeld mit einer Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the panel</source>
+        <translation>Das Bildfeld entfernen</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Move the panel up</source>
+        <translation>Das Bildfeld nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Ab</translation>
+    </message>
+    <message>
+        <source>Move the panel down</source>
+        <translation>Das Bildfeld nach unten</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Figure of Several Panels</source>
+        <translation>Abbildung aus mehreren Bildfeldern</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Bildfelder</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Öff&amp;nen…</translation>
+    </message>
+    <message>
+        <source>&amp;Save Figure…</source>
+        <translation>Abbildung &amp;sichern…</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG or PNG</source>
+        <translation>Als PDF, SVG oder PNG</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Another Scene…</source>
+        <translation>Andere Szene…</translation>
+    </message>
+    <message>
+        <source>Open Figure</source>
+        <translation>Abbildung öffnen</translation>
+    </message>
+    <message>
+        <source>Figures (*.json)</source>
+        <translation>Abbildungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Add Views of Another Scene</source>
+        <translation>Ansichten einer anderen Szene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Scenes (*.sline)</source>
+        <translation>Szenen (*.sline)</translation>
+    </message>
+    <message>
+        <source>Save Figure</source>
+        <translation>Abbildung sichern</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gesichert</translation>
+    </message>
+    <message>
+        <source>Export Figure</source>
+        <translation>Abbildung exportieren</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Writing the figure…</source>
+        <translation>Die Abbildung wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>The figure has changes that are in no file.</source>
+        <translation>Die Abbildung hat Änderungen, die in keiner Datei sind.</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern…</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureFields</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>&amp;Width for journals</source>
+        <translation>&amp;Breite für Zeitschriften</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>As panels need</source>
+        <translation>Wie die Bildfelder sie brauchen</translation>
+    </message>
+    <message>
+        <source>Colum&amp;ns</source>
+        <translation>&amp;Spalten</translation>
+    </message>
+    <message>
+        <source>&amp;Letters of panels</source>
+        <translation>Buchstaben der Bild&amp;felder</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Their size</source>
+        <translation>Ihre Größe</translation>
+    </message>
+    <message>
+        <source>Size of la&amp;bels</source>
+        <translation>Größe der Bes&amp;chriftung</translation>
+    </message>
+    <message>
+        <source>&amp;Contours</source>
+        <translation>&amp;Konturen</translation>
+    </message>
+    <message>
+        <source>Le&amp;gend</source>
+        <translation>&amp;Legende</translation>
+    </message>
+    <message>
+        <source>All structures</source>
+        <translation>Alle Strukturen</translation>
+    </message>
+    <message>
+        <source>What labels point at</source>
+        <translation>Worauf Beschriftung zeigt</translation>
+    </message>
+    <message>
+        <source>What is in focus</source>
+        <translation>Was im Fokus ist</translation>
+    </message>
+    <message>
+        <source>Per&amp;spective</source>
+        <translation>Pers&amp;pektive</translation>
+    </message>
+    <message>
+        <source>As views were saved</source>
+        <translation>Wie die Ansichten gesichert sind</translation>
+    </message>
+    <message>
+        <source>T&amp;hin lines</source>
+        <translation>&amp;Dünne Linien</translation>
+    </message>
+    <message>
+        <source>Drawn wide enough to print</source>
+        <translation>So breit, dass sie drucken</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Labels in all panels</source>
+        <translation>Beschriftung in allen Bildfeldern</translation>
+    </message>
+    <message>
+        <source>Scale bars in all panels</source>
+        <translation>Maßstab in allen Bildfeldern</translation>
+    </message>
+    <message>
+        <source>R and L in all panels</source>
+        <translation>R und L in allen Bildfeldern</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Schwarz-Weiß</translation>
+    </message>
+    <message>
+        <source>Anterior</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Von hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Von links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Von rechts</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Inferior</source>
+        <translation>Von unten</translation>
+    </message>
+    <message>
+        <source>Part of %1</source>
+        <translation>Ausschnitt von %1</translation>
+    </message>
+    <message>
+        <source>On its panel</source>
+        <translation>Auf seinem Bildfeld</translation>
+    </message>
+    <message>
+        <source>Lines from its frame</source>
+        <translation>Linien von seinem Rahmen</translation>
+    </message>
+    <message>
+        <source>As its view has it</source>
+        <translation>Wie seine Ansicht</translation>
+    </message>
+    <message>
+        <source>Fitted to the panel</source>
+        <translation>Ins Bildfeld eingepasst</translation>
+    </message>
+    <message>
+        <source>Like %1</source>
+        <translation>Wie %1</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>K&amp;amera</translation>
+    </message>
+    <message>
+        <source>As its panel</source>
+        <translation>Wie sein Bildfeld</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Spans columns</source>
+        <translation>Über Spalten</translation>
+    </message>
+    <message>
+        <source>Spans rows</source>
+        <translation>Über Zeilen</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Maßstab</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigurePreview</name>
+    <message>
+        <source>The figure</source>
+        <translation>Die Abbildung</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle in a panel to show that part enlarged</source>
+        <translation>Zieh ein Rechteck in einem Bildfeld auf, um diesen Teil vergrößert zu zeigen</translation>
     </message>
     <message>
         <source>Drawing…</source>

@@ -1236,10 +1236,6 @@
         <translation>arket ville ha mer enn 20000 piksler på en side</translation>
     </message>
     <message>
-        <source>Take fewer pixels to the inch, smaller cells or fewer models</source>
-        <translation>Ta færre piksler per tomme, mindre felter eller færre modeller</translation>
-    </message>
-    <message>
         <source>its atoms lie too far apart for a lattice between them</source>
         <translation>atomene ligger for langt fra hverandre til et gitter mellom dem</translation>
     </message>
@@ -1262,6 +1258,90 @@
     <message>
         <source>the large probe must be larger than the small one</source>
         <translation>den store kulen må være større enn den lille</translation>
+    </message>
+    <message>
+        <source>panel %1</source>
+        <translation>felt %1</translation>
+    </message>
+    <message>
+        <source>panel %1, an inset of %2</source>
+        <translation>felt %1, et utsnitt av %2</translation>
+    </message>
+    <message>
+        <source>letters and legend</source>
+        <translation>bokstaver og tegnforklaring</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is set in %2 pt, and letters smaller than %3 pt are refused</source>
+        <translation>«%1» står i %2 pt, og bokstaver under %3 pt avvises</translation>
+    </message>
+    <message>
+        <source>Make &quot;points&quot; %1 or more, or &quot;least_points&quot; %2</source>
+        <translation>Sett «points» til %1 eller mer, eller «least_points» til %2</translation>
+    </message>
+    <message>
+        <source>it reaches over the page&apos;s edge or into the legend</source>
+        <translation>det går over kanten av siden eller inn i tegnforklaringen</translation>
+    </message>
+    <message>
+        <source>Move it, make it smaller or the page larger</source>
+        <translation>Flytt det, gjør det mindre eller siden større</translation>
+    </message>
+    <message>
+        <source>it is narrower or lower than 10 mm</source>
+        <translation>det er smalere eller lavere enn 10 mm</translation>
+    </message>
+    <message>
+        <source>Make the page larger, or take fewer columns or rows</source>
+        <translation>Gjør siden større, eller ta færre kolonner eller rader</translation>
+    </message>
+    <message>
+        <source>the part that it shows reaches over the edge of panel %1</source>
+        <translation>delen som det viser, går over kanten av felt %1</translation>
+    </message>
+    <message>
+        <source>Move the part, or make it smaller</source>
+        <translation>Flytt delen, eller gjør den mindre</translation>
+    </message>
+    <message>
+        <source>it spans more columns than there are</source>
+        <translation>det spenner over flere kolonner enn det finnes</translation>
+    </message>
+    <message>
+        <source>Give the grid more columns</source>
+        <translation>Gi rutenettet flere kolonner</translation>
+    </message>
+    <message>
+        <source>a legend tells colours, and ink alone has none</source>
+        <translation>en tegnforklaring forklarer farger, og blekk alene har ingen</translation>
+    </message>
+    <message>
+        <source>it does not lie in the figure&apos;s folder or below it</source>
+        <translation>den ligger ikke i figurens mappe eller under den</translation>
+    </message>
+    <message>
+        <source>Put the figure&apos;s file beside its scenes</source>
+        <translation>Legg figurens fil ved siden av scenene</translation>
+    </message>
+    <message>
+        <source>the scene has never been saved</source>
+        <translation>scenen er aldri lagret</translation>
+    </message>
+    <message>
+        <source>Save it first, so that the figure&apos;s file can name it</source>
+        <translation>Lagre den først, så figurens fil kan nevne den</translation>
+    </message>
+    <message>
+        <source>a figure is a png, pdf or svg file</source>
+        <translation>en figur er en png-, pdf- eller svg-fil</translation>
+    </message>
+    <message>
+        <source>Leave one of both out</source>
+        <translation>Utelat en av dem</translation>
+    </message>
+    <message>
+        <source>Take fewer pixels to the inch, or a smaller sheet</source>
+        <translation>Ta færre piksler per tomme eller et mindre ark</translation>
     </message>
 </context>
 <context>
@@ -4640,6 +4720,14 @@
         <source>Names, and the views&apos; texts and notes, are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
         <translation>Navn, og visningenes tekster og notater, står i filen slik scenen har dem. Stier, brukernavn, datoer og pasientdata gjør det ikke.</translation>
     </message>
+    <message>
+        <source>Fi&amp;gure of Several Panels…</source>
+        <translation>&amp;Figur med flere felt…</translation>
+    </message>
+    <message>
+        <source>Lay saved views out as panels a, b, c on a page for a journal, with insets, scale bars and one legend</source>
+        <translation>Legg lagrede visninger ut som felt a, b, c på en side for et tidsskrift, med utsnitt, målestokker og én tegnforklaring</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -5219,6 +5307,331 @@ OpenGL: %3</translation>
     <message>
         <source>Drawing…</source>
         <translation>Tegner …</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureDialog</name>
+    <message>
+        <source>Add</source>
+        <translation>Legg til</translation>
+    </message>
+    <message>
+        <source>Add a panel with a view</source>
+        <translation>Legg til et felt med en visning</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Remove the panel</source>
+        <translation>Fjern feltet</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Opp</translation>
+    </message>
+    <message>
+        <source>Move the panel up</source>
+        <translation>Flytt feltet opp</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Ned</translation>
+    </message>
+    <message>
+        <source>Move the panel down</source>
+        <translation>Flytt feltet ned</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Eksporter…</translation>
+    </message>
+    <message>
+        <source>Figure of Several Panels</source>
+        <translation>Figur med flere felt</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Side</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Felt</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Åpne…</translation>
+    </message>
+    <message>
+        <source>&amp;Save Figure…</source>
+        <translation>&amp;Lagre figur…</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG or PNG</source>
+        <translation>Som PDF, SVG eller PNG</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Lukk</translation>
+    </message>
+    <message>
+        <source>Another Scene…</source>
+        <translation>En annen scene…</translation>
+    </message>
+    <message>
+        <source>Open Figure</source>
+        <translation>Åpne figur</translation>
+    </message>
+    <message>
+        <source>Figures (*.json)</source>
+        <translation>Figurer (*.json)</translation>
+    </message>
+    <message>
+        <source>Add Views of Another Scene</source>
+        <translation>Legg til visninger fra en annen scene</translation>
+    </message>
+    <message>
+        <source>Scenes (*.sline)</source>
+        <translation>Scener (*.sline)</translation>
+    </message>
+    <message>
+        <source>Save Figure</source>
+        <translation>Lagre figur</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Lagret %1</translation>
+    </message>
+    <message>
+        <source>Export Figure</source>
+        <translation>Eksporter figur</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-tegning (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-bilde (*.png)</translation>
+    </message>
+    <message>
+        <source>Writing the figure…</source>
+        <translation>Skriver figuren …</translation>
+    </message>
+    <message>
+        <source>The figure has changes that are in no file.</source>
+        <translation>Figuren har endringer som ikke er i noen fil.</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Lagre…</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Forkast</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureFields</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Annen</translation>
+    </message>
+    <message>
+        <source>&amp;Width for journals</source>
+        <translation>&amp;Bredde for tidsskrifter</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Høyde</translation>
+    </message>
+    <message>
+        <source>As panels need</source>
+        <translation>Som feltene trenger</translation>
+    </message>
+    <message>
+        <source>Colum&amp;ns</source>
+        <translation>&amp;Kolonner</translation>
+    </message>
+    <message>
+        <source>&amp;Letters of panels</source>
+        <translation>Bokstaver på &amp;felt</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Their size</source>
+        <translation>Størrelsen deres</translation>
+    </message>
+    <message>
+        <source>Size of la&amp;bels</source>
+        <translation>Størrelse på &amp;etiketter</translation>
+    </message>
+    <message>
+        <source>&amp;Contours</source>
+        <translation>Ko&amp;nturer</translation>
+    </message>
+    <message>
+        <source>Le&amp;gend</source>
+        <translation>Te&amp;gnforklaring</translation>
+    </message>
+    <message>
+        <source>All structures</source>
+        <translation>Alle strukturer</translation>
+    </message>
+    <message>
+        <source>What labels point at</source>
+        <translation>Det etiketter peker på</translation>
+    </message>
+    <message>
+        <source>What is in focus</source>
+        <translation>Det som er i fokus</translation>
+    </message>
+    <message>
+        <source>Per&amp;spective</source>
+        <translation>&amp;Perspektiv</translation>
+    </message>
+    <message>
+        <source>As views were saved</source>
+        <translation>Som visningene ble lagret</translation>
+    </message>
+    <message>
+        <source>T&amp;hin lines</source>
+        <translation>&amp;Tynne linjer</translation>
+    </message>
+    <message>
+        <source>Drawn wide enough to print</source>
+        <translation>Tegnes bredt nok til trykk</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Avvises</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Beholdes</translation>
+    </message>
+    <message>
+        <source>Labels in all panels</source>
+        <translation>Etiketter i alle felt</translation>
+    </message>
+    <message>
+        <source>Scale bars in all panels</source>
+        <translation>Målestokk i alle felt</translation>
+    </message>
+    <message>
+        <source>R and L in all panels</source>
+        <translation>R og L i alle felt</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Svart-hvitt</translation>
+    </message>
+    <message>
+        <source>Anterior</source>
+        <translation>Forfra</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Bakfra</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Fra venstre</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Fra høyre</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Ovenfra</translation>
+    </message>
+    <message>
+        <source>Inferior</source>
+        <translation>Nedenfra</translation>
+    </message>
+    <message>
+        <source>Part of %1</source>
+        <translation>Del av %1</translation>
+    </message>
+    <message>
+        <source>On its panel</source>
+        <translation>På feltet sitt</translation>
+    </message>
+    <message>
+        <source>Lines from its frame</source>
+        <translation>Linjer fra rammen</translation>
+    </message>
+    <message>
+        <source>As its view has it</source>
+        <translation>Som visningen har det</translation>
+    </message>
+    <message>
+        <source>Fitted to the panel</source>
+        <translation>Tilpasset feltet</translation>
+    </message>
+    <message>
+        <source>Like %1</source>
+        <translation>Som %1</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>K&amp;amera</translation>
+    </message>
+    <message>
+        <source>As its panel</source>
+        <translation>Som feltet sitt</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Visning</translation>
+    </message>
+    <message>
+        <source>Spans columns</source>
+        <translation>Over kolonner</translation>
+    </message>
+    <message>
+        <source>Spans rows</source>
+        <translation>Over rader</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiketter</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Målestokk</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigurePreview</name>
+    <message>
+        <source>The figure</source>
+        <translation>Figuren</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle in a panel to show that part enlarged</source>
+        <translation>Dra et rektangel i et felt for å vise den delen forstørret</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Tegner…</translation>
     </message>
 </context>
 <context>

@@ -1236,10 +1236,6 @@
         <translation>het blad zou meer dan 20000 pixels aan een kant hebben</translation>
     </message>
     <message>
-        <source>Take fewer pixels to the inch, smaller cells or fewer models</source>
-        <translation>Neem minder pixels per inch, kleinere vakken of minder modellen</translation>
-    </message>
-    <message>
         <source>its atoms lie too far apart for a lattice between them</source>
         <translation>de atomen liggen te ver uit elkaar voor een rooster ertussen</translation>
     </message>
@@ -1262,6 +1258,90 @@
     <message>
         <source>the large probe must be larger than the small one</source>
         <translation>de grote bol moet groter zijn dan de kleine</translation>
+    </message>
+    <message>
+        <source>panel %1</source>
+        <translation>vak %1</translation>
+    </message>
+    <message>
+        <source>panel %1, an inset of %2</source>
+        <translation>vak %1, een uitsnede van %2</translation>
+    </message>
+    <message>
+        <source>letters and legend</source>
+        <translation>letters en legenda</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is set in %2 pt, and letters smaller than %3 pt are refused</source>
+        <translation>“%1” staat in %2 pt, en letters kleiner dan %3 pt worden geweigerd</translation>
+    </message>
+    <message>
+        <source>Make &quot;points&quot; %1 or more, or &quot;least_points&quot; %2</source>
+        <translation>Zet “points” op %1 of meer, of “least_points” op %2</translation>
+    </message>
+    <message>
+        <source>it reaches over the page&apos;s edge or into the legend</source>
+        <translation>het reikt over de rand van de pagina of in de legenda</translation>
+    </message>
+    <message>
+        <source>Move it, make it smaller or the page larger</source>
+        <translation>Verplaats het, maak het kleiner of de pagina groter</translation>
+    </message>
+    <message>
+        <source>it is narrower or lower than 10 mm</source>
+        <translation>het is smaller of lager dan 10 mm</translation>
+    </message>
+    <message>
+        <source>Make the page larger, or take fewer columns or rows</source>
+        <translation>Maak de pagina groter, of neem minder kolommen of rijen</translation>
+    </message>
+    <message>
+        <source>the part that it shows reaches over the edge of panel %1</source>
+        <translation>het deel dat het toont reikt over de rand van vak %1</translation>
+    </message>
+    <message>
+        <source>Move the part, or make it smaller</source>
+        <translation>Verplaats het deel, of maak het kleiner</translation>
+    </message>
+    <message>
+        <source>it spans more columns than there are</source>
+        <translation>het beslaat meer kolommen dan er zijn</translation>
+    </message>
+    <message>
+        <source>Give the grid more columns</source>
+        <translation>Geef het raster meer kolommen</translation>
+    </message>
+    <message>
+        <source>a legend tells colours, and ink alone has none</source>
+        <translation>een legenda verklaart kleuren, en inkt alleen heeft er geen</translation>
+    </message>
+    <message>
+        <source>it does not lie in the figure&apos;s folder or below it</source>
+        <translation>het ligt niet in de map van de figuur of daaronder</translation>
+    </message>
+    <message>
+        <source>Put the figure&apos;s file beside its scenes</source>
+        <translation>Leg het bestand van de figuur naast zijn scènes</translation>
+    </message>
+    <message>
+        <source>the scene has never been saved</source>
+        <translation>de scène is nooit opgeslagen</translation>
+    </message>
+    <message>
+        <source>Save it first, so that the figure&apos;s file can name it</source>
+        <translation>Sla haar eerst op, zodat het bestand van de figuur haar kan noemen</translation>
+    </message>
+    <message>
+        <source>a figure is a png, pdf or svg file</source>
+        <translation>een figuur is een png-, pdf- of svg-bestand</translation>
+    </message>
+    <message>
+        <source>Leave one of both out</source>
+        <translation>Laat een van beide weg</translation>
+    </message>
+    <message>
+        <source>Take fewer pixels to the inch, or a smaller sheet</source>
+        <translation>Neem minder pixels per inch of een kleiner blad</translation>
     </message>
 </context>
 <context>
@@ -4640,6 +4720,14 @@
         <source>Names, and the views&apos; texts and notes, are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
         <translation>Namen, en teksten en notities van de aanzichten, staan in het bestand zoals de scène ze heeft. Paden, gebruikersnamen, datums en patiëntgegevens niet.</translation>
     </message>
+    <message>
+        <source>Fi&amp;gure of Several Panels…</source>
+        <translation>Figuur met meer &amp;vakken…</translation>
+    </message>
+    <message>
+        <source>Lay saved views out as panels a, b, c on a page for a journal, with insets, scale bars and one legend</source>
+        <translation>Opgeslagen aanzichten als vakken a, b, c op een pagina voor een tijdschrift zetten, met uitsneden, schaalbalken en één legenda</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -5219,6 +5307,331 @@ OpenGL: %3</translation>
     <message>
         <source>Drawing…</source>
         <translation>Tekenen…</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureDialog</name>
+    <message>
+        <source>Add</source>
+        <translation>Toevoegen</translation>
+    </message>
+    <message>
+        <source>Add a panel with a view</source>
+        <translation>Een vak met een aanzicht toevoegen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Verwijderen</translation>
+    </message>
+    <message>
+        <source>Remove the panel</source>
+        <translation>Het vak verwijderen</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Omhoog</translation>
+    </message>
+    <message>
+        <source>Move the panel up</source>
+        <translation>Het vak omhoog</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Omlaag</translation>
+    </message>
+    <message>
+        <source>Move the panel down</source>
+        <translation>Het vak omlaag</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporteren…</translation>
+    </message>
+    <message>
+        <source>Figure of Several Panels</source>
+        <translation>Figuur met meer vakken</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Pagina</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Vakken</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Openen…</translation>
+    </message>
+    <message>
+        <source>&amp;Save Figure…</source>
+        <translation>Figuur op&amp;slaan…</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG or PNG</source>
+        <translation>Als PDF, SVG of PNG</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>Another Scene…</source>
+        <translation>Andere scène…</translation>
+    </message>
+    <message>
+        <source>Open Figure</source>
+        <translation>Figuur openen</translation>
+    </message>
+    <message>
+        <source>Figures (*.json)</source>
+        <translation>Figuren (*.json)</translation>
+    </message>
+    <message>
+        <source>Add Views of Another Scene</source>
+        <translation>Aanzichten van een andere scène toevoegen</translation>
+    </message>
+    <message>
+        <source>Scenes (*.sline)</source>
+        <translation>Scènes (*.sline)</translation>
+    </message>
+    <message>
+        <source>Save Figure</source>
+        <translation>Figuur opslaan</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 opgeslagen</translation>
+    </message>
+    <message>
+        <source>Export Figure</source>
+        <translation>Figuur exporteren</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-tekening (*.svg)</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-afbeelding (*.png)</translation>
+    </message>
+    <message>
+        <source>Writing the figure…</source>
+        <translation>De figuur wordt geschreven …</translation>
+    </message>
+    <message>
+        <source>The figure has changes that are in no file.</source>
+        <translation>De figuur heeft wijzigingen die in geen bestand staan.</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Opslaan…</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerpen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureFields</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>&amp;Width for journals</source>
+        <translation>&amp;Breedte voor tijdschriften</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breedte</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hoogte</translation>
+    </message>
+    <message>
+        <source>As panels need</source>
+        <translation>Zoals de vakken nodig hebben</translation>
+    </message>
+    <message>
+        <source>Colum&amp;ns</source>
+        <translation>&amp;Kolommen</translation>
+    </message>
+    <message>
+        <source>&amp;Letters of panels</source>
+        <translation>&amp;Letters van vakken</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Geen</translation>
+    </message>
+    <message>
+        <source>Their size</source>
+        <translation>Hun grootte</translation>
+    </message>
+    <message>
+        <source>Size of la&amp;bels</source>
+        <translation>Grootte van la&amp;bels</translation>
+    </message>
+    <message>
+        <source>&amp;Contours</source>
+        <translation>&amp;Contouren</translation>
+    </message>
+    <message>
+        <source>Le&amp;gend</source>
+        <translation>Le&amp;genda</translation>
+    </message>
+    <message>
+        <source>All structures</source>
+        <translation>Alle structuren</translation>
+    </message>
+    <message>
+        <source>What labels point at</source>
+        <translation>Waar labels naar wijzen</translation>
+    </message>
+    <message>
+        <source>What is in focus</source>
+        <translation>Wat in de focus staat</translation>
+    </message>
+    <message>
+        <source>Per&amp;spective</source>
+        <translation>&amp;Perspectief</translation>
+    </message>
+    <message>
+        <source>As views were saved</source>
+        <translation>Zoals aanzichten zijn opgeslagen</translation>
+    </message>
+    <message>
+        <source>T&amp;hin lines</source>
+        <translation>&amp;Dunne lijnen</translation>
+    </message>
+    <message>
+        <source>Drawn wide enough to print</source>
+        <translation>Breed genoeg om te drukken</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Geweigerd</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Behouden</translation>
+    </message>
+    <message>
+        <source>Labels in all panels</source>
+        <translation>Labels in alle vakken</translation>
+    </message>
+    <message>
+        <source>Scale bars in all panels</source>
+        <translation>Schaalbalk in alle vakken</translation>
+    </message>
+    <message>
+        <source>R and L in all panels</source>
+        <translation>R en L in alle vakken</translation>
+    </message>
+    <message>
+        <source>Black and white</source>
+        <translation>Zwart-wit</translation>
+    </message>
+    <message>
+        <source>Anterior</source>
+        <translation>Van voren</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Van achteren</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Van links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Van rechts</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Van boven</translation>
+    </message>
+    <message>
+        <source>Inferior</source>
+        <translation>Van onderen</translation>
+    </message>
+    <message>
+        <source>Part of %1</source>
+        <translation>Deel van %1</translation>
+    </message>
+    <message>
+        <source>On its panel</source>
+        <translation>Op zijn vak</translation>
+    </message>
+    <message>
+        <source>Lines from its frame</source>
+        <translation>Lijnen vanaf zijn kader</translation>
+    </message>
+    <message>
+        <source>As its view has it</source>
+        <translation>Zoals zijn aanzicht</translation>
+    </message>
+    <message>
+        <source>Fitted to the panel</source>
+        <translation>In het vak gepast</translation>
+    </message>
+    <message>
+        <source>Like %1</source>
+        <translation>Zoals %1</translation>
+    </message>
+    <message>
+        <source>C&amp;amera</source>
+        <translation>C&amp;amera</translation>
+    </message>
+    <message>
+        <source>As its panel</source>
+        <translation>Zoals zijn vak</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Aanzicht</translation>
+    </message>
+    <message>
+        <source>Spans columns</source>
+        <translation>Over kolommen</translation>
+    </message>
+    <message>
+        <source>Spans rows</source>
+        <translation>Over rijen</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Schaalbalk</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigurePreview</name>
+    <message>
+        <source>The figure</source>
+        <translation>De figuur</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle in a panel to show that part enlarged</source>
+        <translation>Sleep een rechthoek in een vak om dat deel vergroot te tonen</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Wordt getekend…</translation>
     </message>
 </context>
 <context>
