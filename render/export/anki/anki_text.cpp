@@ -7,27 +7,35 @@ namespace sline::render {
 
 namespace {
 
-std::string picture(const std::string& name) {
-  return "<img src=\"" + name + "\">";
+/// Returns the name on one line, as a column holds it.
+std::string lineOf(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');
+  return name;
 }
 
 }  // namespace
 
 std::string ankiText(const AnkiDeck& deck) {
-  // A header is a single line, not HTML.
-  std::string name = deck.name;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');
   std::string text =
-      "#separator:tab\n#html:true\n#columns:Id\tFront\tBack\tTags\n#guid column:1\n"
-      "#tags column:4\n#deck:" +
-      name + "\n";
-  std::string tags;
-  for (const std::string& tag : deck.tags)
-    tags += (tags.empty() ? "" : " ") + tag;
-  for (const AnkiNote& note : deck.notes)
-    text += note.id + '\t' + picture(note.question) + '\t' + picture(note.answer) + "<br>" +
-            htmlText(note.label) + '\t' + tags + '\n';
+      "#separator:tab\n#html:true\n#columns:Id\tFront\tBack\tTags\tDeck\n#guid column:1\n"
+      "#tags column:4\n#deck column:5\n";
+  for (const AnkiNote& note : deck.notes) {
+    const AnkiPart& part = deck.parts[note.part];
+    std::string tags;
+    for (const std::string& tag : part.tags)
+      tags += (tags.empty() ? "" : " ") + tag;
+    const std::string end = '\t' + tags + '\t' + lineOf(deck.nameOf(part)) + '\n';
+    const std::string answer = htmlOf(note.named);
+    const std::string label = "<br>" + htmlText(note.label);
+    if (!note.marked.empty())
+      text += note.id + '\t' + htmlOf(note.marked) + '\t' + answer + label + end;
+    if (!note.numbered.empty())
+      text += note.id + "-n\t" + htmlOf(note.numbered) + '\t' + htmlText(note.numbers) + answer +
+              label + end;
+    if (!note.covered.empty())
+      text += note.id + "-c\t" + htmlOf(note.covered) + '\t' + answer + label + end;
+  }
   return text;
 }
 

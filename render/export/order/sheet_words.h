@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds the words that a sheet has besides its contents, in the figure's language: English, German,
-// Dutch, Norwegian or Latin.
+// Holds the words that sheets, slides and cards have besides their contents, in the figure's
+// language: English, German, Dutch, Norwegian or Latin.
 #pragma once
 
 #include <string>
@@ -18,6 +18,14 @@ struct SheetWords {
   const char* key;
   const char* name;
   const char* date;
+  const char* contents;
+  const char* index;
+  const char* wordBank;
+  const char* writeNames;    ///< what a self-test wants
+  const char* chooseNames;   ///< likewise, where there is a word bank
+  const char* whatIsMarked;  ///< what a card asks beside a mark
+  const char* whatIsHidden;  ///< likewise, beside a covered name
+  const char* whichNumber;   ///< likewise, after the name of something that has a number
 };
 
 /// Returns the words of a language; English for unknown ones.

@@ -218,6 +218,7 @@ QByteArray joined(const QByteArray& painted, const std::vector<PdfContent>& belo
   for (std::size_t i = 0; i < pages.size(); ++i)
     putBelow(file, pages[i], below[i], description.pageSize);
   describe(file, description);
+  addNavigation(file, pages, description.navigation, description.pageSize.y);
   if (file.anyWarnings())
     throw file.getWarnings().front();
 

@@ -132,6 +132,11 @@ bool setRow(SheetPages& pages, const SheetRow& row, const glm::vec2& at, float w
       setText(painter, text.text);
       return text.whole;
     }
+    case RowKind::word: {
+      const Fitted text = fitted(row.text, middle, width, rowText);
+      setText(painter, text.text);
+      return text.whole;
+    }
     case RowKind::writeLine: {
       const glm::vec2 foot = at + glm::vec2(0.0f, height - 2.4f);
       setNumber(painter, row.number, foot - glm::vec2(0.0f, 0.5f * capHeightMm(rowText)));

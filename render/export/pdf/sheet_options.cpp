@@ -5,6 +5,8 @@
 #include <array>
 
 #include "render/export/order/common_options.h"
+#include "render/export/order/test_options.h"
+#include "render/export/order/view_orders.h"
 
 namespace sline::render {
 
@@ -34,7 +36,8 @@ constexpr std::array papers{
                  .value = int(Paper::letter)}};
 
 bool isSheet(const ExportOrder& order) {
-  return order.of<SheetOptions>().kind != SheetKind::none;
+  return order.of<SheetOptions>().kind != SheetKind::none ||
+         order.of<ViewsOptions>().subject == ViewSubject::all;
 }
 
 constexpr ExportOption paper{
@@ -91,7 +94,9 @@ constinit const ExportOption sheetOption{
         "Makes the PDF a sheet of paper. figure: with title and legend; teaching: besides, "
         "numbered labels, a page without them to test oneself and the key (a scene without labels "
         "gets its structures labelled); patient: large labels and a text of one's own. The figure "
-        "is as large as the paper lets it, and so are pictures of it that are written besides",
+        "is as large as the paper lets it, and so are pictures of it that are written besides. "
+        "With "
+        "all views each has its sheet, with its title and text, between contents and an index",
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Shee&t"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
                              "The page around the figure, of a paper of its own"),
@@ -99,7 +104,23 @@ constinit const ExportOption sheetOption{
     .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().kind; })};
 
 OptionList sheetOptions() {
-  static constexpr std::array all{&pureInkOption, &sheetOption, &paper, &title, &text, &landscape};
+  static constexpr std::array all{&pureInkOption,
+                                  &viewsOption,
+                                  &sheetOption,
+                                  &paper,
+                                  &title,
+                                  &text,
+                                  &landscape,
+                                  &askedOption,
+                                  &askedNamesOption,
+                                  &askCalloutsOption,
+                                  &wordBankOption,
+                                  &keyPlaceOption};
+  return all;
+}
+
+OptionList paperOptions() {
+  static constexpr std::array all{&paper, &title, &text, &landscape};
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "model/disk/zip_archive.h"
+#include "render/export/order/view_orders.h"
 #include "render/export/pixels/pixel_files.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/slides/slide_options.h"
@@ -295,7 +296,7 @@ class SlidesTest : public QObject {
     QVERIFY(!opened.slide(2).select_node("//p:ph[@type='body']"));
     QVERIFY(opened.target("ppt/slides/slide2.xml", "notesSlide").empty());
     // What is shown alone has one slide.
-    order.of<render::SlideOptions>().subject = render::SlideSubject::shown;
+    order.of<render::ViewsOptions>().subject = render::ViewSubject::shown;
     order.viewName = "First";
     const OpenedSlides shown(written(order));
     QCOMPARE(shown.slides(), 1);
