@@ -94,9 +94,8 @@ class LessonCommandTest : public QObject {
     QCOMPARE(pages.size(), 5);
     QVERIFY2(pages[0].contains("Kidneys & <i>more</i>") && pages[0].contains("Contents"),
              qPrintable(pages[0]));
-    for (const QString& entry :
-         {QString("From in front 2"), oddTitle + QString(" 3"), QString("Back 4"),
-          QString("Index of structures 5")})
+    for (const QString& entry : {QString("From in front 2"), oddTitle + QString(" 3"),
+                                 QString("Back 4"), QString("Index of structures 5")})
       QVERIFY2(pages[0].contains(entry), qPrintable(entry + ": " + pages[0]));
     QVERIFY(pages[1].contains("From in front") && pages[1].contains("Look at the hilum"));
     QVERIFY2(pages[2].contains(oddTitle) && pages[2].contains("<script>alert(1)</script>"),
@@ -150,11 +149,21 @@ class LessonCommandTest : public QObject {
     QTest::addColumn<QString>("language");
     QTest::addColumn<QString>("write");
     QTest::addColumn<QString>("choose");
-    QTest::newRow("en") << "" << "Write on each line" << "Words to choose from";
-    QTest::newRow("de") << "de" << "Schreiben Sie auf jede Linie" << "Wörter zur Auswahl";
-    QTest::newRow("nl") << "nl" << "Schrijf op elke lijn" << "Woorden om uit te kiezen";
-    QTest::newRow("nb") << "nb" << "Skriv på hver linje" << "Ord å velge mellom";
-    QTest::newRow("la") << "la" << "Scribe in quaque linea" << "Verba eligenda";
+    QTest::newRow("en") << ""
+                        << "Write on each line"
+                        << "Words to choose from";
+    QTest::newRow("de") << "de"
+                        << "Schreiben Sie auf jede Linie"
+                        << "Wörter zur Auswahl";
+    QTest::newRow("nl") << "nl"
+                        << "Schrijf op elke lijn"
+                        << "Woorden om uit te kiezen";
+    QTest::newRow("nb") << "nb"
+                        << "Skriv på hver linje"
+                        << "Ord å velge mellom";
+    QTest::newRow("la") << "la"
+                        << "Scribe in quaque linea"
+                        << "Verba eligenda";
   }
   void instructions() {
     QFETCH(QString, language);
@@ -198,8 +207,8 @@ class LessonCommandTest : public QObject {
         << QStringList{"The kidney", "The renal artery", "The renal vein"};
     QTest::newRow("a group") << QStringList{"--ask-only", "Vessels"}
                              << QStringList{"The renal artery", "The renal vein"};
-    QTest::newRow("in focus, where there is none") << QStringList{"--ask", "focus"}
-                                                   << QStringList{};
+    QTest::newRow("in focus, where there is none")
+        << QStringList{"--ask", "focus"} << QStringList{};
   }
   void difficulty() {
     QFETCH(QStringList, flags);
@@ -248,9 +257,9 @@ class LessonCommandTest : public QObject {
     for (const QStringList& flags : {QStringList{}, QStringList{"--view", "Side"}}) {
       QCOMPARE(runSline(QStringList{"export", m_scene, "--pdf", m_file} + flags).code, 0);
       QCOMPARE(pages().size(), 1);
-      QCOMPARE(runSline(QStringList{"export", m_scene, "--pdf", other, "--views", "shown"} + flags)
-                   .code,
-               0);
+      QCOMPARE(
+          runSline(QStringList{"export", m_scene, "--pdf", other, "--views", "shown"} + flags).code,
+          0);
       QFile a(m_file);
       QFile b(other);
       QVERIFY(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));

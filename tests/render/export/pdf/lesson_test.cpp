@@ -114,18 +114,25 @@ class LessonTest : public QObject {
                              << QStringList{"Contents 1", "Eins <b>&</b> 2", "Second 3", "Third 4",
                                             "Index of structures 5"}
                              << QList<int>{2, 2, 3, 3, 4, 4, 5, 5};
-    QTest::newRow("keys after tests")
-        << int(SheetKind::teaching) << int(KeyPlace::next)
-        << QStringList{"Contents 1",    "Eins <b>&</b> 2", "- Self-test 3", "- Key 4",
-                       "Second 5",      "- Self-test 6",   "- Key 7",       "Third 8",
-                       "- Self-test 9", "- Key 10",        "Index of structures 11"}
-        << QList<int>{2, 2, 5, 5, 8, 8, 11, 11};
+    QTest::newRow("keys after tests") << int(SheetKind::teaching) << int(KeyPlace::next)
+                                      << QStringList{"Contents 1",
+                                                     "Eins <b>&</b> 2",
+                                                     "- Self-test 3",
+                                                     "- Key 4",
+                                                     "Second 5",
+                                                     "- Self-test 6",
+                                                     "- Key 7",
+                                                     "Third 8",
+                                                     "- Self-test 9",
+                                                     "- Key 10",
+                                                     "Index of structures 11"}
+                                      << QList<int>{2, 2, 5, 5, 8, 8, 11, 11};
     QTest::newRow("keys at the end")
         << int(SheetKind::teaching) << int(KeyPlace::end)
-        << QStringList{"Contents 1",   "Eins <b>&</b> 2", "- Self-test 3",
-                       "Second 4",     "- Self-test 5",   "Third 6",
-                       "- Self-test 7", "Key 8",          "- Eins <b>&</b> 8",
-                       "- Second 9",   "- Third 10",      "Index of structures 11"}
+        << QStringList{"Contents 1",    "Eins <b>&</b> 2", "- Self-test 3",
+                       "Second 4",      "- Self-test 5",   "Third 6",
+                       "- Self-test 7", "Key 8",           "- Eins <b>&</b> 8",
+                       "- Second 9",    "- Third 10",      "Index of structures 11"}
         << QList<int>{2, 2, 4, 4, 6, 6, 8, 8, 11, 11};
   }
   void goesFromPageToPage() {
@@ -188,8 +195,8 @@ class LessonTest : public QObject {
   /// A view of a wide window shows on tall paper all that it showed there, with room for labels.
   void figuresFitTheirPaper() {
     ExportOrder order = lessonOf({"a", "b"});
-    const ExportOrder sheet = lessonSheet(threeViews(SheetKind::none),
-                                          threeViews(SheetKind::none).scene.views().front());
+    const ExportOrder sheet =
+        lessonSheet(threeViews(SheetKind::none), threeViews(SheetKind::none).scene.views().front());
     const float aspect = sheet.page.sizeMm.x / sheet.page.sizeMm.y;
     QVERIFY(aspect < 1.0f);
     for (const glm::vec3& point : model::visiblePoints(sheet.scene)) {
@@ -205,8 +212,8 @@ class LessonTest : public QObject {
     const ExportOrder order = threeViews(SheetKind::teaching);
     for (const int calls : {0, 1, 4}) {
       int asked = 0;
-      const auto stopped = lessonDocument(
-          order, "x.pdf", [&](double, std::string_view) { return asked++ < calls; });
+      const auto stopped =
+          lessonDocument(order, "x.pdf", [&](double, std::string_view) { return asked++ < calls; });
       QVERIFY(!stopped.ok());
       QCOMPARE(stopped.error().file, std::string("x.pdf"));
     }

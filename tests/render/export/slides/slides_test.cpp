@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "model/disk/zip_archive.h"
+#include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/pixels/pixel_files.h"
 #include "render/export/plate/figure_plate.h"
@@ -337,6 +338,23 @@ class SlidesTest : public QObject {
     // Labels are on the slide, and not in the picture.
     QVERIFY(svg.find("<text") == std::string::npos);
     QVERIFY(!opened.slide(1).select_nodes("//p:grpSp").empty());
+  }
+
+  /// The test asks what others ask, and nothing where there is nothing to ask.
+  void testsAskSomeThings() {
+    render::ExportOrder order = test::lessonOf({"aorta", "vena cava", "liver"});
+    order.of<render::SlideOptions>().selfTest = true;
+    order.of<render::TestOptions>().names = "Vena-Cava, liver";
+    const OpenedSlides some(written(order));
+    QCOMPARE(some.slides(), 3);
+    // One label of three has no number.
+    QCOMPARE(test::groupsOn(some.slide(1)).size(), test::groupsOn(some.slide(2)).size() + 1);
+    QVERIFY(test::groupsOn(some.slide(1)).contains("aorta"));
+    const QString key = test::wordsOf(some.slide(3));
+    QVERIFY2(key.contains("vena cava") && key.contains("liver") && !key.contains("aorta"),
+             qPrintable(key));
+    order.of<render::TestOptions>() = {.of = render::AskedOf::focus};
+    QCOMPARE(OpenedSlides(written(order)).slides(), 1);
   }
 
   void labelsByClicks() {
