@@ -254,7 +254,8 @@ class LessonCommandTest : public QObject {
   /// What is shown alone is the same with and without the flag, and so is a view that is named.
   void oneViewIsTheUsual() {
     const QString other = m_folder.filePath("other.pdf");
-    for (const QStringList& flags : {QStringList{}, QStringList{"--view", "Side"}}) {
+    for (const QStringList& flags :
+         {QStringList{}, QStringList{"--view", "Side", "--marks", "sides"}}) {
       QCOMPARE(runSline(QStringList{"export", m_scene, "--pdf", m_file} + flags).code, 0);
       QCOMPARE(pages().size(), 1);
       QCOMPARE(

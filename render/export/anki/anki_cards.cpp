@@ -124,16 +124,16 @@ class Cards {
     }
     if (plate.labels->layout.labels.empty())
       return Unit{};
-    if (const Status drawn = drawGround(sheet.order, plate.marks, sheet.ground); !drawn.ok())
+    if (Status drawn = drawGround(sheet.order, plate.marks, sheet.ground); !drawn.ok())
       return drawn;
-    if (const Status numbered = addNumbers(sheet); !numbered.ok())
+    if (Status numbered = addNumbers(sheet); !numbered.ok())
       return numbered;
     addPart(order, title);
     for (std::size_t i = 0; i < questions.size(); ++i) {
       if (!goesOn(0.2 + 0.75 * double(i) / double(questions.size()),
                   "drawing card " + std::to_string(i + 1)))
         return givenUp({});
-      if (const Status added = addQuestion(sheet, questions[i]); !added.ok())
+      if (Status added = addQuestion(sheet, questions[i]); !added.ok())
         return added;
     }
     return Unit{};
@@ -181,7 +181,7 @@ class Cards {
       note.id = hexOf(fingerprintOf(m_deck.name + '\n' + sheet.order.viewName + '\n' +
                                     std::to_string(id.value) + '\n' + shown->text));
       note.label = question.words;
-      if (const Status drawn = addFaces(note, sheet, id, labels); !drawn.ok())
+      if (Status drawn = addFaces(note, sheet, id, labels); !drawn.ok())
         return drawn;
       if (!numbers.empty()) {
         note.numbered = {question.words + ": " + m_words.whichNumber, sheet.ground, sheet.numbered};
@@ -198,12 +198,11 @@ class Cards {
     const CardPainter painter(sheet.order);
     const LabelPlate alone = onlyThose(sheet.named, {id});
     note.named.ground = sheet.ground;
-    if (const Status drawn = addPicture(painter.labels(alone), note.named.over); !drawn.ok())
+    if (Status drawn = addPicture(painter.labels(alone), note.named.over); !drawn.ok())
       return drawn;
     if (wanted.nameIt) {
       note.marked = {m_words.whatIsMarked, sheet.ground, {}};
-      if (const Status drawn = addPicture(painter.question(alone, {id}), note.marked.over);
-          !drawn.ok())
+      if (Status drawn = addPicture(painter.question(alone, {id}), note.marked.over); !drawn.ok())
         return drawn;
     }
     if (!wanted.cover)

@@ -25,16 +25,22 @@ std::string ankiText(const AnkiDeck& deck) {
     std::string tags;
     for (const std::string& tag : part.tags)
       tags += (tags.empty() ? "" : " ") + tag;
-    const std::string end = '\t' + tags + '\t' + lineOf(deck.nameOf(part)) + '\n';
-    const std::string answer = htmlOf(note.named);
-    const std::string label = "<br>" + htmlText(note.label);
+    const auto addCard = [&](const char* kind, const AnkiFace& front, const std::string& before) {
+      for (const std::string& column : {note.id + kind, htmlOf(front),
+                                        std::string(before)
+                                            .append(htmlOf(note.named))
+                                            .append("<br>")
+                                            .append(htmlText(note.label)),
+                                        tags})
+        text.append(column).append("\t");
+      text.append(lineOf(deck.nameOf(part))).append("\n");
+    };
     if (!note.marked.empty())
-      text += note.id + '\t' + htmlOf(note.marked) + '\t' + answer + label + end;
+      addCard("", note.marked, {});
     if (!note.numbered.empty())
-      text += note.id + "-n\t" + htmlOf(note.numbered) + '\t' + htmlText(note.numbers) + answer +
-              label + end;
+      addCard("-n", note.numbered, htmlText(note.numbers));
     if (!note.covered.empty())
-      text += note.id + "-c\t" + htmlOf(note.covered) + '\t' + answer + label + end;
+      addCard("-c", note.covered, {});
   }
   return text;
 }

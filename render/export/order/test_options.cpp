@@ -17,14 +17,6 @@ constexpr std::array askedOfs{
                  .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Those in focus"),
                  .value = int(AskedOf::focus)}};
 
-constexpr std::array keyPlaces{
-    OptionChoice{.id = "next",
-                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "After each test"),
-                 .value = int(KeyPlace::next)},
-    OptionChoice{.id = "end",
-                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "At the end"),
-                 .value = int(KeyPlace::end)}};
-
 }  // namespace
 
 constinit const ExportOption askedOption{
@@ -56,27 +48,6 @@ constinit const ExportOption askCalloutsOption{
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
                              "Callouts explain; only labels name what can be asked for"),
     .field = boundTo([](auto& o) -> auto& { return o.template of<TestOptions>().callouts; })};
-
-constinit const ExportOption wordBankOption{
-    .id = "wordBank",
-    .flag = "--word-bank,!--no-word-bank",
-    .help = "The self-test of a sheet has the answers to choose from, in another order",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Word bank"),
-    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
-                             "The self-test has the answers below, in another order"),
-    .field = boundTo([](auto& o) -> auto& { return o.template of<TestOptions>().wordBank; })};
-
-constinit const ExportOption keyPlaceOption{
-    .id = "keyPlace",
-    .flag = "--key",
-    .help =
-        "Where the keys of all views' self-tests stand, each on a page of its own: after each "
-        "test, or all at the end",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Key"),
-    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
-                             "Where the answers stand, each test's on a page of its own"),
-    .kind = ChoiceOption{keyPlaces},
-    .field = boundTo([](auto& o) -> auto& { return o.template of<TestOptions>().key; })};
 
 std::vector<std::string> askedNames(const ExportOrder& order) {
   constexpr const char* blanks = " \t\r\n";

@@ -26,8 +26,6 @@ struct TestOptions {
 extern const ExportOption askedOption;
 extern const ExportOption askedNamesOption;
 extern const ExportOption askCalloutsOption;
-extern const ExportOption wordBankOption;
-extern const ExportOption keyPlaceOption;
 
 /// Returns the names that the order's test is about, one by one.
 std::vector<std::string> askedNames(const ExportOrder& order);

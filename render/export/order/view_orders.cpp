@@ -127,10 +127,12 @@ std::vector<std::filesystem::path> viewTargets(const std::filesystem::path& targ
   const int digits = int(std::to_string(views.size()).size());
   std::vector<std::filesystem::path> targets;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const std::string name =
-        QStringLiteral("%1 ").arg(i + 1, digits, 10, QLatin1Char('0')).toStdString() +
-        safeFileName(views[i].name) + ending;
-    targets.push_back(folder ? target / name : std::filesystem::path(stem + " - " + name));
+    std::string name = QStringLiteral("%1 ").arg(i + 1, digits, 10, QLatin1Char('0')).toStdString();
+    name += safeFileName(views[i].name) += ending;
+    if (folder)
+      targets.push_back(target / name);
+    else
+      targets.emplace_back(std::string(stem).append(" - ").append(name));
   }
   return targets;
 }

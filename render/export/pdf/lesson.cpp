@@ -70,7 +70,7 @@ class Lesson {
         return !progress || progress(0.9 * (double(i) + share) / double(views.size()), what);
       };
       m_parts.push_back(std::make_unique<LessonPart>(lessonSheet(m_order, views[i])));
-      if (const Status drawn = m_parts.back()->setter.draw(target, {tell, &notes}); !drawn.ok())
+      if (Status drawn = m_parts.back()->setter.draw(target, {tell, &notes}); !drawn.ok())
         return drawn;
       progress.note(notes);
     }

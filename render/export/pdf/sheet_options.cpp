@@ -85,6 +85,45 @@ constexpr ExportOption landscape{
     .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().landscape; }),
     .applies = isSheet};
 
+bool hasTest(const ExportOrder& order) {
+  return order.of<SheetOptions>().kind == SheetKind::teaching;
+}
+
+bool hasTests(const ExportOrder& order) {
+  return hasTest(order) && order.of<ViewsOptions>().subject == ViewSubject::all;
+}
+
+constexpr std::array keyPlaces{
+    OptionChoice{.id = "next",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "After each test"),
+                 .value = int(KeyPlace::next)},
+    OptionChoice{.id = "end",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "At the end"),
+                 .value = int(KeyPlace::end)}};
+
+constexpr ExportOption wordBank{
+    .id = "wordBank",
+    .flag = "--word-bank,!--no-word-bank",
+    .help = "The self-test of a sheet has the answers to choose from, in another order",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Word bank"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "The self-test has the answers below, in another order"),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<TestOptions>().wordBank; }),
+    .applies = hasTest};
+
+constexpr ExportOption keyPlace{
+    .id = "keyPlace",
+    .flag = "--key",
+    .help =
+        "Where the keys of all views' self-tests stand, each on a page of its own: after each "
+        "test, or all at the end",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Key"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "Where the answers stand, each test's on a page of its own"),
+    .kind = ChoiceOption{keyPlaces},
+    .field = boundTo([](auto& o) -> auto& { return o.template of<TestOptions>().key; }),
+    .applies = hasTests};
+
 }  // namespace
 
 constinit const ExportOption sheetOption{
@@ -104,18 +143,9 @@ constinit const ExportOption sheetOption{
     .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().kind; })};
 
 OptionList sheetOptions() {
-  static constexpr std::array all{&pureInkOption,
-                                  &viewsOption,
-                                  &sheetOption,
-                                  &paper,
-                                  &title,
-                                  &text,
-                                  &landscape,
-                                  &askedOption,
-                                  &askedNamesOption,
-                                  &askCalloutsOption,
-                                  &wordBankOption,
-                                  &keyPlaceOption};
+  static constexpr std::array all{
+      &pureInkOption, &viewsOption,      &sheetOption,       &paper,    &title,   &text, &landscape,
+      &askedOption,   &askedNamesOption, &askCalloutsOption, &wordBank, &keyPlace};
   return all;
 }
 

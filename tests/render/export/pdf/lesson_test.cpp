@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests lessons as PDF readers open them: bookmarks, links and pages, and figures that fit.
 #include <QTest>
+#include <qpdf/JSON.hh>
 #include <qpdf/QPDF.hh>
 
 #include "model/scene/visible_structures.h"
