@@ -4,13 +4,6 @@
 <context>
     <name>sline::widgets</name>
     <message numerus="yes">
-        <source>%n files, one for each saved view.</source>
-        <translation>
-            <numerusform>%n file, for the saved view.</numerusform>
-            <numerusform>%n files, one for each saved view.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n structures, seen as in the window.</source>
         <translation>
             <numerusform>%n structure, seen as in the window.</numerusform>
@@ -136,6 +129,34 @@
             <numerusform>%n slides, one for each saved view.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n files, one for each saved view: %1 … %2.</source>
+        <translation>
+            <numerusform>%n file, one for each saved view: %1 … %2.</numerusform>
+            <numerusform>%n files, one for each saved view: %1 … %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 views on about %n pages, with contents, index and bookmarks.</source>
+        <translation>
+            <numerusform>%1 views on about %n page, with contents, index and bookmarks.</numerusform>
+            <numerusform>%1 views on about %n pages, with contents, index and bookmarks.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n cards, in a deck for each view.</source>
+        <translation>
+            <numerusform>At most %n card, in a deck for each view.</numerusform>
+            <numerusform>At most %n cards, in a deck for each view.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n cards.</source>
+        <translation>
+            <numerusform>At most %n card.</numerusform>
+            <numerusform>At most %n cards.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::BrushBar</name>
@@ -178,6 +199,13 @@
         <translation>
             <numerusform>%n of the files is there already. Replace it?</numerusform>
             <numerusform>%n of the files are there already. Replace them?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n sa&amp;ved views, in one file</source>
+        <translation>
+            <numerusform>The %n sa&amp;ved view, in one file</numerusform>
+            <numerusform>All %n sa&amp;ved views, in one file</numerusform>
         </translation>
     </message>
 </context>

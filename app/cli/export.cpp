@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Implements `sline export`: reads files and writes those that others print and edit.
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "app/cli/command.h"
@@ -15,6 +16,8 @@
 #include "render/export/encoding/xml_text.h"
 #include "render/export/formats/export_formats.h"
 #include "render/export/order/common_options.h"
+#include "render/export/order/test_options.h"
+#include "render/export/order/view_orders.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
@@ -74,7 +77,7 @@ bool areFilms(const render::ExportFormat& format) {
 }
 
 bool areSlides(const render::ExportFormat& format) {
-  return format.has(render::slideSubjectOption);
+  return format.has(render::slideShapeOption);
 }
 
 /// Returns the order as films and slides have it: on a page of their shape, with the camera fitted
@@ -100,9 +103,18 @@ struct ParsedExport {
   PictureSpec spec;
 };
 
+bool areAllViews(const render::ExportOrder& job) {
+  return job.of<render::ViewsOptions>().subject == render::ViewSubject::all;
+}
+
 /// Checks options against each other.
 Status checkOptions(const ExportFlags& flags, const render::ExportOrder& job) {
   const auto& sheet = job.of<render::SheetOptions>();
+  if (sheet.kind == render::SheetKind::none && !areAllViews(job))
+    for (const render::ExportOption* option : render::paperOptions())
+      if (!flags.options.typed(*option).empty())
+        return Error{.reason = std::string(option->flag) + " is of sheets of paper alone",
+                     .remedy = "Add --sheet with its kind, or --views all"};
   if (job.of<render::PixelOptions>().bits == 1 && !flags.picture.blackAndWhite)
     return Error{.reason = "--bits 1 leaves black and white alone",
                  .remedy = "Give --bw, too, which draws the scene for that"};
@@ -126,8 +138,8 @@ Result<ParsedExport> parseExport(const ExportFlags& typed) {
   TypedOptions options = flags.options;
   completeFilmSize(options, flags.page.sizeMm != PageFlags().sizeMm || !flags.page.sizePx.empty());
   const bool oneShown = !flags.picture.view.empty() || !flags.picture.cameraFile.empty();
-  if (oneShown && options.typed(render::slideSubjectOption).empty())
-    options.set(render::slideSubjectOption, "shown");
+  if (oneShown && options.typed(render::viewsOption).empty())
+    options.set(render::viewsOption, "shown");
   if (const Status fine = options.applyTo(wish.job); !fine.ok())
     return fine.error();
   if (const Status fine = checkOptions(flags, wish.job); !fine.ok())
@@ -148,6 +160,15 @@ Result<ParsedExport> parseExport(const ExportFlags& typed) {
   return wish;
 }
 
+/// Checks whether the scene has what tests are to ask for.
+Status checkAskedNames(const render::ExportOrder& job) {
+  for (const std::string& name : render::askedNames(job))
+    if (job.scene.named(name).empty())
+      return Error{.reason = "--ask-only: no structure or group is called \"" + name + "\"",
+                   .remedy = "See the names with `sline info`"};
+  return Unit{};
+}
+
 /// Returns all that the files are made of.
 Result<render::ExportOrder> exportOrderOf(const ExportFlags& flags, ParsedExport& wish,
                                           const ArrangedScene& arranged,
@@ -160,7 +181,9 @@ Result<render::ExportOrder> exportOrderOf(const ExportFlags& flags, ParsedExport
   if (const Status fine = parseSweep(flags.film, arranged.scene, job.of<render::FilmOptions>());
       !fine.ok())
     return fine.error();
-  return job.of<render::SheetOptions>().kind == render::SheetKind::none
+  if (const Status fine = checkAskedNames(job); !fine.ok())
+    return fine.error();
+  return job.of<render::SheetOptions>().kind == render::SheetKind::none || areAllViews(job)
              ? Result<render::ExportOrder>(job)
              : onSheet(job, wish.spec, typesetting);
 }
@@ -168,7 +191,7 @@ Result<render::ExportOrder> exportOrderOf(const ExportFlags& flags, ParsedExport
 /// Tells that files written beside a sheet show the sheet's figure and are as large.
 void tellOfSheet(const render::ExportOrder& job,
                  const std::map<std::string, std::string>& targets) {
-  if (job.of<render::SheetOptions>().kind == render::SheetKind::none)
+  if (job.of<render::SheetOptions>().kind == render::SheetKind::none || areAllViews(job))
     return;
   const auto rounded = [](float mm) { return std::to_string(std::lround(mm)); };
   for (const auto& [kind, target] : targets)
@@ -184,13 +207,15 @@ void warnOfViews(const render::ExportOrder& job, const std::map<std::string, std
                  const Warn& tellWarning) {
   if (job.of<render::FilmOptions>().motion == render::Motion::tour)
     tellWarning("a tour shows what its views show: --only changes nothing in it");
-  const bool slides = std::any_of(targets.begin(), targets.end(), [](const auto& target) {
-    return areSlides(*render::exportFormat(target.first));
+  const bool views = std::any_of(targets.begin(), targets.end(), [&job](const auto& target) {
+    const render::ExportFormat& format = *render::exportFormat(target.first);
+    return areSlides(format) ? render::showsViews(job)
+                             : format.has(render::viewsOption) && render::wantsAllViews(job);
   });
-  if (slides && render::showsViews(job))
+  if (views)
     tellWarning(
-        "slides show what the saved views show: --only changes nothing in them. Add --slides shown "
-        "for one slide of it");
+        "each view shows what was saved with it: --only changes nothing in them. Add --views shown "
+        "for what is shown alone");
 }
 
 /// Holds the order of pictures and those of films and slides, which have shapes of their own.
@@ -216,6 +241,25 @@ Result<Orders> ordersOf(const render::ExportOrder& job, const PictureSpec& spec,
   return Orders{job, *film, *slide};
 }
 
+struct ExportPiece {
+  render::ExportOrder order;
+  std::filesystem::path target;
+};
+
+/// Returns the files of one kind: one, or for kinds that hold one view a numbered one for each of
+/// those that are wanted.
+std::vector<ExportPiece> piecesOf(const render::ExportOrder& order,
+                                  const render::ExportFormat& format, const std::string& target) {
+  if (!format.oneView || !format.has(render::viewsOption) || !render::wantsAllViews(order))
+    return {{order, target}};
+  const std::vector<model::View>& views = order.scene.views();
+  const auto targets = render::viewTargets(target, views, format.extension);
+  std::vector<ExportPiece> pieces;
+  for (std::size_t i = 0; i < views.size(); ++i)
+    pieces.push_back({render::orderOfView(order, views[i]), targets[i]});
+  return pieces;
+}
+
 Exit writeAll(const Orders& orders, const std::map<std::string, std::string>& targets,
               Progress& progress, const Warn& tellWarning) {
   const Interruption interruption;
@@ -223,17 +267,19 @@ Exit writeAll(const Orders& orders, const std::map<std::string, std::string>& ta
     const auto target = targets.find(format.id);
     if (target == targets.end())
       continue;
-    render::ExportNotes notes;
-    const auto show = [&](double share, std::string_view what) {
-      progress.show(share, what);
-      return !interruption.wanted();
-    };
-    const Status written = format.write(orders.of(format), target->second, {show, &notes});
-    progress.wipe();
-    if (!written.ok())
-      return complain(written.error(), Exit::failed);
-    for (const render::ExportNote& note : notes)
-      tellWarning(target->second + ": " + textOf(note));
+    for (const ExportPiece& piece : piecesOf(orders.of(format), format, target->second)) {
+      render::ExportNotes notes;
+      const auto show = [&](double share, std::string_view what) {
+        progress.show(share, what);
+        return !interruption.wanted();
+      };
+      const Status written = format.write(piece.order, piece.target, {show, &notes});
+      progress.wipe();
+      if (!written.ok())
+        return complain(written.error(), Exit::failed);
+      for (const render::ExportNote& note : notes)
+        tellWarning(piece.target.string() + ": " + textOf(note));
+    }
   }
   return Exit::done;
 }
@@ -295,18 +341,14 @@ std::string kindsWith(const render::ExportOption& option) {
   return kinds;
 }
 
-/// Declares the flags that single kinds have, and what sheets need and exclude.
+/// Declares the flags that single kinds have. A sheet's figure has its size from the paper.
 void declareOptions(CLI::App& command, TypedOptions& options) {
-  CLI::Option* sheet = nullptr;
   for (const render::ExportOption* option : render::exportOptions()) {
     if (option->group != render::OptionGroup::kind || !*option->flag)
       continue;
     CLI::Option* declared = options.declare(command, *option, kindsWith(*option));
-    const render::OptionList own = render::sheetOptions();
     if (option == &render::sheetOption)
-      sheet = declared->excludes("--size-mm")->excludes("--size-px");
-    else if (sheet && std::find(own.begin(), own.end(), option) != own.end())
-      declared->needs(sheet);
+      declared->excludes("--size-mm")->excludes("--size-px");
   }
 }
 
@@ -356,6 +398,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
       "  sline export pelvis.sline --png pelvis.png --size-mm 180x120 --dpi 300\n"
       "  sline export pelvis.sline --tiff figure1.tiff --bw --bits 1 --dpi 600\n"
       "  sline export pelvis.sline --pptx lesson.pptx --self-test\n"
+      "  sline export pelvis.sline --pdf lesson.pdf --anki lesson.apkg --views all\n"
       "  sline export pelvis.sline --svg pelvis.svg --view anterior --size-mm 180x120\n"
       "  sline export abdomen/ --svg abdomen.svg --gamma 3 --background transparent");
 }

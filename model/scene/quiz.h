@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asks for structures by what labels call them. What a question is, and which answers are right, is
-// said here for whoever asks.
+// Asks questions one after the other and counts the answers.
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
-#include "model/scene/scene.h"
+#include "model/scene/question.h"
 
 namespace sline::model {
-
-/// Asks where that is; to point at any of the structures is right.
-struct Question {
-  std::string words;  ///< plain text
-  std::vector<NodeId> structures;
-  bool operator==(const Question&) const = default;
-};
-
-/// Returns a question for each thing that visible labels and pins name on visible structures, in
-/// the order of the annotations and in that language, or those ("de+la"). Things of one name are
-/// one question. Callouts explain and distances measure, so they are not asked for.
-std::vector<Question> questionsOf(const Scene& scene, const std::string& language);
 
 /// Asks questions in a random order, each once, and counts those that were answered right.
 class Quiz {

@@ -134,7 +134,7 @@ void CalloutTest::keysAreWithoutMarkers() {
   QVERIFY2(("\n" + render.out).contains(QByteArray("\n2\t") + plainWords + "\n"), render.out);
   if (QStandardPaths::findExecutable("pdftotext").isEmpty())
     SLINE_ABSENT("poppler-utils are not installed");
-  QVERIFY(!exported("sheet.pdf", {"--sheet", "teaching"}).isEmpty());
+  QVERIFY(!exported("sheet.pdf", {"--sheet", "teaching", "--ask-callouts"}).isEmpty());
   const QString key = run("pdftotext", {"-f", "3", "-l", "3", path("sheet.pdf"), "-"}).simplified();
   QVERIFY2(key.contains("Kidney & ren • a hilum"), qPrintable(key));
   QVERIFY2(key.contains("**vein**"), qPrintable(key));

@@ -73,6 +73,11 @@ class ExportCreditTest : public QObject {
     const QString sample = writeSample(m_folder.path());
     QCOMPARE(runSline({"import", sample, "-o", m_scene}).code, 0);
     QCOMPARE(runSline({"annotate", m_scene, "--on", "kidney"}).code, 0);
+    for (const char* side : {"anterior", "left"})
+      QCOMPARE(runSline({"view", m_scene, "--add", QString("From ") + QLatin1String(side), "--from",
+                         side})
+                   .code,
+               0);
   }
 
   void everyFileHasIt_data() {
@@ -88,13 +93,20 @@ class ExportCreditTest : public QObject {
                                    << "figure";
     QTest::newRow("sheet") << "pdf"
                            << "sheet.pdf";
+    QTest::newRow("lesson") << "pdf"
+                            << "lesson.pdf";
+    QTest::newRow("cards of all views") << "anki"
+                                        << "lesson.apkg";
+    QTest::newRow("pictures of all views") << "png"
+                                           << "lesson.png";
   }
   void everyFileHasIt() {
     QFETCH(QString, kind);
     QFETCH(QString, name);
     const QStringList words{"QZXAUTHOR", "QZXRIGHTS"};
-    const QStringList sheet =
-        name == "sheet.pdf" ? QStringList{"--sheet", "figure"} : QStringList();
+    const QStringList sheet = name == "sheet.pdf"         ? QStringList{"--sheet", "figure"}
+                              : name.startsWith("lesson") ? QStringList{"--views", "all"}
+                                                          : QStringList();
     const QStringList files = exported(kind, name, both() + sheet);
     QVERIFY(!files.isEmpty());
     for (const QString& file : files)

@@ -12,6 +12,7 @@
 #include "model/import/plan/import.h"
 #include "model/scene_file/scene_file.h"
 #include "render/export/formats/export_formats.h"
+#include "render/export/order/view_orders.h"
 #include "tests/cli/sline_process.h"
 #include "tests/model/import/dicom/written_dicom.h"
 #include "tests/model/import/dicom/written_structures.h"
@@ -129,13 +130,14 @@ class ExportPrivacyTest : public QObject {
 
   QString out() const { return m_folder + "/out"; }
   /// Exports the scene to an empty folder and returns the resulting files by their places there.
-  QStringList exported(const QString& kind, const QString& extension) {
+  QStringList exported(const QString& kind, const QString& extension, const QStringList& view) {
     QDir(out()).removeRecursively();
     QDir().mkpath(out());
     const QString target = out() + "/figure" + (extension.isEmpty() ? "" : "." + extension);
     const Finished finished =
-        runSline({"export", m_scene, "--" + kind, target, "--view", "front", "--size-mm", "160x90",
-                  "--seconds", "0.5", "--fps", "6", "--film-height", "96"});
+        runSline(QStringList{"export", m_scene, "--" + kind, target, "--seconds", "0.5", "--fps",
+                             "6", "--film-height", "96"} +
+                 view);
     if (finished.code != 0)
       qWarning("%s", finished.err.constData());
     QStringList names;
@@ -174,13 +176,29 @@ class ExportPrivacyTest : public QObject {
   void nothingIsGivenAway_data() {
     QTest::addColumn<QString>("kind");
     QTest::addColumn<QString>("extension");
-    for (const render::ExportFormat& format : render::exportFormats())
-      QTest::newRow(format.id) << format.id << format.extension;
+    QTest::addColumn<QStringList>("flags");
+    const QStringList size{"--size-mm", "160x90"};
+    for (const render::ExportFormat& format : render::exportFormats()) {
+      QTest::newRow(format.id) << format.id << format.extension
+                               << size + QStringList{"--view", "front"};
+      if (format.has(render::viewsOption))
+        QTest::addRow("%s of all views", format.id)
+            << format.id << format.extension << size + QStringList{"--views", "all"};
+    }
+    const QStringList test{"--views", "all", "--sheet", "teaching", "--word-bank", "--key", "end"};
+    QTest::newRow("a lesson with tests") << "pdf"
+                                         << "pdf" << test;
+    QTest::newRow("cards of every kind")
+        << "anki"
+        << "apkg" << size + QStringList{"--views", "all", "--cover-cards"};
+    QTest::newRow("cards as text") << "anki"
+                                   << "zip" << size + QStringList{"--views", "all"};
   }
   void nothingIsGivenAway() {
     QFETCH(QString, kind);
     QFETCH(QString, extension);
-    const QStringList names = exported(kind, extension);
+    QFETCH(QStringList, flags);
+    const QStringList names = exported(kind, extension, flags);
     QVERIFY2(!names.isEmpty(), "it wrote nothing");
     std::map<QString, QByteArray> first;
     for (const QString& name : names) {
@@ -195,7 +213,7 @@ class ExportPrivacyTest : public QObject {
       first[name] = bytes;
     }
     // The files are the same each time: no date in bytes that are never read, no random number.
-    QCOMPARE(exported(kind, extension), names);
+    QCOMPARE(exported(kind, extension, flags), names);
     for (const QString& name : names)
       QVERIFY2(contents(out() + '/' + name) == first[name], qPrintable(name));
   }

@@ -61,9 +61,9 @@ class SlidesCommandTest : public QObject {
     QTest::addColumn<QString>("title");
     QTest::newRow("a saved view") << QStringList{"--view", "Side"} << "Side";
     QTest::newRow("a side of the body") << QStringList{"--view", "posterior"} << "Posterior view";
-    QTest::newRow("what is shown") << QStringList{"--slides", "shown"} << "Anterior view";
+    QTest::newRow("what is shown") << QStringList{"--views", "shown"} << "Anterior view";
     QTest::newRow("and its words")
-        << QStringList{"--slides", "shown", "--view", "Front"} << "From in front";
+        << QStringList{"--views", "shown", "--view", "Front"} << "From in front";
   }
   void oneIsShownWhereItIsAskedFor() {
     QFETCH(QStringList, flags);
@@ -88,9 +88,9 @@ class SlidesCommandTest : public QObject {
 
   /// What saved views show is theirs to say.
   void choicesThatAreNone() {
-    const char* warning = "slides show what the saved views show";
+    const char* warning = "each view shows what was saved with it";
     QVERIFY(exported({"--only", "kidney"}).err.contains(warning));
-    QVERIFY(!exported({"--only", "kidney", "--slides", "shown"}).err.contains(warning));
+    QVERIFY(!exported({"--only", "kidney", "--views", "shown"}).err.contains(warning));
     QVERIFY(!exported({}).err.contains(warning));
   }
 };

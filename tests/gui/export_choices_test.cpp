@@ -90,12 +90,12 @@ class ExportChoicesTest : public QObject {
     QVERIFY2(!name.isVisibleTo(desk.dialog()), "there is one file");
     desk.click("exportSavedViews");
     QVERIFY(name.isVisibleTo(desk.dialog()));
-    QCOMPARE(name.text(), QStringLiteral("balls - Front- 心.svg (1 of 2)"));
+    QCOMPARE(name.text(), QStringLiteral("balls - 1 Front- 心.svg (1 of 2)"));
     QVERIFY(!desk.part<QAbstractButton>("exportPageBack").isEnabled());
     QVERIFY(desk.previewed());
     const QImage first = desk.dialog()->preview().picture();
     desk.click("exportPageOn");
-    QCOMPARE(name.text(), QStringLiteral("balls - front- 心 2.svg (2 of 2)"));
+    QCOMPARE(name.text(), QStringLiteral("balls - 2 front- 心.svg (2 of 2)"));
     QVERIFY(!desk.part<QAbstractButton>("exportPageOn").isEnabled());
     QVERIFY(desk.previewed());
     QVERIFY(desk.dialog()->preview().picture() != first);
@@ -141,12 +141,56 @@ class ExportChoicesTest : public QObject {
     const QImage wide = desk.dialog()->preview().picture();
     keep(*desk.dialog(), QStringLiteral("slides"));
     desk.pick("export-slideShape", QStringLiteral("4 : 3"));
-    desk.pick("export-slides", QStringLiteral("What is shown"));
+    desk.click("exportSeen");
     QVERIFY(desk.previewed());
     const QImage standard = desk.dialog()->preview().picture();
     QVERIFY(wide.width() * standard.height() > standard.width() * wide.height());
     QVERIFY2(text().contains(QStringLiteral("254 × 190.5 mm")), qPrintable(text()));
     QVERIFY2(text().contains(QStringLiteral("2 structures")), qPrintable(text()));
+  }
+
+  /// One file of all views: what it will be is told, each view can be looked at, and the command
+  /// line's defaults are those of the dialog.
+  void allViewsInOneFile() {
+    ExportDesk desk;
+    desk.show();
+    const auto text = [&desk] { return desk.part<QLabel>("exportSummary").text(); };
+    for (const char* kind : {"png", "svg", "pdf", "anki", "pptx"}) {
+      desk.chooseKind(QLatin1String(kind));
+      const bool all = desk.part<QRadioButton>("exportSavedViews").isChecked();
+      QCOMPARE(all, kind == QByteArray("pptx"));
+    }
+    desk.chooseKind(QStringLiteral("pdf"));
+    QVERIFY(!desk.part<QWidget>("export-sheetPaper").isEnabled());
+    desk.click("exportSavedViews");
+    QVERIFY(desk.part<QWidget>("export-sheetPaper").isEnabled());
+    QVERIFY(!desk.part<QWidget>("exportFilled").isEnabled());
+    QVERIFY2(text().contains(QStringLiteral("2 views on about 4 pages")), qPrintable(text()));
+    QVERIFY2(text().contains(QStringLiteral("210 × 297 mm")), qPrintable(text()));
+    const auto& name = desk.part<QLabel>("exportPageName");
+    QVERIFY2(name.text().endsWith(QStringLiteral("(1 of 2)")), qPrintable(name.text()));
+    QVERIFY(desk.previewed());
+    const QImage first = desk.dialog()->preview().picture();
+    desk.click("exportPageOn");
+    QVERIFY(desk.previewed());
+    QVERIFY(desk.dialog()->preview().picture() != first);
+    QTRY_VERIFY_WITH_TIMEOUT(text().contains(QStringLiteral("About")), 60'000);
+    keep(*desk.dialog(), QStringLiteral("lesson"));
+    desk.pick("export-sheet", QStringLiteral("For teaching, with self-test"));
+    QVERIFY2(text().contains(QStringLiteral("on about 8 pages")), qPrintable(text()));
+    desk.chooseKind(QStringLiteral("anki"));
+    QVERIFY2(text().contains(QStringLiteral("At most 8 cards, in a deck for each view")),
+             qPrintable(text()));
+    desk.click("export-cardsFind");
+    QVERIFY2(text().contains(QStringLiteral("At most 4 cards")), qPrintable(text()));
+    desk.chooseKind(QStringLiteral("svg"));
+    QVERIFY2(text().contains(QStringLiteral("balls")) || text().contains(QStringLiteral("Balls")),
+             qPrintable(text()));
+    desk.chooseKind(QStringLiteral("pdf"));
+    desk.target(desk.out.filePath(QStringLiteral("lesson.pdf")));
+    desk.click("exportButton");
+    QVERIFY(desk.finished());
+    QCOMPARE(desk.written(), QStringList{QStringLiteral("lesson.pdf")});
   }
 
   void choicesAreRemembered() {

@@ -278,8 +278,8 @@ class ExportDialogTest : public QObject {
     desk.target(desk.out.filePath(QStringLiteral("balls.svg")));
     desk.click("exportButton");
     QVERIFY(desk.finished());
-    QCOMPARE(desk.written(), (QStringList{QStringLiteral("balls - Front- 心.svg"),
-                                          QStringLiteral("balls - front- 心 2.svg")}));
+    QCOMPARE(desk.written(), (QStringList{QStringLiteral("balls - 1 Front- 心.svg"),
+                                          QStringLiteral("balls - 2 front- 心.svg")}));
     QVERIFY(contents(desk.out.filePath(desk.written()[0])) !=
             contents(desk.out.filePath(desk.written()[1])));
   }

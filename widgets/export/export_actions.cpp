@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/export/order/view_orders.h"
 #include "widgets/export/export_job.h"
 #include "widgets/export/export_texts.h"
 #include "widgets/export/note_texts.h"
@@ -151,7 +152,8 @@ void ExportActions::prepareDraft() {
   const std::filesystem::path& file = m_session.file().path;
   if (folder.isEmpty() || !QFileInfo(folder).isDir())
     folder = file.empty() ? QDir::homePath() : textOf(file.parent_path());
-  const QString name = safeFileName(QFileInfo(m_session.title()).completeBaseName());
+  const QString name = QString::fromStdString(
+      render::safeFileName(QFileInfo(m_session.title()).completeBaseName().toStdString()));
   m_draft.target = withEndingOf(QDir(folder).filePath(name), m_draft.kind);
 }
 

@@ -55,16 +55,11 @@ QWidget* ExportDialog::makeKinds() {
 }
 
 void ExportDialog::addSubject(QVBoxLayout& layout) {
-  const auto views = int(m_source.scene.views().size());
   m_seen->setObjectName(QStringLiteral("exportSeen"));
   m_savedViews->setObjectName(QStringLiteral("exportSavedViews"));
-  m_savedViews->setText(tr("Each sa&ved view, %n files", nullptr, views));
-  m_savedViews->setEnabled(views > 0);
-  m_savedViews->setToolTip(tr("A file for each view, with the view's name behind its own"));
+  m_savedViews->setEnabled(!m_source.scene.views().empty());
   m_filled->setObjectName(QStringLiteral("exportFilled"));
   m_filled->setToolTip(tr("Moves the camera to or fro without turning it"));
-  const bool each = views > 0 && m_draft.subject == ExportSubject::savedViews;
-  (each ? m_savedViews : m_seen)->setChecked(true);
   m_filled->setChecked(m_draft.filled);
   m_subjectWidgets = {heading(tr("What")), m_seen, m_savedViews, m_filled};
   for (QWidget* widget : m_subjectWidgets)
@@ -173,10 +168,9 @@ QWidget* ExportDialog::makeButtons() {
 
 void ExportDialog::connectControls() {
   connect(m_kinds, &QListWidget::currentItemChanged, this, &ExportDialog::chooseKind);
-  connect(m_seen, &QRadioButton::toggled, this, [this](bool seen) {
-    m_draft.subject = seen ? ExportSubject::seen : ExportSubject::savedViews;
-    refresh();
-  });
+  connect(m_seen, &QRadioButton::clicked, this, [this] { chooseSubject(ExportSubject::seen); });
+  connect(m_savedViews, &QRadioButton::clicked, this,
+          [this] { chooseSubject(ExportSubject::savedViews); });
   connect(m_filled, &QCheckBox::toggled, this, [this](bool filled) {
     m_draft.filled = filled;
     refresh();
@@ -184,12 +178,12 @@ void ExportDialog::connectControls() {
   connect(m_preview, &ExportPreview::drawn, this, &ExportDialog::showDoubt);
   connect(m_preview, &ExportPreview::drawn, this, &ExportDialog::showPager);
   connect(m_preview, &ExportPreview::drawn, this, [this] {
-    m_gauge->measure(m_draft.kind, shown(), m_preview->picture());
+    m_gauge->measure(m_draft.kind, measured(), m_preview->picture());
     showSummary();
   });
   connect(m_gauge, &SizeGauge::measured, this, &ExportDialog::showSummary);
   connect(m_pager, &FilePager::turned, this, [this] {
-    if (m_files.size() < 2) {
+    if (m_pages.size() < 2) {
       m_preview->turnTo(m_pager->index());
       return;
     }

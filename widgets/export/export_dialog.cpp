@@ -15,6 +15,7 @@
 #include <QRadioButton>
 #include <QVBoxLayout>
 
+#include "render/export/order/view_orders.h"
 #include "widgets/export/export_preview.h"
 #include "widgets/export/export_texts.h"
 #include "widgets/export/file_pager.h"
@@ -109,12 +110,36 @@ void ExportDialog::chooseKind() {
   const bool page = pageUseOf(m_draft.kind) != render::PageUse::none;
   m_pageHeading->setVisible(page);
   m_page->setVisible(page);
-  for (QWidget* widget : m_subjectWidgets)
-    widget->setVisible(showsOneView(m_draft.kind));
+  showSubject();
   for (const OptionSection& part : m_parts)
     part.heading->setVisible(part.form->showFor(*formatOf(m_draft.kind)));
   m_target->setText(QDir::toNativeSeparators(withEndingOf(m_draft.target, m_draft.kind)));
   refresh();
+}
+
+void ExportDialog::chooseSubject(ExportSubject subject) {
+  m_draft.subject = subject;
+  showSubject();
+  refresh();
+}
+
+void ExportDialog::showSubject() {
+  const auto views = int(m_source.scene.views().size());
+  for (QWidget* widget : m_subjectWidgets)
+    widget->setVisible(hasViews(m_draft.kind));
+  const bool one = holdsViews(m_draft.kind);
+  m_savedViews->setText(one ? tr("All %n sa&ved views, in one file", nullptr, views)
+                            : tr("Each sa&ved view, %n files", nullptr, views));
+  m_savedViews->setToolTip(
+      one ? tr("Each view has a page, a slide or a deck of its own")
+          : tr("A file for each view, with its number and name behind the file's own"));
+  const bool all = views > 0 && wantsViews(m_draft);
+  (all ? m_savedViews : m_seen)->setChecked(true);
+  m_filled->setEnabled(!(one && all));
+  m_draft.order.of<render::ViewsOptions>().subject =
+      all ? render::ViewSubject::all : render::ViewSubject::shown;
+  for (const OptionSection& part : m_parts)
+    part.form->enableWhatApplies();
 }
 
 QString ExportDialog::target() const {
@@ -128,13 +153,18 @@ QString ExportDialog::target() const {
 }
 
 const ExportFile& ExportDialog::shown() const {
-  return m_files[m_files.size() > 1 ? m_pager->index() : 0];
+  return m_pages[m_pages.size() > 1 ? m_pager->index() : 0];
+}
+
+const ExportFile& ExportDialog::measured() const {
+  return m_files.size() > 1 ? shown() : m_files.front();
 }
 
 void ExportDialog::refresh() {
   ExportDraft whole = m_draft;
   whole.target = target();
   m_files = exportFiles(whole, m_source);
+  m_pages = previewedFiles(whole, m_files);
   m_page->setEnabled(!hasOwnPage(m_draft));
   showPager();
   m_preview->show(shown());
@@ -144,19 +174,21 @@ void ExportDialog::refresh() {
 }
 
 void ExportDialog::showSummary() {
-  m_summary->setText(exportSummary(m_draft, m_files, m_gauge->bytes(m_draft.kind, shown()))
-                         .join(QLatin1Char('\n')));
+  m_summary->setText(
+      exportSummary(m_draft, m_files, m_pages, m_gauge->bytes(m_draft.kind, measured()))
+          .join(QLatin1Char('\n')));
 }
 
 void ExportDialog::showPager() {
   QStringList names;
-  if (m_files.size() > 1)
-    for (const ExportFile& file : m_files)
-      names << textOf(file.target.filename());
+  if (m_pages.size() > 1)
+    for (const ExportFile& page : m_pages)
+      names << (m_files.size() > 1 ? textOf(page.target.filename())
+                                   : QString::fromStdString(page.order.viewName).simplified());
   else if (isSheet(m_draft))
     names.fill(tr("Page"), qsizetype(m_preview->pages()));
   m_pager->setNames(names);
-  m_preview->turnTo(m_files.size() > 1 ? 0 : m_pager->index());
+  m_preview->turnTo(m_pages.size() > 1 ? 0 : m_pager->index());
 }
 
 void ExportDialog::sayLanguage() {
@@ -170,7 +202,7 @@ void ExportDialog::sayLanguage() {
 
 void ExportDialog::showDoubt() {
   const QString problem = targetProblem(targetsOf(m_files));
-  QString doubt = problem.isEmpty() ? exportDoubt(m_files) : problem;
+  QString doubt = problem.isEmpty() ? exportDoubt(m_pages) : problem;
   if (doubt.isEmpty()) {
     // With several files the remarks are about the one that is shown; films are long, and surfaces
     // have no page. Until the next page is drawn the last one's remarks stay, as its picture does,

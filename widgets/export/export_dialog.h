@@ -50,9 +50,14 @@ class ExportDialog : public QDialog {
   void connectControls();
   QLabel* heading(const QString& text);
   void chooseKind();
+  void chooseSubject(ExportSubject subject);
+  /// Shows what can be chosen as the subject of this kind, and what is.
+  void showSubject();
   void browse();
   /// Returns the file that the preview shows.
   const ExportFile& shown() const;
+  /// Returns the file whose size is told: that of which the preview shows something.
+  const ExportFile& measured() const;
   /// Offers the files, or the pages of a sheet, one by one.
   void showPager();
   void showSummary();
@@ -71,6 +76,7 @@ class ExportDialog : public QDialog {
   ExportDraft& m_draft;
   const ExportSource m_source;
   std::vector<ExportFile> m_files;
+  std::vector<ExportFile> m_pages;  ///< what the preview shows of them
   QListWidget* m_kinds;
   QLabel* m_help;
   QRadioButton* m_seen;

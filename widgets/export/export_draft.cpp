@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
+#include "render/export/order/view_orders.h"
 #include "render/vectors/vector_drawing.h"
 #include "widgets/export/option_fields.h"
 
@@ -21,6 +23,11 @@ const render::ExportFormat& traitsOf(const QString& kind) {
   const render::ExportFormat* const found = formatOf(kind);
   return found ? *found : all;
 }
+
+constexpr std::array<std::pair<ExportSubject, const char*>, 3> subjectNames{
+    {{ExportSubject::usual, "usual"},
+     {ExportSubject::seen, "seen"},
+     {ExportSubject::savedViews, "savedViews"}}};
 
 QString keyOf(const char* name) {
   return QStringLiteral("export/") + QLatin1String(name);
@@ -51,8 +58,20 @@ const render::ExportFormat* formatOf(const QString& kind) {
   return render::exportFormat(kind.toStdString());
 }
 
-bool showsOneView(const QString& kind) {
-  return traitsOf(kind).oneView;
+bool hasViews(const QString& kind) {
+  const render::ExportFormat* format = formatOf(kind);
+  return format && format->has(render::viewsOption);
+}
+
+bool holdsViews(const QString& kind) {
+  const render::ExportFormat* format = formatOf(kind);
+  return format && format->holdsViews();
+}
+
+bool wantsViews(const ExportDraft& draft) {
+  return hasViews(draft.kind) && (draft.subject == ExportSubject::savedViews ||
+                                  (draft.subject == ExportSubject::usual &&
+                                   pageUseOf(draft.kind) == render::PageUse::slides));
 }
 
 bool pageIsAsPreviewed(const QString& kind) {
@@ -73,9 +92,9 @@ ExportDraft rememberedDraft(const QSettings& settings, const render::ExportOrder
   draft.kind = settings.value(keyOf("kind")).toString();
   if (!formatOf(draft.kind))
     draft.kind = QLatin1String(render::exportFormats().front().id);
-  draft.subject = settings.value(keyOf("subject")).toString() == QLatin1String("savedViews")
-                      ? ExportSubject::savedViews
-                      : ExportSubject::seen;
+  for (const auto& [subject, name] : subjectNames)
+    if (settings.value(keyOf("subject")).toString() == QLatin1String(name))
+      draft.subject = subject;
   draft.filled = settings.value(keyOf("filled")).toBool();
   draft.unit = settings.value(keyOf("unit")).toString() == QLatin1String("pixels")
                    ? PageUnit::pixels
@@ -104,9 +123,9 @@ void follow(ExportDraft& draft, const render::ExportOrder& before, const render:
 void remember(const ExportDraft& draft, const render::ExportOrder& seen, QSettings& settings) {
   const render::ExportPage& page = draft.order.page;
   settings.setValue(keyOf("kind"), draft.kind);
-  settings.setValue(keyOf("subject"), draft.subject == ExportSubject::savedViews
-                                          ? QStringLiteral("savedViews")
-                                          : QStringLiteral("seen"));
+  for (const auto& [subject, name] : subjectNames)
+    if (draft.subject == subject)
+      settings.setValue(keyOf("subject"), QLatin1String(name));
   settings.setValue(keyOf("filled"), draft.filled);
   settings.setValue(keyOf("unit"), draft.unit == PageUnit::pixels ? QStringLiteral("pixels")
                                                                   : QStringLiteral("millimetres"));

@@ -11,14 +11,16 @@ class QSettings;
 
 namespace sline::widgets {
 
-enum class ExportSubject { seen, savedViews };
+/// Tells what is exported. `usual`: all saved views where the kind of file is made for them, as
+/// slides are, and else what is seen.
+enum class ExportSubject { usual, seen, savedViews };
 /// The unit in which the size of the page is typed.
 enum class PageUnit { millimetres, pixels };
 
 struct ExportDraft {
   QString kind;    ///< ExportFormat::id
   QString target;  ///< of one file; files of several views have the view's name appended
-  ExportSubject subject = ExportSubject::seen;
+  ExportSubject subject = ExportSubject::usual;
   bool filled = false;  ///< the camera is moved so that what is shown fills the page
   PageUnit unit = PageUnit::millimetres;
   /// How the export looks; its scene, camera and view are taken from what is exported.
@@ -28,9 +30,12 @@ struct ExportDraft {
 /// Returns the format of that kind; null where there is none.
 const render::ExportFormat* formatOf(const QString& kind);
 
-/// Tells whether the kind shows the scene from one place; others hold the whole scene or all its
-/// views.
-bool showsOneView(const QString& kind);
+/// Tells whether the kind lets one choose between what is seen and all saved views.
+bool hasViews(const QString& kind);
+/// Tells whether one file of the kind can hold all saved views.
+bool holdsViews(const QString& kind);
+/// Tells whether the draft is of all saved views, in one file or in several.
+bool wantsViews(const ExportDraft& draft);
 /// Tells whether pages of the kind have their labels where the preview has them.
 bool pageIsAsPreviewed(const QString& kind);
 render::PageUse pageUseOf(const QString& kind);

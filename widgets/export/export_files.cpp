@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/export/export_files.h"
 
-#include <QSet>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -10,6 +9,8 @@
 #include "model/edit/views.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/motion/film_options.h"
+#include "render/export/order/view_orders.h"
+#include "render/export/pdf/lesson.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
@@ -61,7 +62,10 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
     order.page.sizeMm = render::slidePageMm(order);
     order.marks.viewName = false;  // it is the title
   }
-  if (isSheet(draft))
+  if (hasViews(draft.kind) && holdsViews(draft.kind))
+    order.of<render::ViewsOptions>().subject =
+        wantsViews(draft) ? render::ViewSubject::all : render::ViewSubject::shown;
+  if (isSheet(draft) && !isLesson(draft, source.scene))
     order.page.sizeMm = render::sheetFigureMm(order);
   const float aspect = order.page.sizeMm.x / order.page.sizeMm.y;
   if (pageUseOf(draft.kind) != render::PageUse::none)
@@ -70,26 +74,6 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
 }
 
 }  // namespace
-
-QString safeFileName(const QString& text) {
-  constexpr int longestBytes = 120;  // file systems take 255; the target's own name comes before
-  static const QString separating = QStringLiteral("/\\:*?\"<>|");
-  QString name;
-  for (const QChar each : text)
-    if (separating.contains(each))
-      name += QLatin1Char('-');
-    else
-      name += each.isSurrogate() || each.isPrint() ? each : QChar(u' ');
-  name = name.simplified();
-  while (name.toUtf8().size() > longestBytes)
-    name.chop(name.size() > 1 && name.back().isLowSurrogate() ? 2 : 1);
-  // Windows drops these characters at the end, and hides files that begin with a dot.
-  while (name.endsWith(QLatin1Char('.')) || name.endsWith(QLatin1Char(' ')))
-    name.chop(1);
-  while (name.startsWith(QLatin1Char('.')))
-    name.remove(0, 1);
-  return name.isEmpty() ? QStringLiteral("picture") : name;
-}
 
 std::string viewNameOf(const model::Camera& camera) {
   const auto side = model::anatomicalViewOf(camera);
@@ -116,35 +100,48 @@ bool hasOwnPage(const ExportDraft& draft) {
 bool isSheet(const ExportDraft& draft) {
   const render::ExportFormat* kind = formatOf(draft.kind);
   return kind && kind->has(render::sheetOption) &&
-         draft.order.of<render::SheetOptions>().kind != render::SheetKind::none;
+         (draft.order.of<render::SheetOptions>().kind != render::SheetKind::none ||
+          wantsViews(draft));
+}
+
+bool isLesson(const ExportDraft& draft, const model::Scene& scene) {
+  return holdsViews(draft.kind) && wantsViews(draft) && !scene.views().empty();
 }
 
 std::vector<ExportFile> exportFiles(const ExportDraft& draft, const ExportSource& source) {
-  const bool each = draft.subject == ExportSubject::savedViews && showsOneView(draft.kind) &&
-                    !source.scene.views().empty();
+  const std::vector<model::View>& views = source.scene.views();
   std::vector<ExportFile> files;
-  if (!each) {
+  if (!wantsViews(draft) || holdsViews(draft.kind) || views.empty()) {
     files.push_back(fileOf(draft, source, nullptr));
     files.back().target = pathOf(draft.target);
     return files;
   }
-  const render::ExportFormat* format = formatOf(draft.kind);
-  const QString ending = QLatin1Char('.') + QLatin1String(format->extension);
-  QString stem = draft.target;
-  if (stem.endsWith(ending, Qt::CaseInsensitive))
-    stem.chop(ending.size());
-  QSet<QString> taken;
-  for (const model::View& view : source.scene.views()) {
-    const QString name = safeFileName(QString::fromStdString(view.name));
-    QString free = name;
-    // On many disks, names that differ only in case are the same.
-    for (int i = 2; taken.contains(free.toCaseFolded()); ++i)
-      free = QStringLiteral("%1 %2").arg(name).arg(i);
-    taken.insert(free.toCaseFolded());
-    files.push_back(fileOf(draft, source, &view));
-    files.back().target = pathOf(QStringLiteral("%1 - %2%3").arg(stem, free, ending));
+  const auto targets =
+      render::viewTargets(pathOf(draft.target), views, formatOf(draft.kind)->extension);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    files.push_back(fileOf(draft, source, &views[i]));
+    files.back().target = targets[i];
   }
   return files;
+}
+
+std::vector<ExportFile> previewedFiles(const ExportDraft& draft,
+                                       const std::vector<ExportFile>& files) {
+  const render::ExportOrder& whole = files.front().order;
+  if (!isLesson(draft, whole.scene))
+    return files;
+  std::vector<ExportFile> pages;
+  for (const model::View& view : whole.scene.views()) {
+    ExportFile page{.order = isSheet(draft) ? render::lessonSheet(whole, view)
+                                            : render::orderOfView(whole, view),
+                    .filled = false,
+                    .target = files.front().target};
+    if (pageUseOf(draft.kind) == render::PageUse::slides)
+      page.order.page.sizeMm = render::slidePageMm(page.order, &view);
+    page.order.of<render::ViewsOptions>().subject = render::ViewSubject::shown;
+    pages.push_back(std::move(page));
+  }
+  return pages;
 }
 
 render::ExportOrder readyOrder(const ExportFile& file) {

@@ -25,11 +25,6 @@ struct ExportFile {
   std::filesystem::path target;
 };
 
-/// Returns the text as a file name that every system accepts, in any script: folder separators,
-/// control and direction marks become blanks or dashes, and no length limit is exceeded. Returns
-/// "picture" where nothing is left.
-QString safeFileName(const QString& text);
-
 /// Returns "anterior" and so on, as `anatomicalViewNames` has them, where the camera looks along an
 /// axis of the body; otherwise an empty string. Marks say it in the language of the labels.
 std::string viewNameOf(const model::Camera& camera);
@@ -38,16 +33,22 @@ std::string viewNameOf(const model::Camera& camera);
 /// `before` shows.
 model::Camera reframed(model::Camera camera, float before, float aspect);
 
-/// Tells whether the draft is a PDF with the sheet's paper size instead of the page's.
+/// Tells whether the draft is a PDF with the paper's size instead of the page's.
 bool isSheet(const ExportDraft& draft);
+/// Tells whether the draft is one file of all saved views, and there are some.
+bool isLesson(const ExportDraft& draft, const model::Scene& scene);
 
 /// Tells whether the page that the draft was given is not that of its files: sheets have their
 /// paper's, films their pictures' size.
 bool hasOwnPage(const ExportDraft& draft);
 
-/// Returns one file, or one for each saved view with its name appended to the target's: "pelvis -
-/// Front.svg". No two files have the same name, whatever the views are called.
+/// Returns one file, or one for each saved view, numbered and with its name appended to the
+/// target's: "pelvis - 1 Front.svg".
 std::vector<ExportFile> exportFiles(const ExportDraft& draft, const ExportSource& source);
+/// Returns what can be looked at of those files: these or, where one holds all views, each view as
+/// it is in there.
+std::vector<ExportFile> previewedFiles(const ExportDraft& draft,
+                                       const std::vector<ExportFile>& files);
 
 /// Returns the order with its camera moved where the page is to be filled. It looks at each vertex,
 /// so it must not run on the window's thread.

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/export/export_texts.h"
 #include "model/scene/visible_structures.h"
+#include "render/export/anki/anki_file.h"
+#include "render/export/anki/anki_options.h"
 #include "render/export/motion/film_options.h"
+#include "render/export/pdf/lesson.h"
+#include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/slides/slide_page.h"
 
@@ -34,8 +38,13 @@ int shownLabels(const model::Scene& scene) {
 QString subjectText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
   const int structures = shownStructures(files.front().order.scene);
   if (files.size() > 1)
-    return tr("%n files, one for each saved view.", nullptr, int(files.size()));
+    return tr("%n files, one for each saved view: %1 … %2.", nullptr, int(files.size()))
+        .arg(textOf(files.front().target.filename()), textOf(files.back().target.filename()));
   const render::ExportOrder& order = files.front().order;
+  if (isLesson(draft, order.scene) && isSheet(draft))
+    return tr("%1 views on about %n pages, with contents, index and bookmarks.", nullptr,
+              int(render::lessonPages(order)))
+        .arg(numberText(qlonglong(order.scene.views().size())));
   if (pageUseOf(draft.kind) == render::PageUse::slides && render::showsViews(order))
     return tr("%n slides, one for each saved view.", nullptr, int(order.scene.views().size()));
   return pageUseOf(draft.kind) != render::PageUse::none
@@ -48,6 +57,16 @@ bool sheetAddsLabels(const ExportDraft& draft) {
   return isSheet(draft) &&
          (draft.order.labels.mode != render::LabelMode::off ||
           draft.order.of<render::SheetOptions>().kind != render::SheetKind::figure);
+}
+
+/// Says how many cards there will be.
+QString cardText(const ExportDraft& draft, const render::ExportOrder& order) {
+  if (!formatOf(draft.kind)->has(render::cardsOption))
+    return {};
+  const auto cards = int(render::ankiCardsAtMost(order));
+  return isLesson(draft, order.scene)
+             ? tr("At most %n cards, in a deck for each view.", nullptr, cards)
+             : tr("At most %n cards.", nullptr, cards);
 }
 
 QString labelText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
@@ -71,7 +90,7 @@ QString labelText(const ExportDraft& draft, const std::vector<ExportFile>& files
 QString sizeText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
   render::ExportPage page = draft.order.page;
   if (isSheet(draft))
-    page.sizeMm = paperMm(files.front().order);
+    page.sizeMm = render::sheetPaperMm(files.front().order);
   const render::FilmOptions& film = draft.order.of<render::FilmOptions>();
   if (pageUseOf(draft.kind) == render::PageUse::shape) {
     const glm::ivec2 size = render::filmSize(draft.order);
@@ -141,20 +160,20 @@ QString pixelsText(const render::ExportPage& page) {
 }
 
 QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files,
-                          std::optional<double> bytes) {
-  QStringList sentences{subjectText(draft, files)};
+                          const std::vector<ExportFile>& pages, std::optional<double> bytes) {
+  QStringList sentences{subjectText(draft, files), cardText(draft, files.front().order)};
   if (pageUseOf(draft.kind) != render::PageUse::none)
-    sentences << labelText(draft, files) << sizeText(draft, files);
+    sentences << labelText(draft, pages) << sizeText(draft, files);
   sentences << weightText(files, bytes) << privacyText(draft) << creditText(draft);
   sentences.removeAll(QString());
   return sentences;
 }
 
-QString exportDoubt(const std::vector<ExportFile>& files) {
-  for (const ExportFile& file : files) {
+QString exportDoubt(const std::vector<ExportFile>& pages) {
+  for (const ExportFile& file : pages) {
     if (shownStructures(file.order.scene) > 0)
       continue;
-    return files.size() == 1 ? tr("No structure is shown: the picture would be empty.")
+    return pages.size() == 1 ? tr("No structure is shown: the picture would be empty.")
                              : tr("The view “%1” shows no structure: its picture would be empty.")
                                    .arg(QString::fromStdString(file.order.viewName));
   }

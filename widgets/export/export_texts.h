@@ -17,14 +17,15 @@ QString helpOf(const render::ExportFormat& format);
 QString millimetresText(const render::ExportPage& page);
 QString pixelsText(const render::ExportPage& page);
 
-/// Returns plain sentences about what the files will contain. The files are not empty. `bytes`: of
+/// Returns plain sentences about what the files will contain; `pages` are what is previewed of
+/// them. Neither is empty. `bytes`: of
 /// one of them; 0 where they cannot be known, nothing while they are measured.
 QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files,
-                          std::optional<double> bytes);
+                          const std::vector<ExportFile>& pages, std::optional<double> bytes);
 
 /// Returns what the user should know beforehand, namely that nothing is shown; empty where all is
 /// well.
-QString exportDoubt(const std::vector<ExportFile>& files);
+QString exportDoubt(const std::vector<ExportFile>& pages);
 
 /// Returns a few lines on what a file of the order will lack, as far as that is known beforehand
 /// from the kind and from the previewed page; empty where all is well.

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/anki/anki_cards.h"
-#include "render/export/anki/anki_options.h"
 
-#include <QImage>
-#include <QPainterPath>
 #include <algorithm>
-#include <cstring>
+#include <map>
+#include <set>
+#include <utility>
 
-#include "render/export/encoding/png_image.h"
+#include "model/scene/label_words.h"
+#include "render/export/anki/anki_options.h"
+#include "render/export/anki/card_painter.h"
+#include "render/export/order/sheet_words.h"
+#include "render/export/order/test_options.h"
+#include "render/export/order/view_orders.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/lettering/typesetting.h"
 #include "render/picture/headless/headless_picture.h"
@@ -16,195 +20,225 @@ namespace sline::render {
 
 namespace {
 
-/// Pixels: no screen for cards shows more, and collections are sent over networks.
-constexpr int widestCard = 1600;
-
-/// Returns the picture without any text, drawn as pictures are: averaged where pixels are not fine
-/// enough.
-Result<Image> groundOf(const ExportOrder& order) {
-  const Result<HeadlessPicture> picture = HeadlessPicture::create();
-  if (!picture.ok())
-    return picture.error();
-  glm::ivec2 size = pixelsOf(order.page);
-  if (size.x > widestCard)
-    size = glm::max(size * widestCard / size.x, glm::ivec2(1));
-  return (*picture)->render(order.scene, order.camera,
-                            {.width = size.x, .height = size.y, .environment = order.environment},
-                            samplesAtOnce(size));
-}
-
-/// Returns the plate with those labels alone.
-LabelPlate onlyThose(const LabelPlate& plate, std::size_t asked, bool others) {
-  LabelPlate some{.style = plate.style, .labels = {}, .texts = {}, .layout = plate.layout};
-  for (std::size_t i = 0; i < plate.labels.size(); ++i)
-    if (others || i == asked) {
-      some.labels.push_back(plate.labels[i]);
-      some.texts.push_back(plate.texts[i]);
-    }
-  return some;
-}
-
-/// Paints cards over the same ground.
-class Cards {
- public:
-  Cards(const ExportOrder& order, const Image& ground, const FigurePlate& plate)
-      : m_order(order),
-        m_ground(QImage(ground.rgba.data(), ground.width, ground.height,
-                        qsizetype(4) * ground.width, QImage::Format_RGBA8888)
-                     .convertToFormat(QImage::Format_RGBA8888_Premultiplied)),
-        m_plate(*plate.labels),
-        m_marks(plate.marks) {}
-
-  Result<std::string> answer(std::size_t i) const {
-    return painted(onlyThose(m_plate, i, m_order.of<AnkiOptions>().othersShown), nullptr);
-  }
-
-  /// Returns the picture of a question. Only the leader tells the text's place: a box as long as
-  /// the text would give much away.
-  Result<std::string> question(std::size_t i) const {
-    LabelPlate plate = m_plate;
-    plate.texts[i].lines.clear();
-    plate.labels[i].item.kind = plate.labels[i].item.kind == model::AnnotationKind::callout
-                                    ? model::AnnotationKind::label
-                                    : plate.labels[i].item.kind;
-    const PlacedLabel* placed = plate.layout.find(plate.labels[i].item.id);
-    const LabelBox box = boxFor(*placed, plate.labels[i].item.places.front());
-    return painted(onlyThose(plate, i, m_order.of<AnkiOptions>().othersShown), &box);
-  }
-
- private:
-  /// Returns a box at the side of the label's own box that faces the place.
-  LabelBox boxFor(const PlacedLabel& placed, const glm::vec2& place) const {
-    const float height = 1.3f * lineHeightMm(m_plate.style);
-    const float width = 2.0f * height;
-    const float middle = placed.box.middle().y;
-    const bool before = placed.post == LabelPost::left ||
-                        (placed.post != LabelPost::right && placed.box.middle().x < place.x);
-    const float left = before ? placed.box.high.x - width : placed.box.low.x;
-    return {{left, middle - 0.5f * height}, {left + width, middle + 0.5f * height}};
-  }
-
-  void paintBox(QPainter& painter, const LabelBox& box) const {
-    constexpr qreal line = 0.25;
-    const QColor ink(17, 17, 17);
-    const QRectF place(QPointF(qreal(box.low.x), qreal(box.low.y)),
-                       QPointF(qreal(box.high.x), qreal(box.high.y)));
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(ink, line));
-    painter.setBrush(QColor(255, 222, 120));
-    painter.drawRoundedRect(place, 0.8, 0.8);
-    const QFont font = labelFont();
-    const QFontMetricsF metrics(font);
-    const qreal scale =
-        1.15 * qreal(m_plate.style.points * millimetresPerPoint) / qreal(labelFontPixels);
-    QPainterPath letter;
-    letter.addText(0.0, 0.0, font, QStringLiteral("?"));
-    const QPointF middle = letter.boundingRect().center();
-    painter.fillPath(QTransform(scale, 0.0, 0.0, scale, place.center().x() - scale * middle.x(),
-                                place.center().y() - scale * middle.y())
-                         .map(letter),
-                     ink);
-  }
-
-  Result<std::string> painted(const LabelPlate& plate, const LabelBox* asked) const {
-    QImage canvas = m_ground;
-    {
-      QPainter painter(&canvas);
-      painter.scale(qreal(canvas.width()) / qreal(m_order.page.sizeMm.x),
-                    qreal(canvas.height()) / qreal(m_order.page.sizeMm.y));
-      paintLabels(painter, plate);
-      paintMarks(painter, m_marks);
-      if (asked)
-        paintBox(painter, *asked);
-    }
-    const QImage drawn = canvas.convertToFormat(QImage::Format_RGBA8888);
-    Image image{.width = drawn.width(), .height = drawn.height(), .rgba = {}};
-    const std::size_t row = std::size_t(4) * std::size_t(drawn.width());
-    image.rgba.resize(row * std::size_t(drawn.height()));
-    for (int y = 0; y < drawn.height(); ++y)
-      std::memcpy(&image.rgba[row * std::size_t(y)], drawn.constScanLine(y), row);
-    return pngOf(image, m_order.credit);
-  }
-
-  const ExportOrder& m_order;
-  QImage m_ground;
-  const LabelPlate& m_plate;
-  const Marks& m_marks;
-};
-
-/// Adds a picture; its name is derived from its bytes.
-std::string addPicture(AnkiDeck& deck, std::string png) {
-  std::string name = "sline-" + hexOf(fingerprintOf(png)) + ".png";
-  const bool known = std::any_of(deck.media.begin(), deck.media.end(),
-                                 [&name](const auto& member) { return member.name == name; });
-  if (!known)
-    deck.media.push_back({name, std::move(png)});
-  return name;
-}
-
 AnkiDeck emptyDeck(const ExportOrder& order) {
   AnkiDeck deck;
   const std::string& name = order.of<AnkiOptions>().deck;
-  deck.name = !name.empty() ? name : !order.viewName.empty() ? order.viewName : "Anatomy";
+  deck.name = !name.empty()                                      ? name
+              : !order.viewName.empty() && !wantsAllViews(order) ? order.viewName
+                                                                 : "Anatomy";
   deck.description = order.credit.line();
-  deck.tags = {"Sline"};
-  if (!order.viewName.empty())
-    deck.tags.push_back(ankiTag(order.viewName));
   return deck;
 }
+
+/// Makes the cards of one deck, view by view.
+class Cards {
+ public:
+  Cards(const ExportOrder& order, HeadlessPicture& painter, const ExportProgress& progress)
+      : m_order(order),
+        m_words(sheetWords(order.labels.language)),
+        m_painter(painter),
+        m_progress(progress),
+        m_deck(emptyDeck(order)) {}
+
+  Result<AnkiDeck> make() {
+    if (!hasCards(m_order.of<AnkiOptions>()))
+      return Error{.reason = "no kind of card is wanted",
+                   .remedy =
+                       "Choose what cards ask: what something is, its number, or which name "
+                       "is covered"};
+    if (!wantsAllViews(m_order)) {
+      if (const Status added = addView(m_order, {}); !added.ok())
+        return added.error();
+    } else {
+      const std::vector<model::View>& views = m_order.scene.views();
+      m_share = 1.0 / double(views.size());
+      for (const model::View& view : views) {
+        if (const Status added = addView(orderOfView(m_order, view), titleOfView(view, language()));
+            !added.ok())
+          return added.error();
+        m_done += m_share;
+      }
+    }
+    if (m_deck.notes.empty())
+      return Error{.reason = "the picture has no labels to ask for",
+                   .remedy = "Label structures, or choose a view that shows some"};
+    return std::move(m_deck);
+  }
+
+ private:
+  using Ids = std::set<model::AnnotationId>;
+
+  std::string language() const { return model::firstLanguage(m_order.labels.language); }
+
+  bool goesOn(double share, const std::string& what) const {
+    return !m_progress || m_progress(0.95 * (m_done + m_share * share), what);
+  }
+
+  /// Adds a picture; its name is derived from its bytes.
+  std::string picture(std::string png) {
+    std::string name = "sline-" + hexOf(fingerprintOf(png)) + ".png";
+    if (m_names.insert(name).second)
+      m_deck.media.push_back({name, std::move(png)});
+    return name;
+  }
+  Status addPicture(Result<std::string> png, std::string& name) {
+    if (!png.ok())
+      return png.error();
+    name = picture(std::move(*png));
+    return Unit{};
+  }
+
+  /// Draws the picture with its marks, without any label.
+  Status drawGround(const ExportOrder& order, const Marks& marks, std::string& name) {
+    const glm::ivec2 size = cardPixels(order.page);
+    const Result<Image> drawn = m_painter->render(
+        order.scene, order.camera,
+        {.width = size.x, .height = size.y, .environment = order.environment}, samplesAtOnce(size));
+    if (!drawn.ok())
+      return drawn.error();
+    return addPicture(CardPainter(order).ground(*drawn, marks), name);
+  }
+
+  /// Holds what the cards of one view share.
+  struct Sheet {
+    ExportOrder order;  ///< with the labels that are asked for, and letters for phones
+    LabelPlate named;
+    std::map<model::AnnotationId, int> numbers;
+    std::string ground;
+    std::string numbered;  ///< what stands over the ground where numbers do
+  };
+
+  Status addView(const ExportOrder& order, const std::string& title) {
+    if (!goesOn(0.0, "preparing surfaces"))
+      return givenUp({});
+    const std::vector<model::Question> questions = questionsOf(order);
+    Sheet sheet{.order = forPhones(askedAlone(order, questions))};
+    sheet.order.labels.mode = LabelMode::on;
+    sheet.order.words = {};  // they might tell the answers
+    const FigurePlate plate = figurePlate(sheet.order, m_trees);
+    sheet.named = *plate.labels;
+    for (ExportNote note : plate.notes) {
+      if (note.kind == ExportNote::Kind::labelsWithoutRoom)
+        note.kind = ExportNote::Kind::cardsWithoutRoom;
+      m_progress.note(std::move(note));
+    }
+    if (plate.labels->layout.labels.empty())
+      return Unit{};
+    if (Status drawn = drawGround(sheet.order, plate.marks, sheet.ground); !drawn.ok())
+      return drawn;
+    if (Status numbered = addNumbers(sheet); !numbered.ok())
+      return numbered;
+    addPart(order, title);
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      if (!goesOn(0.2 + 0.75 * double(i) / double(questions.size()),
+                  "drawing card " + std::to_string(i + 1)))
+        return givenUp({});
+      if (Status added = addQuestion(sheet, questions[i]); !added.ok())
+        return added;
+    }
+    return Unit{};
+  }
+
+  void addPart(const ExportOrder& order, const std::string& title) {
+    AnkiPart part{.title = title, .tags = {"Sline"}};
+    const auto taken = [&](const std::string& name) {
+      return std::any_of(m_deck.parts.begin(), m_deck.parts.end(),
+                         [&name](const AnkiPart& each) { return each.title == name; });
+    };
+    for (int i = 2; taken(part.title); ++i)
+      part.title = title + ' ' + std::to_string(i);
+    if (!order.viewName.empty())
+      part.tags.push_back(ankiTag(order.viewName));
+    m_deck.parts.push_back(std::move(part));
+  }
+
+  Status addNumbers(Sheet& sheet) {
+    if (!sheet.order.of<AnkiOptions>().findIt)
+      return Unit{};
+    ExportOrder order = sheet.order;
+    order.labels.mode = LabelMode::numbers;
+    const FigurePlate plate = figurePlate(order, m_trees);
+    for (const ShownLabel& label : plate.labels->labels)
+      if (plate.labels->layout.find(label.item.id))
+        sheet.numbers[label.item.id] = label.number;
+    return addPicture(CardPainter(order).labels(*plate.labels), sheet.numbered);
+  }
+
+  /// Adds a note for each of the labels that has a place; that of the first asks for the numbers of
+  /// all.
+  Status addQuestion(const Sheet& sheet, const model::Question& question) {
+    const Ids labels(question.labels.begin(), question.labels.end());
+    std::string numbers;
+    for (const model::AnnotationId id : question.labels)
+      if (const auto number = sheet.numbers.find(id); number != sheet.numbers.end())
+        numbers += (numbers.empty() ? "" : ", ") + std::to_string(number->second);
+    for (const model::AnnotationId id : question.labels) {
+      const auto shown = std::find_if(sheet.named.labels.begin(), sheet.named.labels.end(),
+                                      [id](const ShownLabel& each) { return each.item.id == id; });
+      if (shown == sheet.named.labels.end() || !sheet.named.layout.find(id))
+        continue;
+      AnkiNote note{.part = m_deck.parts.size() - 1};
+      note.id = hexOf(fingerprintOf(m_deck.name + '\n' + sheet.order.viewName + '\n' +
+                                    std::to_string(id.value) + '\n' + shown->text));
+      note.label = question.words;
+      if (Status drawn = addFaces(note, sheet, id, labels); !drawn.ok())
+        return drawn;
+      if (!numbers.empty()) {
+        note.numbered = {question.words + ": " + m_words.whichNumber, sheet.ground, sheet.numbered};
+        note.numbers = std::exchange(numbers, {});
+      }
+      if (!note.marked.empty() || !note.numbered.empty() || !note.covered.empty())
+        m_deck.notes.push_back(std::move(note));
+    }
+    return Unit{};
+  }
+
+  Status addFaces(AnkiNote& note, const Sheet& sheet, model::AnnotationId id, const Ids& labels) {
+    const auto& wanted = sheet.order.of<AnkiOptions>();
+    const CardPainter painter(sheet.order);
+    const LabelPlate alone = onlyThose(sheet.named, {id});
+    note.named.ground = sheet.ground;
+    if (Status drawn = addPicture(painter.labels(alone), note.named.over); !drawn.ok())
+      return drawn;
+    if (wanted.nameIt) {
+      note.marked = {m_words.whatIsMarked, sheet.ground, {}};
+      if (Status drawn = addPicture(painter.question(alone, {id}), note.marked.over); !drawn.ok())
+        return drawn;
+    }
+    if (!wanted.cover)
+      return Unit{};
+    // Others of the same name would tell it.
+    Ids shown{id};
+    for (const ShownLabel& label : sheet.named.labels)
+      if (!labels.contains(label.item.id))
+        shown.insert(label.item.id);
+    note.covered = {m_words.whatIsHidden, sheet.ground, {}};
+    return addPicture(painter.question(onlyThose(sheet.named, shown), {id}), note.covered.over);
+  }
+
+  const ExportOrder& m_order;
+  const SheetWords& m_words;
+  HeadlessPicture& m_painter;
+  const ExportProgress& m_progress;
+  model::MeshTrees m_trees;
+  AnkiDeck m_deck;
+  std::set<std::string> m_names;  ///< of pictures
+  double m_done = 0.0;
+  double m_share = 1.0;  ///< that each view has of all
+};
 
 }  // namespace
 
 Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progress) {
-  const auto goesOn = [&progress](double share, std::string_view what) {
-    return !progress || progress(share, what);
-  };
-  if (!goesOn(0.0, "preparing surfaces"))
+  if (progress && !progress(0.0, "preparing surfaces"))
     return givenUp({});
   const auto typesetting = Typesetting::create();
   if (!typesetting.ok())
     return typesetting.error();
-  ExportOrder labelled = order;
-  labelled.labels.mode = LabelMode::on;
-  const FigurePlate whole = figurePlate(labelled);
-  const LabelPlate& plate = *whole.labels;
-  for (ExportNote note : whole.notes) {
-    if (note.kind == ExportNote::Kind::labelsWithoutRoom)
-      note.kind = ExportNote::Kind::cardsWithoutRoom;
-    progress.note(std::move(note));
-  }
-  const auto isAsked = [&](const ShownLabel& label) {
-    return plate.layout.find(label.item.id) && (label.item.kind != model::AnnotationKind::callout ||
-                                                order.of<AnkiOptions>().calloutsAsked);
-  };
-  if (std::none_of(plate.labels.begin(), plate.labels.end(), isAsked))
-    return Error{.reason = "the picture has no labels to ask for",
-                 .remedy = "Label structures, or choose a view that shows some"};
-  const Result<Image> ground = groundOf(order);
-  if (!ground.ok())
-    return ground.error();
-  const Cards cards(order, *ground, whole);
-  AnkiDeck deck = emptyDeck(order);
-  for (std::size_t i = 0; i < plate.labels.size(); ++i) {
-    const ShownLabel& label = plate.labels[i];
-    if (!isAsked(label))
-      continue;
-    const double share = 0.2 + 0.7 * double(i) / double(plate.labels.size());
-    if (!goesOn(share, "drawing card " + std::to_string(i + 1)))
-      return givenUp({});
-    Result<std::string> question = cards.question(i);
-    Result<std::string> answer = cards.answer(i);
-    if (!question.ok() || !answer.ok())
-      return question.ok() ? answer.error() : question.error();
-    AnkiNote note;
-    note.id = hexOf(fingerprintOf(deck.name + '\n' + order.viewName + '\n' +
-                                  std::to_string(label.item.id.value) + '\n' + label.text));
-    note.question = addPicture(deck, std::move(*question));
-    note.answer = addPicture(deck, std::move(*answer));
-    note.label = plainText(plate.texts[i].lines).toStdString();
-    deck.notes.push_back(std::move(note));
-  }
-  return deck;
+  Result<HeadlessPicture> painter = HeadlessPicture::create();
+  if (!painter.ok())
+    return painter.error();
+  return Cards(order, *painter, progress).make();
 }
 
 }  // namespace sline::render

@@ -6,9 +6,11 @@
 
 namespace sline::render {
 
-/// Draws the order's picture once and over it, for each label that has a place in it, a question (a
-/// box at the end of the leader) and the answer; the pictures are no wider than 1600 pixels. The
-/// error reports a scene without labels; progress may stop it (`givenUp`).
+/// Draws each picture of the order once and makes its questions (`questionsOf`) into cards: what is
+/// written for a card is a picture of its own over that one. Where the order wants all views, each
+/// has a deck in the deck. Pictures are no wider than 1600 pixels, and letters no smaller than a
+/// phone needs. The error reports that there is nothing to ask for; progress may stop it
+/// (`givenUp`).
 Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progress);
 
 }  // namespace sline::render

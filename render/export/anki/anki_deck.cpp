@@ -11,7 +11,31 @@ std::string htmlText(std::string_view text) {
   for (QChar& c : clean)
     if (c.category() == QChar::Other_Control)
       c = QChar::ReplacementCharacter;
-  return clean.toHtmlEscaped().toStdString();
+  return clean.toHtmlEscaped()
+      .replace(QLatin1Char('['), QLatin1String("&#91;"))
+      .replace(QLatin1Char('{'), QLatin1String("&#123;"))
+      .toStdString();
+}
+
+std::string htmlOf(const AnkiFace& face) {
+  if (face.empty())
+    return {};
+  // Without a style sheet of its own, so that it looks the same in notes of every type.
+  std::string html = face.words.empty() ? std::string() : "<div>" + htmlText(face.words) + "</div>";
+  html += "<div style=\"position:relative;display:inline-block\"><img src=\"" + face.ground +
+          "\" style=\"display:block;max-width:100%;max-height:75vh\">";
+  if (!face.over.empty())
+    html += "<img src=\"" + face.over +
+            "\" style=\"position:absolute;left:0;top:0;width:100%;height:100%\">";
+  return html + "</div>";
+}
+
+std::string AnkiDeck::nameOf(const AnkiPart& part) const {
+  // Two colons would part a deck from those in it.
+  const QString title = QString::fromStdString(part.title)
+                            .replace(QLatin1String("::"), QLatin1String(": "))
+                            .simplified();
+  return title.isEmpty() ? name : name + "::" + title.toStdString();
 }
 
 std::string ankiTag(std::string_view name) {

@@ -5,8 +5,11 @@
 #include "model/disk/whole_file.h"
 #include "model/disk/whole_folder.h"
 #include "render/export/anki/anki_cards.h"
+#include "render/export/anki/anki_options.h"
 #include "render/export/anki/anki_package.h"
 #include "render/export/anki/anki_text.h"
+#include "render/export/order/test_options.h"
+#include "render/export/order/view_orders.h"
 
 namespace sline::render {
 
@@ -32,6 +35,24 @@ Result<std::string> zippedText(const AnkiDeck& deck) {
 }
 
 }  // namespace
+
+std::size_t ankiCardsAtMost(const ExportOrder& order) {
+  const auto& options = order.of<AnkiOptions>();
+  const auto cardsOf = [&options](const ExportOrder& one) {
+    std::size_t cards = 0;
+    for (const model::Question& question : questionsOf(one)) {
+      cards += question.labels.size() * (std::size_t(options.nameIt) + std::size_t(options.cover));
+      cards += std::size_t(options.findIt);
+    }
+    return cards;
+  };
+  if (!wantsAllViews(order))
+    return cardsOf(order);
+  std::size_t cards = 0;
+  for (const model::View& view : order.scene.views())
+    cards += cardsOf(orderOfView(order, view));
+  return cards;
+}
 
 Status writeAnki(const ExportOrder& order, const fs::path& target, const ExportProgress& progress) {
   const auto named = [&target](Error error) {

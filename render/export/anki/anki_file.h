@@ -11,4 +11,7 @@ namespace sline::render {
 Status writeAnki(const ExportOrder& order, const std::filesystem::path& target,
                  const ExportProgress& progress);
 
+/// Returns how many cards the order's deck has if all labels find a place.
+std::size_t ankiCardsAtMost(const ExportOrder& order);
+
 }  // namespace sline::render

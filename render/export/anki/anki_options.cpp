@@ -4,6 +4,9 @@
 #include <QtGlobal>
 #include <array>
 
+#include "render/export/order/test_options.h"
+#include "render/export/order/view_orders.h"
+
 namespace sline::render {
 
 namespace {
@@ -12,7 +15,10 @@ constexpr ExportOption deck{
     .id = "deck",
     .flag = "--deck",
     .value = "NAME",
-    .help = "What Anki's deck is called, else as the view; \"::\" parts decks from those in them",
+    .help =
+        "What Anki's deck is called, else as the view; \"::\" parts decks from those in them, such "
+        "as "
+        "those of all views",
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "&Deck"),
     .tip =
         QT_TRANSLATE_NOOP("sline::render::ExportOption", "Its name in Anki; else the view's name"),
@@ -20,29 +26,44 @@ constexpr ExportOption deck{
     .field = boundTo([](auto& o) -> auto& { return o.template of<AnkiOptions>().deck; }),
     .kept = false};
 
-constexpr ExportOption othersShown{
-    .id = "othersShown",
-    .flag = "--other-labels,!--no-other-labels",
-    .help = "Anki's cards show the labels that they do not ask for, too",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "S&how the other labels"),
+constexpr ExportOption findIt{
+    .id = "cardsFind",
+    .flag = "--find-cards,!--no-find-cards",
+    .help = "Anki's cards name something and ask which number it has in the picture",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Which number is it?"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
-                             "A card asks for one label and shows the others"),
-    .field = boundTo([](auto& o) -> auto& { return o.template of<AnkiOptions>().othersShown; })};
+                             "A card for each name, which asks for its number in the picture"),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<AnkiOptions>().findIt; })};
 
-constexpr ExportOption calloutsAsked{
-    .id = "calloutsAsked",
-    .flag = "--ask-callouts,!--no-ask-callouts",
-    .help = "Anki's cards ask for callouts, too, not for labels alone",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Ask for &callouts, too"),
+constexpr ExportOption cover{
+    .id = "cardsCover",
+    .flag = "--cover-cards,!--no-cover-cards",
+    .help = "Anki's cards show all names but one, which is covered",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Which name is covered?"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
-                             "Callouts explain; only labels name what a card can ask for"),
-    .field = boundTo([](auto& o) -> auto& { return o.template of<AnkiOptions>().calloutsAsked; })};
+                             "A card for each label, which covers its name among the others"),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<AnkiOptions>().cover; })};
 
 }  // namespace
 
+constinit const ExportOption cardsOption{
+    .id = "cardsName",
+    .flag = "--name-cards,!--no-name-cards",
+    .help = "Anki's cards mark a place and ask what it is",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What is this?"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "A card for each label, which marks the place and asks what it is"),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<AnkiOptions>().nameIt; })};
+
 OptionList ankiOptions() {
-  static constexpr std::array all{&deck, &othersShown, &calloutsAsked};
+  static constexpr std::array all{
+      &viewsOption, &deck,        &cardsOption,      &findIt,
+      &cover,       &askedOption, &askedNamesOption, &askCalloutsOption};
   return all;
+}
+
+bool hasCards(const AnkiOptions& options) {
+  return options.nameIt || options.findIt || options.cover;
 }
 
 }  // namespace sline::render

@@ -17,7 +17,7 @@ using Value = std::variant<std::int64_t, std::string>;
 
 /// Anki takes these numbers for times in milliseconds; ours stand for no particular day.
 constexpr std::int64_t firstId = 1'400'000'000'000;
-constexpr std::int64_t noteType = firstId + 1;
+constexpr std::int64_t noteType = firstId;
 constexpr std::int64_t begun = 1'400'000'000;
 
 std::int64_t idOf(const std::string& text) {
@@ -120,14 +120,23 @@ Json field(const char* name, int place) {
           {"font", "Arial"}, {"size", 20},   {"media", Json::array()}};
 }
 
+/// A template of cards; those without that field have none.
+Json cardOf(int place, const char* name, const char* field, const char* answer) {
+  const std::string front =
+      "{{#" + std::string(field) + "}}{{" + std::string(field) + "}}{{/" + field + "}}";
+  return {{"name", name},   {"ord", place}, {"qfmt", front}, {"afmt", answer},
+          {"did", nullptr}, {"bqfmt", ""},  {"bafmt", ""}};
+}
+
 Json noteTypes(std::int64_t deck) {
-  Json card{{"name", "Card 1"},
-            {"ord", 0},
-            {"qfmt", "{{Question}}"},
-            {"afmt", "{{Answer}}<div class=label>{{Label}}</div>"},
-            {"did", nullptr},
-            {"bqfmt", ""},
-            {"bafmt", ""}};
+  const char* named = "{{Answer}}<div class=label>{{Label}}</div>";
+  Json cards{cardOf(0, "What is this?", "Marked", named),
+             cardOf(1, "Which number?", "Numbered",
+                    "<div class=label>{{Number}}</div>{{Answer}}<div class=label>{{Label}}</div>"),
+             cardOf(2, "Which name?", "Covered", named)};
+  Json needs = Json::array();
+  for (const int place : {0, 1, 2})
+    needs.push_back(Json::array({place, "all", Json::array({place + 2})}));
   Json type{{"id", noteType},
             {"name", "Sline picture"},
             {"type", 0},
@@ -136,17 +145,18 @@ Json noteTypes(std::int64_t deck) {
             // Notes are distinguished by their labels.
             {"sortf", 0},
             {"did", deck},
-            {"tmpls", Json::array({std::move(card)})},
-            {"flds", {field("Label", 0), field("Question", 1), field("Answer", 2)}},
+            {"tmpls", std::move(cards)},
+            {"flds",
+             {field("Label", 0), field("Answer", 1), field("Marked", 2), field("Numbered", 3),
+              field("Covered", 4), field("Number", 5)}},
             {"css",
-             ".card { font-family: sans-serif; font-size: 22px; text-align: center; "
-             "color: #111; background-color: #fff; }\n"
-             "img { max-width: 100%; max-height: 80vh; }\n.label { margin-top: 0.5em; }"},
+             ".card { font-family: sans-serif; font-size: 20px; text-align: center; margin: 6px; "
+             "color: #111; background-color: #fff; }\n.label { margin: 0.3em 0; }"},
             {"latexPre", ""},
             {"latexPost", ""},
             {"tags", Json::array()},
             {"vers", Json::array()},
-            {"req", Json::array({Json::array({0, "any", Json::array({1})})})}};
+            {"req", std::move(needs)}};
   return {{std::to_string(noteType), std::move(type)}};
 }
 
@@ -198,42 +208,67 @@ std::int64_t checksum(const std::string& text) {
   return hash.left(4).toHex().toLongLong(nullptr, 16);
 }
 
-void addNotes(Database& database, const AnkiDeck& deck, std::int64_t deckId) {
+std::int64_t deckIdOf(const AnkiDeck& deck, const AnkiPart& part) {
+  return idOf("deck " + deck.nameOf(part));
+}
+
+std::string spacedTags(const AnkiPart& part) {
   std::string tags;
-  for (const std::string& tag : deck.tags)
+  for (const std::string& tag : part.tags)
     tags += " " + tag;
-  tags += tags.empty() ? "" : " ";
+  return tags.empty() ? tags : tags + " ";
+}
+
+void addNotes(Database& database, const AnkiDeck& deck) {
+  const std::int64_t zero = 0;
+  const std::int64_t none = -1;
   std::int64_t due = 0;
   for (const AnkiNote& note : deck.notes) {
+    const AnkiPart& part = deck.parts[note.part];
     const std::string label = htmlText(note.label);
+    std::string fields = label;
     // Fields are separated by U+001F.
-    const std::string fields =
-        label + "\x1f<img src=\"" + note.question + "\">\x1f<img src=\"" + note.answer + "\">";
+    for (const AnkiFace* face : {&note.named, &note.marked, &note.numbered, &note.covered})
+      fields += "\x1f" + htmlOf(*face);
+    fields += "\x1f" + htmlText(note.numbers);
     const std::int64_t id = idOf(note.id);
-    const std::int64_t zero = 0;
-    const std::int64_t none = -1;
-    database.insert("notes", {id, note.id, noteType, begun, none, tags, fields, label,
+    database.insert("notes", {id, note.id, noteType, begun, none, spacedTags(part), fields, label,
                               checksum(label), zero, std::string()});
-    database.insert(
-        "cards", {idOf(note.id + " card"), id, deckId, zero, begun, none, zero, zero, ++due, zero,
-                  zero, zero, zero, zero, zero, zero, zero, std::string()});
+    std::int64_t place = 0;
+    for (const AnkiFace* face : {&note.marked, &note.numbered, &note.covered}) {
+      const std::string card = note.id + " card" + (place == 0 ? "" : std::to_string(place));
+      if (!face->empty())
+        database.insert(
+            "cards", {idOf(card), id, deckIdOf(deck, part), place, begun, none, zero, zero, ++due,
+                      zero, zero, zero, zero, zero, zero, zero, zero, std::string()});
+      ++place;
+    }
   }
+}
+
+/// Returns the decks: Anki's own, which must be there, that of the name, and those in it.
+Json decksOf(const AnkiDeck& deck) {
+  Json decks;
+  decks["1"] = deckNamed("Default", 1);
+  const std::int64_t whole = idOf("deck " + deck.name);
+  decks[std::to_string(whole)] = deckNamed(deck.name, whole, htmlText(deck.description));
+  for (const AnkiPart& part : deck.parts)
+    if (const std::int64_t id = deckIdOf(deck, part); id != whole)
+      decks[std::to_string(id)] = deckNamed(deck.nameOf(part), id);
+  return decks;
 }
 
 }  // namespace
 
 Result<std::string> ankiPackage(const AnkiDeck& deck) {
-  const std::int64_t deckId = idOf("deck " + deck.name);
-  Json decks;
-  decks["1"] = deckNamed("Default", 1);
-  decks[std::to_string(deckId)] = deckNamed(deck.name, deckId, htmlText(deck.description));
   Database database;
   database.run(schema);
   const std::int64_t zero = 0;
-  database.insert("col", {std::int64_t(1), begun, 1000 * begun, 1000 * begun, std::int64_t(11),
-                          zero, zero, zero, textOf(configuration()), textOf(noteTypes(deckId)),
-                          textOf(decks), textOf(deckOptions()), std::string("{}")});
-  addNotes(database, deck, deckId);
+  database.insert("col",
+                  {std::int64_t(1), begun, 1000 * begun, 1000 * begun, std::int64_t(11), zero, zero,
+                   zero, textOf(configuration()), textOf(noteTypes(idOf("deck " + deck.name))),
+                   textOf(decksOf(deck)), textOf(deckOptions()), std::string("{}")});
+  addNotes(database, deck);
   Result<std::string> collection = database.bytes();
   if (!collection.ok())
     return collection.error();

@@ -8,8 +8,8 @@
 namespace sline::render {
 
 /// Returns the deck as a text file that Anki imports ("Text Files" in its manual): a line for each
-/// note holds, between tabs, its id, the front (the question's picture), the back (the answer's
-/// picture and the label) and tags, in HTML.
+/// card holds, between tabs, its id, the front, the back, which ends with the label, tags, and the
+/// name of its deck, in HTML but for the last.
 std::string ankiText(const AnkiDeck& deck);
 
 }  // namespace sline::render

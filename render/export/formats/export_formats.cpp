@@ -12,6 +12,7 @@
 #include "render/export/motion/film_options.h"
 #include "render/export/order/common_options.h"
 #include "render/export/order/drawing_notes.h"
+#include "render/export/order/view_orders.h"
 #include "render/export/pdf/pdf_file.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pixels/pixel_files.h"
@@ -49,27 +50,28 @@ OptionList noOptions() {
 }
 
 OptionList printOptions() {
-  static constexpr std::array all{&depthOption, &greyOption, &pureInkOption, &samplesOption};
+  static constexpr std::array all{&depthOption, &greyOption, &pureInkOption, &samplesOption,
+                                  &viewsOption};
   return all;
 }
 
 OptionList jpegOptions() {
-  static constexpr std::array all{&greyOption, &samplesOption};
+  static constexpr std::array all{&greyOption, &samplesOption, &viewsOption};
   return all;
 }
 
 OptionList jp2Options() {
-  static constexpr std::array all{&depthOption, &greyOption, &samplesOption};
+  static constexpr std::array all{&depthOption, &greyOption, &samplesOption, &viewsOption};
   return all;
 }
 
 OptionList screenOptions() {
-  static constexpr std::array all{&samplesOption};
+  static constexpr std::array all{&samplesOption, &viewsOption};
   return all;
 }
 
 OptionList drawingOptions() {
-  static constexpr std::array all{&pureInkOption};
+  static constexpr std::array all{&pureInkOption, &viewsOption};
   return all;
 }
 
@@ -160,9 +162,11 @@ constexpr std::array formats{
         .help = QT_TRANSLATE_NOOP(
             "sline::render::ExportFormat",
             "The same vectors on a page of their own, or a sheet with title, legend and "
-            "numbered labels, a page to test oneself and its key"),
+            "numbered labels, a page to test oneself and its key; of all saved views with "
+            "contents and an index"),
         .extension = "pdf",
         .page = PageUse::drawing,
+        .oneView = false,
         .names = true,
         .options = sheetOptions,
         .write = writePdf,
@@ -240,19 +244,20 @@ constexpr std::array formats{
                  .options = filmOptions,
                  .write = writeFrames,
                  .foreseen = filmNotesOf<true>},
-    ExportFormat{.id = "anki",
-                 .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Anki deck"),
-                 .help = QT_TRANSLATE_NOOP(
-                     "sline::render::ExportFormat",
-                     "Cards that ask for the labels of the picture: a package for Anki (.apkg), or "
-                     "text and pictures in a ZIP (.zip) or a new folder"),
-                 .extension = "apkg",
-                 .otherExtension = "zip",
-                 .oneView = false,
-                 .names = true,
-                 .options = ankiOptions,
-                 .write = writeAnki,
-                 .foreseen = noNotes},
+    ExportFormat{
+        .id = "anki",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Anki deck"),
+        .help = QT_TRANSLATE_NOOP(
+            "sline::render::ExportFormat",
+            "Cards that ask for the labels of the picture, or of all saved views: a package for "
+            "Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder"),
+        .extension = "apkg",
+        .otherExtension = "zip",
+        .oneView = false,
+        .names = true,
+        .options = ankiOptions,
+        .write = writeAnki,
+        .foreseen = noNotes},
 };
 
 }  // namespace
@@ -268,6 +273,10 @@ bool ExportFormat::has(const ExportOption& option) const {
     return page != PageUse::none;
   const OptionList own = options();
   return std::find(own.begin(), own.end(), &option) != own.end();
+}
+
+bool ExportFormat::holdsViews() const {
+  return !oneView && has(viewsOption);
 }
 
 std::vector<const ExportOption*> exportOptions() {

@@ -43,6 +43,8 @@ struct ExportFormat {
 
   /// Returns whether the option means something to files of this kind.
   bool has(const ExportOption& option) const;
+  /// Tells whether one file can hold all saved views.
+  bool holdsViews() const;
 };
 
 /// Returns the kinds in the order in which the user should meet them.

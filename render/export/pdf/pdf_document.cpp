@@ -230,6 +230,7 @@ QByteArray joined(const QByteArray& painted, const std::vector<PdfContent>& belo
     putBelow(file, pages[i], below[i], description.pageSize);
   nameFonts(pages);
   describe(file, description);
+  addNavigation(file, pages, description.navigation, description.pageSize.y);
   if (file.anyWarnings())
     throw file.getWarnings().front();
 

@@ -10,6 +10,7 @@
 #include "model/base/result.h"
 #include "render/export/order/export_order.h"
 #include "render/export/pdf/pdf_drawing.h"
+#include "render/export/pdf/pdf_navigation.h"
 
 namespace sline::render {
 
@@ -19,6 +20,7 @@ struct PdfDescription {
   std::string language;      ///< BCP 47, for programs that read aloud
   std::string title;         ///< shown above the pages by viewers; may be empty
   ExportCredit credit = {};
+  PdfNavigation navigation = {};
 };
 
 /// Joins the painted pages, the upper edge of each at that of its page, with one drawing's content

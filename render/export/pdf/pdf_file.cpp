@@ -3,6 +3,8 @@
 
 #include "model/disk/whole_file.h"
 #include "render/export/order/drawing_notes.h"
+#include "render/export/order/view_orders.h"
+#include "render/export/pdf/lesson.h"
 #include "render/export/pdf/sheet.h"
 #include "render/export/pdf/sheet_options.h"
 
@@ -12,6 +14,8 @@ namespace {
 
 Result<QByteArray> documentOf(const ExportOrder& order, const std::filesystem::path& target,
                               const ExportProgress& progress) {
+  if (wantsAllViews(order))
+    return lessonDocument(order, target, progress);
   return order.of<SheetOptions>().kind == SheetKind::none ? figureDocument(order, target, progress)
                                                           : sheetDocument(order, target, progress);
 }

@@ -44,7 +44,8 @@ void PdfPages::place(const VectorDrawing& drawing, const PdfPlacement& place) {
   m_placed.push_back({m_page, &drawing, place});
 }
 
-Result<QByteArray> PdfPages::finish(const ExportCredit& credit, const std::string& title) {
+Result<QByteArray> PdfPages::finish(const ExportCredit& credit, const std::string& title,
+                                    PdfNavigation navigation) {
   m_painter.end();
   m_writer.reset();
   const glm::dvec2 size = pointsPerMillimetre * glm::dvec2(m_size);
@@ -52,7 +53,11 @@ Result<QByteArray> PdfPages::finish(const ExportCredit& credit, const std::strin
   for (const Placed& placed : m_placed)
     appendDrawing(below[placed.page], *placed.drawing, placed.place, size.y);
   return joinedPdf(m_bytes.data(), below,
-                   {.pageSize = size, .language = m_language, .title = title, .credit = credit});
+                   {.pageSize = size,
+                    .language = m_language,
+                    .title = title,
+                    .credit = credit,
+                    .navigation = std::move(navigation)});
 }
 
 void setText(QPainter& painter, const LetteringText& text) {

@@ -10,6 +10,7 @@
 
 #include "model/base/result.h"
 #include "render/export/order/export_order.h"
+#include "render/export/pdf/pdf_navigation.h"
 #include "render/export/pdf/sheet_pages.h"
 #include "render/lettering/lettering.h"
 
@@ -34,7 +35,8 @@ class PdfPages : public SheetPages {
 
   /// Returns the whole file. It holds no more than what the pages show, the credit and, if there is
   /// one, the title that viewers show above them: no program, date or machine.
-  Result<QByteArray> finish(const ExportCredit& credit = {}, const std::string& title = {});
+  Result<QByteArray> finish(const ExportCredit& credit = {}, const std::string& title = {},
+                            PdfNavigation navigation = {});
 
  private:
   struct Placed {

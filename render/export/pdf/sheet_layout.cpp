@@ -5,6 +5,7 @@
 
 #include "model/scene/label_words.h"
 #include "model/scene/visible_structures.h"
+#include "render/export/order/test_options.h"
 #include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_options.h"
@@ -22,8 +23,10 @@ constexpr float headerHeight = 13.0f;  ///< title and rule
 constexpr float belowFigure = 4.0f;
 /// The largest share of the content that lists take before they continue on the next page.
 constexpr float mostOfHeight = 0.44f;
+constexpr float slightlyMore = 0.5f;
 constexpr float sideWidth = 62.0f;  ///< of lists beside a figure on landscape paper
 constexpr float captionPoints = 10.0f;
+constexpr float instructionHeight = 5.5f;
 constexpr float mostFigure = 0.65f;       ///< of its frame's height, where it has a caption
 constexpr float mostPatientText = 0.42f;  ///< of the first page's height
 
@@ -89,6 +92,15 @@ float evenHeight(std::span<const RowKind> rows, float most, int columns) {
   return high;
 }
 
+/// Returns the height of a list below a figure: what it needs or, where that is too much, as much
+/// as lists take. One that nearly fits gets a little more, and spares a page.
+float listsHeight(std::span<const RowKind> rows, float height, int columns) {
+  const float little = evenHeight(rows, slightlyMore * height, columns);
+  return Filling(rows, little, columns).fill().size() == rows.size()
+             ? little
+             : evenHeight(rows, mostOfHeight * height, columns);
+}
+
 int columnsOf(float width) {
   constexpr float usual = 56.0f;
   return std::max(1, int((width + columnSpace) / (usual + columnSpace) + 0.05f));
@@ -106,6 +118,16 @@ std::size_t labelsAtMost(const model::Scene& scene) {
 
 }  // namespace
 
+LabelCounts labelCounts(const ExportOrder& order) {
+  const std::size_t labels = labelsAtMost(order.scene);
+  if (!hasLabels(order.scene))
+    return {labels, labels};
+  LabelCounts counts{.labels = labels, .asked = 0};
+  for (const model::Question& question : questionsOf(order))
+    counts.asked += question.labels.size();
+  return counts;
+}
+
 float rowHeight(RowKind kind) {
   switch (kind) {
     case RowKind::heading:
@@ -115,6 +137,7 @@ float rowHeight(RowKind kind) {
     case RowKind::hidden:
       return 5.6f;
     case RowKind::number:
+    case RowKind::word:
       return 5.0f;
     case RowKind::writeLine:
       break;
@@ -139,6 +162,21 @@ std::vector<RowPosition> flowIntoColumns(std::span<const RowKind> rows, const Li
       places.push_back({page, frame.low + glm::vec2(place.x * step, place.y)});
   }
   return places;
+}
+
+ListFrames framesBelow(std::span<const RowKind> rows, std::span<const RowPosition> places,
+                       const ListFrames& frames) {
+  if (rows.empty())
+    return frames;
+  const bool onFirst = places.back().page == 0;
+  ListFrames left{.first = onFirst ? frames.first : frames.next,
+                  .firstColumns = onFirst ? frames.firstColumns : frames.nextColumns,
+                  .next = frames.next,
+                  .nextColumns = frames.nextColumns};
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (places[i].page == places.back().page)
+      left.first.low.y = std::max(left.first.low.y, places[i].at.y + rowHeight(rows[i]));
+  return left;
 }
 
 std::vector<LegendRow> legendRows(const model::Scene& scene, LegendList list) {
@@ -171,7 +209,7 @@ bool numbersInLegend(const ExportOrder& order) {
          order.legend != LegendList::focus;
 }
 
-SheetRows sheetRows(const ExportOrder& order, std::size_t labels,
+SheetRows sheetRows(const ExportOrder& order, const LabelCounts& counts,
                     const std::vector<LegendRow>& legend) {
   const SheetKind kind = order.of<SheetOptions>().kind;
   SheetRows rows;
@@ -180,9 +218,9 @@ SheetRows sheetRows(const ExportOrder& order, std::size_t labels,
   const bool teaching = kind == SheetKind::teaching;
   const LabelMode mode = order.labels.mode;
   const bool numbered = mode == LabelMode::numbers || (teaching && mode == LabelMode::off);
-  if (labels > 0 && numbered && !numbersInLegend(order)) {
+  if (counts.labels > 0 && numbered && !numbersInLegend(order)) {
     rows.first.push_back(RowKind::heading);
-    rows.first.insert(rows.first.end(), labels, RowKind::number);
+    rows.first.insert(rows.first.end(), counts.labels, RowKind::number);
   }
   if (!legend.empty())
     rows.first.push_back(RowKind::heading);
@@ -194,8 +232,10 @@ SheetRows sheetRows(const ExportOrder& order, std::size_t labels,
   if (!legend.empty())
     rows.first.insert(rows.first.end(), hiddenLinesShown(order.scene).size(), RowKind::hidden);
   if (teaching) {
-    rows.test.assign(labels, RowKind::writeLine);
-    rows.key.assign(labels, RowKind::number);
+    rows.test.assign(counts.asked, RowKind::writeLine);
+    rows.key.assign(counts.asked, RowKind::number);
+    if (order.of<TestOptions>().wordBank)
+      rows.words.assign(counts.asked, RowKind::word);
   }
   return rows;
 }
@@ -214,6 +254,11 @@ SheetLayout layoutWithoutCaption(const ExportOrder& order) {
   // Marks at the figure's sides are aligned with everything else.
   layout.figure.low.x -= markMargin;
   layout.figure.high.x += markMargin;
+  if (sheet.kind == SheetKind::teaching) {
+    layout.instruction = {layout.content.low,
+                          {layout.content.high.x, layout.content.low.y + instructionHeight}};
+    layout.figure.low.y += instructionHeight;
+  }
   layout.lists.next = layout.content;
   layout.lists.nextColumns = columnsOf(layout.content.size().x);
   layout.text = layout.content;
@@ -235,15 +280,19 @@ SheetLayout layoutWithoutCaption(const ExportOrder& order) {
   layout.lists.firstColumns = layout.lists.nextColumns;
   // Where the sheet adds labels, those that it labels are not known yet.
   const bool anyMayBe = order.legend == LegendList::labelled && !hasLabels(order.scene);
-  const std::size_t labels = labelsAtMost(order.scene);
+  const LabelCounts counts = labelCounts(order);
   std::vector<LegendRow> legend =
       legendRows(order.scene, anyMayBe ? LegendList::all : order.legend);
   if (anyMayBe)
-    legend.resize(std::min(legend.size(), labels));
-  const SheetRows rows = sheetRows(order, labels, legend);
-  float lists = 0.0f;
-  for (const std::vector<RowKind>* one : {&rows.first, &rows.test, &rows.key})
-    lists = std::max(lists, evenHeight(*one, mostOfHeight * height, layout.lists.firstColumns));
+    legend.resize(std::min(legend.size(), counts.labels));
+  const SheetRows rows = sheetRows(order, counts, legend);
+  const int columns = layout.lists.firstColumns;
+  float lists = listsHeight(rows.first, height, columns);
+  lists = std::max(lists, listsHeight(rows.key, height, columns));
+  float test = listsHeight(rows.test, height, columns);
+  if (!rows.words.empty())
+    test += wordBankSpace + rowHeight(RowKind::heading) + listsHeight(rows.words, height, columns);
+  lists = std::max(lists, std::min(test, mostOfHeight * height));
   layout.lists.first.low.y = layout.content.high.y - lists - 2.0f * tolerance;
   layout.figure.high.y = layout.lists.first.low.y - belowFigure;
   return layout;
@@ -281,6 +330,10 @@ SheetLayout sheetLayout(const ExportOrder& order) {
     layout.figure.high.y = layout.caption.low.y - belowFigure;
   }
   return layout;
+}
+
+glm::vec2 sheetPaperMm(const ExportOrder& order) {
+  return paperSize(order.of<SheetOptions>());
 }
 
 glm::vec2 sheetFigureMm(const ExportOrder& order) {

@@ -14,12 +14,13 @@ namespace sline::render {
 
 /// A line of a list.
 enum class RowKind {
-  heading,   ///< of a list
-  group,     ///< of structures
-  legend,    ///< a structure's colour, sample and name
-  hidden,    ///< how outlines go on where they are hidden
-  number,    ///< a label's number and text
-  writeLine  ///< a number, and a line to write on
+  heading,    ///< of a list
+  group,      ///< of structures
+  legend,     ///< a structure's colour, sample and name
+  hidden,     ///< how outlines go on where they are hidden
+  number,     ///< a label's number and text
+  writeLine,  ///< a number, and a line to write on
+  word        ///< one of those to choose from
 };
 float rowHeight(RowKind kind);
 
@@ -38,6 +39,8 @@ struct ListFrames {
   LabelBox next;
   int nextColumns = 1;
 };
+/// The space above the words to choose from.
+inline constexpr float wordBankSpace = 3.0f;
 /// The space between columns.
 inline constexpr float columnSpace = 5.0f;
 float columnWidth(const LabelBox& frame, int columns);
@@ -46,11 +49,17 @@ float columnWidth(const LabelBox& frame, int columns);
 /// heading is the last row of its column.
 std::vector<RowPosition> flowIntoColumns(std::span<const RowKind> rows, const ListFrames& frames);
 
+/// Returns the frames that are left below rows in those places, on the last of their pages: that
+/// page is their first.
+ListFrames framesBelow(std::span<const RowKind> rows, std::span<const RowPosition> places,
+                       const ListFrames& frames);
+
 struct SheetLayout {
   glm::vec2 paper{0.0f};
   LabelBox content;  ///< within the margins
   LabelBox figure;
-  LabelBox caption;  ///< what the view says, below the figure; empty where it says nothing
+  LabelBox instruction;  ///< above the figure of a test
+  LabelBox caption;      ///< what the view says, below the figure; empty where it says nothing
   ListFrames lists;
   LabelBox text;  ///< for `patient`, on the first page
 };
@@ -63,16 +72,24 @@ SheetLayout sheetLayout(const ExportOrder& order);
 /// nothing or is not wanted.
 std::optional<Caption> sheetCaption(const ExportOrder& order, const LabelBox& box);
 
-/// The rows of the first page's, the test's and the key's lists, where the sheet has them, for so
-/// many labels. Labels that the sheet adds have their numbers in the legend, unless that leaves
-/// structures out.
+/// How many labels a sheet shows and its test asks for.
+struct LabelCounts {
+  std::size_t labels = 0;
+  std::size_t asked = 0;
+};
+/// Returns at least as many as the order's sheet will have.
+LabelCounts labelCounts(const ExportOrder& order);
+/// The rows of the first page's, the test's and the key's lists, and of words to choose from below
+/// the test's, where the sheet has them. Labels
+/// that the sheet adds have their numbers in the legend, unless that leaves structures out.
 struct SheetRows {
   std::vector<RowKind> first;
   std::vector<RowKind> test;
+  std::vector<RowKind> words;
   std::vector<RowKind> key;
 };
 struct LegendRow;
-SheetRows sheetRows(const ExportOrder& order, std::size_t labels,
+SheetRows sheetRows(const ExportOrder& order, const LabelCounts& counts,
                     const std::vector<LegendRow>& legend);
 /// Tells whether the legend of the order's sheet has the numbers of labels.
 bool numbersInLegend(const ExportOrder& order);
@@ -90,6 +107,9 @@ std::vector<LegendRow> legendRows(const model::Scene& scene, LegendList list);
 /// Returns in which ways outlines of visible structures are drawn where they are hidden: the legend
 /// explains each.
 std::vector<model::HiddenLines> hiddenLinesShown(const model::Scene& scene);
+
+/// Returns the size of the order's paper, whether or not it has a sheet.
+glm::vec2 sheetPaperMm(const ExportOrder& order);
 
 /// Returns the size of the figure on the order's sheet, to which cameras are fitted; without a
 /// sheet, the page's own size.

@@ -70,6 +70,23 @@ void setNumber(QPainter& painter, int number, const glm::vec2& middle) {
                     .ink = quietInk});
 }
 
+/// Sets a swatch, a sample and a name; returns false where the name had to be shortened.
+bool setLegendRow(SheetPages& pages, const SheetRow& row, const glm::vec2& middle, float width) {
+  QPainter& painter = pages.painter();
+  if (row.number > 0)
+    setNumber(painter, row.number, middle);
+  const float indent = row.indented ? numberWidth : 0.0f;
+  if (row.kind == RowKind::legend)
+    setSwatch(painter, row.colour, middle + glm::vec2(indent, -0.5f * swatch));
+  const glm::vec2 corner = middle + glm::vec2(indent + swatch + 1.2f, -0.5f * sampleMm.y);
+  if (row.sample)
+    pages.place(*row.sample, {corner, {corner, corner + sampleMm}});
+  const float left = indent + swatch + sampleMm.x + 2.8f;
+  const Fitted name = fitted(row.text, middle + glm::vec2(left, 0.0f), width - left, legendText);
+  setText(painter, name.text);
+  return name.whole;
+}
+
 }  // namespace
 
 QString elidedText(const QString& text, float points, float width) {
@@ -110,25 +127,17 @@ bool setRow(SheetPages& pages, const SheetRow& row, const glm::vec2& at, float w
       return name == row.text;
     }
     case RowKind::legend:
-    case RowKind::hidden: {
-      if (row.number > 0)
-        setNumber(painter, row.number, middle);
-      const float indent = row.indented ? numberWidth : 0.0f;
-      if (row.kind == RowKind::legend)
-        setSwatch(painter, row.colour, middle + glm::vec2(indent, -0.5f * swatch));
-      const glm::vec2 corner = middle + glm::vec2(indent + swatch + 1.2f, -0.5f * sampleMm.y);
-      if (row.sample)
-        pages.place(*row.sample, {corner, {corner, corner + sampleMm}});
-      const float left = indent + swatch + sampleMm.x + 2.8f;
-      const Fitted name =
-          fitted(row.text, middle + glm::vec2(left, 0.0f), width - left, legendText);
-      setText(painter, name.text);
-      return name.whole;
-    }
+    case RowKind::hidden:
+      return setLegendRow(pages, row, middle, width);
     case RowKind::number: {
       setNumber(painter, row.number, middle);
       const Fitted text =
           fitted(row.text, middle + glm::vec2(numberWidth, 0.0f), width - numberWidth, rowText);
+      setText(painter, text.text);
+      return text.whole;
+    }
+    case RowKind::word: {
+      const Fitted text = fitted(row.text, middle, width, rowText);
       setText(painter, text.text);
       return text.whole;
     }

@@ -5,6 +5,8 @@
 #include <array>
 
 #include "render/export/order/common_options.h"
+#include "render/export/order/test_options.h"
+#include "render/export/order/view_orders.h"
 
 namespace sline::render {
 
@@ -34,7 +36,8 @@ constexpr std::array papers{
                  .value = int(Paper::letter)}};
 
 bool isSheet(const ExportOrder& order) {
-  return order.of<SheetOptions>().kind != SheetKind::none;
+  return order.of<SheetOptions>().kind != SheetKind::none ||
+         order.of<ViewsOptions>().subject == ViewSubject::all;
 }
 
 constexpr ExportOption paper{
@@ -82,6 +85,45 @@ constexpr ExportOption landscape{
     .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().landscape; }),
     .applies = isSheet};
 
+bool hasTest(const ExportOrder& order) {
+  return order.of<SheetOptions>().kind == SheetKind::teaching;
+}
+
+bool hasTests(const ExportOrder& order) {
+  return hasTest(order) && order.of<ViewsOptions>().subject == ViewSubject::all;
+}
+
+constexpr std::array keyPlaces{
+    OptionChoice{.id = "next",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "After each test"),
+                 .value = int(KeyPlace::next)},
+    OptionChoice{.id = "end",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "At the end"),
+                 .value = int(KeyPlace::end)}};
+
+constexpr ExportOption wordBank{
+    .id = "wordBank",
+    .flag = "--word-bank,!--no-word-bank",
+    .help = "The self-test of a sheet has the answers to choose from, in another order",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Word bank"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "The self-test has the answers below, in another order"),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<TestOptions>().wordBank; }),
+    .applies = hasTest};
+
+constexpr ExportOption keyPlace{
+    .id = "keyPlace",
+    .flag = "--key",
+    .help =
+        "Where the keys of all views' self-tests stand, each on a page of its own: after each "
+        "test, or all at the end",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Key"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "Where the answers stand, each test's on a page of its own"),
+    .kind = ChoiceOption{keyPlaces},
+    .field = boundTo([](auto& o) -> auto& { return o.template of<TestOptions>().key; }),
+    .applies = hasTests};
+
 }  // namespace
 
 constinit const ExportOption sheetOption{
@@ -91,7 +133,9 @@ constinit const ExportOption sheetOption{
         "Makes the PDF a sheet of paper. figure: with title and legend; teaching: besides, "
         "numbered labels, a page without them to test oneself and the key (a scene without labels "
         "gets its structures labelled); patient: large labels and a text of one's own. The figure "
-        "is as large as the paper lets it, and so are pictures of it that are written besides",
+        "is as large as the paper lets it, and so are pictures of it that are written besides. "
+        "With "
+        "all views each has its sheet, with its title and text, between contents and an index",
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Shee&t"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
                              "The page around the figure, of a paper of its own"),
@@ -99,7 +143,14 @@ constinit const ExportOption sheetOption{
     .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().kind; })};
 
 OptionList sheetOptions() {
-  static constexpr std::array all{&pureInkOption, &sheetOption, &paper, &title, &text, &landscape};
+  static constexpr std::array all{
+      &pureInkOption, &viewsOption,      &sheetOption,       &paper,    &title,   &text, &landscape,
+      &askedOption,   &askedNamesOption, &askCalloutsOption, &wordBank, &keyPlace};
+  return all;
+}
+
+OptionList paperOptions() {
+  static constexpr std::array all{&paper, &title, &text, &landscape};
   return all;
 }
 

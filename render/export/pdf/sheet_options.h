@@ -22,6 +22,8 @@ struct SheetOptions {
 };
 
 OptionList sheetOptions();
+/// Returns those of them that mean something to sheets alone.
+OptionList paperOptions();
 
 /// Chooses the kind of sheet; the other options apply to sheets alone.
 extern const ExportOption sheetOption;

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/edit/views.h"
 #include "model/scene/label_words.h"
 #include "render/export/encoding/png_image.h"
-#include "render/export/pdf/sheet_words.h"
+#include "render/export/order/sheet_words.h"
+#include "render/export/order/test_options.h"
+#include "render/export/order/view_orders.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/svg/svg_file.h"
 #include "render/lettering/mark_words.h"
@@ -55,12 +56,9 @@ class Making {
     }
     const std::vector<model::View>& views = m_order.scene.views();
     for (std::size_t i = 0; i < views.size(); ++i) {
-      ExportOrder one = m_order;
-      one.scene = model::withViewApplied(m_order.scene, views[i]).scene;
-      one.camera = views[i].camera;
-      one.viewName = views[i].name;
       const Span span{double(i) / double(views.size()), 1.0 / double(views.size())};
-      if (const Status added = addView(one, &views[i], span); !added.ok())
+      if (const Status added = addView(orderOfView(m_order, views[i]), &views[i], span);
+          !added.ok())
         return added.error();
     }
     return std::move(m_deck);
@@ -76,6 +74,7 @@ class Making {
   Status addView(ExportOrder order, const model::View* view, const Span& span) {
     order.page.sizeMm = slidePageMm(m_order, view);
     order.marks.viewName = false;  // it is the title
+    order.words = {};              // they are the slide's
     order.labels.onDark = m_deck.dark;
     Slide slide;
     slide.title = titleOf(order, view);
@@ -158,8 +157,12 @@ class Making {
       slide.labels.push_back({lettering.items[i], languages[i]});
   }
 
-  /// Adds the slide with numbers in place of labels, and its key.
-  void addTest(ExportOrder order, Slide slide) {
+  /// Adds the slide with numbers in place of labels, and its key, where there is something to ask.
+  void addTest(const ExportOrder& shown, Slide slide) {
+    const std::vector<model::Question> questions = questionsOf(shown);
+    if (questions.empty())
+      return;
+    ExportOrder order = askedAlone(shown, questions);
     order.labels.mode = LabelMode::numbers;
     const FigurePlate plate = figurePlate(order, m_trees);
     const SheetWords& words = sheetWords(m_language);

@@ -4,17 +4,12 @@
 #include <QtGlobal>
 #include <array>
 
+#include "render/export/order/test_options.h"
+#include "render/export/order/view_orders.h"
+
 namespace sline::render {
 
 namespace {
-
-constexpr std::array subjects{
-    OptionChoice{.id = "views",
-                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Each saved view"),
-                 .value = int(SlideSubject::views)},
-    OptionChoice{.id = "shown",
-                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What is shown"),
-                 .value = int(SlideSubject::shown)}};
 
 constexpr std::array shapes{
     OptionChoice{.id = "16:9",
@@ -23,15 +18,6 @@ constexpr std::array shapes{
     OptionChoice{.id = "4:3",
                  .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "4 : 3"),
                  .value = int(SlideShape::standard)}};
-
-constexpr ExportOption shape{
-    .id = "slideShape",
-    .flag = "--slide-shape",
-    .help = "Width and height of slides",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Shape of slides"),
-    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Width and height of a slide"),
-    .kind = ChoiceOption{shapes},
-    .field = boundTo([](auto& o) -> auto& { return o.template of<SlideOptions>().shape; })};
 
 constexpr ExportOption onClick{
     .id = "slideOnClick",
@@ -54,20 +40,18 @@ constexpr ExportOption selfTest{
 
 }  // namespace
 
-constinit const ExportOption slideSubjectOption{
-    .id = "slides",
-    .flag = "--slides",
-    .help =
-        "What has a slide: each of the saved views (what is shown where there are none), or what "
-        "is shown alone, which is also what --view and --camera ask for",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "A slide for"),
-    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
-                             "Without saved views there is one slide, of what is shown"),
-    .kind = ChoiceOption{subjects},
-    .field = boundTo([](auto& o) -> auto& { return o.template of<SlideOptions>().subject; })};
+constinit const ExportOption slideShapeOption{
+    .id = "slideShape",
+    .flag = "--slide-shape",
+    .help = "Width and height of slides",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Shape of slides"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Width and height of a slide"),
+    .kind = ChoiceOption{shapes},
+    .field = boundTo([](auto& o) -> auto& { return o.template of<SlideOptions>().shape; })};
 
 OptionList slideOptions() {
-  static constexpr std::array all{&slideSubjectOption, &shape, &onClick, &selfTest};
+  static constexpr std::array all{&viewsOption, &slideShapeOption, &onClick,
+                                  &selfTest,    &askedOption,      &askedNamesOption};
   return all;
 }
 

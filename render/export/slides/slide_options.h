@@ -6,13 +6,9 @@
 
 namespace sline::render {
 
-/// Tells what has a slide. `views`: each saved view, or what is shown where there are none;
-/// `shown`: what is shown alone.
-enum class SlideSubject { views, shown };
 enum class SlideShape { wide, standard };
 
 struct SlideOptions {
-  SlideSubject subject = SlideSubject::views;
   SlideShape shape = SlideShape::wide;
   bool onClick = false;   ///< labels appear one by one, in their order
   bool selfTest = false;  ///< a slide with numbers instead of names follows, then its key
@@ -20,6 +16,6 @@ struct SlideOptions {
 
 OptionList slideOptions();
 
-extern const ExportOption slideSubjectOption;
+extern const ExportOption slideShapeOption;
 
 }  // namespace sline::render

@@ -5,6 +5,7 @@
 
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
+#include "render/export/order/view_orders.h"
 
 namespace sline::render {
 
@@ -70,7 +71,7 @@ glm::vec2 slidePageMm(const ExportOrder& order) {
 }
 
 bool showsViews(const ExportOrder& order) {
-  return order.of<SlideOptions>().subject == SlideSubject::views && !order.scene.views().empty();
+  return order.of<ViewsOptions>().subject != ViewSubject::shown && !order.scene.views().empty();
 }
 
 }  // namespace sline::render

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests what labels ask for, and that a quiz counts right.
 #include <QtTest>
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -31,6 +32,12 @@ struct Asked {
 
 }  // namespace
 
+}  // namespace sline::test
+
+Q_DECLARE_METATYPE(sline::model::QuestionChoice)
+
+namespace sline::test {
+
 class QuizTest : public QObject {
   Q_OBJECT
 
@@ -54,12 +61,82 @@ class QuizTest : public QObject {
     a.scene.setAnnotations(annotations);
     const std::vector<Question> asked = questionsOf(a.scene, "");
     QCOMPARE(asked.size(), std::size_t(2));
-    QVERIFY(asked[0] == (Question{"ureter", {a.balls[0], a.balls[1]}}));
-    QVERIFY(asked[1] == (Question{"bladder", {a.balls[2]}}));
+    const auto& labels = a.scene.annotations();
+    QVERIFY(asked[0] ==
+            (Question{"ureter", {a.balls[0], a.balls[1]}, {labels[0].id, labels[1].id}}));
+    QVERIFY(asked[1] == (Question{"bladder", {a.balls[2]}, {labels[2].id}}));
     QCOMPARE(questionsOf(a.scene, "de")[1].words, std::string("Harnblase"));
     annotations[0].visible = false;
     a.scene.setAnnotations(annotations);
-    QVERIFY(questionsOf(a.scene, "")[0] == (Question{"ureter", {a.balls[1]}}));
+    QVERIFY(questionsOf(a.scene, "")[0] == (Question{"ureter", {a.balls[1]}, {annotations[1].id}}));
+  }
+
+  void choices_data() {
+    QTest::addColumn<QuestionChoice>("choice");
+    QTest::addColumn<QStringList>("words");
+    QTest::newRow("all") << QuestionChoice() << QStringList{"ureter", "bladder", "sacrum"};
+    QTest::newRow("in focus") << QuestionChoice{.focusAlone = true} << QStringList{"bladder"};
+    QTest::newRow("a group") << QuestionChoice{.names = {"Organs"}}
+                             << QStringList{"ureter", "bladder"};
+    QTest::newRow("a structure, however it is written")
+        << QuestionChoice{.names = {"BALL-2", "nothing"}} << QStringList{"sacrum"};
+    QTest::newRow("nothing of that name") << QuestionChoice{.names = {"nothing"}} << QStringList{};
+    QTest::newRow("focus and group")
+        << QuestionChoice{.focusAlone = true, .names = {"ball 2"}} << QStringList{};
+    QTest::newRow("sentences") << QuestionChoice{.callouts = true}
+                               << QStringList{"ureter", "bladder", "sacrum", "It holds urine"};
+    QTest::newRow("in space") << QuestionChoice{.inSpace = true}
+                              << QStringList{"ureter", "bladder", "sacrum", "free"};
+    QTest::newRow("nothing of a group is in space")
+        << QuestionChoice{.names = {"Organs"}, .inSpace = true} << QStringList{"ureter", "bladder"};
+  }
+  void choices() {
+    QFETCH(QuestionChoice, choice);
+    QFETCH(QStringList, words);
+    Asked a(3);
+    std::vector<Node> nodes = a.scene.nodes();
+    nodes[2].name = "ball 2";
+    a.scene.setNodes(nodes);
+    const NodeId group = a.scene.append({.name = "organs"});
+    nodes = a.scene.nodes();
+    std::rotate(nodes.begin(), nodes.end() - 1, nodes.end());
+    nodes[1].parent = nodes[2].parent = group;
+    a.scene.setNodes(nodes);
+    a.scene.setFocus({.targets = {a.balls[1]}});
+    a.name(0, "ureter");
+    a.name(1, "bladder");
+    a.name(2, "sacrum");
+    a.name(1, "It **holds** urine", AnnotationKind::callout);
+    a.scene.appendAnnotation({.anchors = {glm::vec3(1.0f)}, .text = "free"});
+    QStringList asked;
+    for (const Question& question : questionsOf(a.scene, "", choice))
+      asked << QString::fromStdString(question.words);
+    QCOMPARE(asked, words);
+    // Only the labels of questions are left to be seen.
+    const Scene alone = withQuestionsAlone(a.scene, questionsOf(a.scene, "", choice));
+    QCOMPARE(std::count_if(alone.annotations().begin(), alone.annotations().end(),
+                           [](const Annotation& each) { return each.visible; }),
+             std::ptrdiff_t(words.size()));
+  }
+
+  /// The words are all there, always in the same order, and not in that of the answers.
+  void wordBanks() {
+    for (int count = 0; count < 40; ++count) {
+      std::vector<std::string> answers;
+      for (int i = 0; i < count; ++i)
+        answers.push_back("structure " + std::to_string(i * 7 % 40));
+      const std::vector<std::string> bank = wordBank(answers);
+      QVERIFY(bank == wordBank(answers));
+      QVERIFY(count < 2 || bank != answers);
+      // Whoever knows the bank does not know the order of the answers.
+      std::vector<std::string> turned(answers.rbegin(), answers.rend());
+      QVERIFY(count < 3 || wordBank(turned) == bank || bank == turned);
+      std::vector<std::string> sorted = bank;
+      std::sort(sorted.begin(), sorted.end());
+      std::sort(answers.begin(), answers.end());
+      QVERIFY(sorted == answers);
+    }
+    QVERIFY(wordBank({"same", "same"}) == (std::vector<std::string>{"same", "same"}));
   }
 
   /// Fifty runs with answers by chance: each thing is asked for once, and the score is the number

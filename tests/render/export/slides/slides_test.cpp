@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "model/disk/zip_archive.h"
+#include "render/export/order/test_options.h"
+#include "render/export/order/view_orders.h"
 #include "render/export/pixels/pixel_files.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/slides/slide_options.h"
@@ -295,7 +297,7 @@ class SlidesTest : public QObject {
     QVERIFY(!opened.slide(2).select_node("//p:ph[@type='body']"));
     QVERIFY(opened.target("ppt/slides/slide2.xml", "notesSlide").empty());
     // What is shown alone has one slide.
-    order.of<render::SlideOptions>().subject = render::SlideSubject::shown;
+    order.of<render::ViewsOptions>().subject = render::ViewSubject::shown;
     order.viewName = "First";
     const OpenedSlides shown(written(order));
     QCOMPARE(shown.slides(), 1);
@@ -336,6 +338,23 @@ class SlidesTest : public QObject {
     // Labels are on the slide, and not in the picture.
     QVERIFY(svg.find("<text") == std::string::npos);
     QVERIFY(!opened.slide(1).select_nodes("//p:grpSp").empty());
+  }
+
+  /// The test asks what others ask, and nothing where there is nothing to ask.
+  void testsAskSomeThings() {
+    render::ExportOrder order = test::lessonOf({"aorta", "vena cava", "liver"});
+    order.of<render::SlideOptions>().selfTest = true;
+    order.of<render::TestOptions>().names = "Vena-Cava, liver";
+    const OpenedSlides some(written(order));
+    QCOMPARE(some.slides(), 3);
+    // One label of three has no number.
+    QCOMPARE(test::groupsOn(some.slide(1)).size(), test::groupsOn(some.slide(2)).size() + 1);
+    QVERIFY(test::groupsOn(some.slide(1)).contains("aorta"));
+    const QString key = test::wordsOf(some.slide(3));
+    QVERIFY2(key.contains("vena cava") && key.contains("liver") && !key.contains("aorta"),
+             qPrintable(key));
+    order.of<render::TestOptions>() = {.of = render::AskedOf::focus};
+    QCOMPARE(OpenedSlides(written(order)).slides(), 1);
   }
 
   void labelsByClicks() {
