@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "render/export/description/alt_text.h"
 #include "render/export/encoding/png_image.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/lettering/typesetting.h"
@@ -123,7 +124,7 @@ class Cards {
     image.rgba.resize(row * std::size_t(drawn.height()));
     for (int y = 0; y < drawn.height(); ++y)
       std::memcpy(&image.rgba[row * std::size_t(y)], drawn.constScanLine(y), row);
-    return pngOf(image, m_order.credit);
+    return pngOf(image, fileCredit(m_order, {}));
   }
 
   const ExportOrder& m_order;
@@ -146,7 +147,7 @@ AnkiDeck emptyDeck(const ExportOrder& order) {
   AnkiDeck deck;
   const std::string& name = order.of<AnkiOptions>().deck;
   deck.name = !name.empty() ? name : !order.viewName.empty() ? order.viewName : "Anatomy";
-  deck.description = order.credit.line();
+  deck.description = fileCredit(order, {}).line();
   deck.tags = {"Sline"};
   if (!order.viewName.empty())
     deck.tags.push_back(ankiTag(order.viewName));
@@ -185,6 +186,8 @@ Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progr
     return ground.error();
   const Cards cards(order, *ground, whole);
   AnkiDeck deck = emptyDeck(order);
+  labelled.labels.mode = LabelMode::numbers;  // a question names nothing
+  const std::string questionShows = altTextOf(labelled).text;
   for (std::size_t i = 0; i < plate.labels.size(); ++i) {
     const ShownLabel& label = plate.labels[i];
     if (!isAsked(label))
@@ -202,6 +205,10 @@ Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progr
     note.question = addPicture(deck, std::move(*question));
     note.answer = addPicture(deck, std::move(*answer));
     note.label = plainText(plate.texts[i].lines).toStdString();
+    note.questionShows = questionShows;
+    // Answers name what they answer alone: others are asked for later.
+    if (!questionShows.empty())
+      note.answerShows = questionShows + ' ' + note.label;
     deck.notes.push_back(std::move(note));
   }
   return deck;

@@ -14,6 +14,10 @@ std::string htmlText(std::string_view text) {
   return clean.toHtmlEscaped().toStdString();
 }
 
+std::string htmlPicture(const std::string& name, const std::string& shows) {
+  return "<img src=\"" + name + "\" alt=\"" + htmlText(shows) + "\">";
+}
+
 std::string ankiTag(std::string_view name) {
   QString tag = QString::fromUtf8(name.data(), qsizetype(name.size())).simplified();
   for (QChar& c : tag)

@@ -13,9 +13,11 @@ namespace sline::render {
 
 struct AnkiNote {
   std::string id;  ///< the same for the same label of the same deck, so that the card is replaced
-  std::string question;  ///< name of a picture
-  std::string answer;    ///< name of a picture
-  std::string label;     ///< plain text
+  std::string question;       ///< name of a picture
+  std::string answer;         ///< name of a picture
+  std::string label;          ///< plain text
+  std::string questionShows;  ///< what the pictures show, plain text; names nothing
+  std::string answerShows;
 };
 
 struct AnkiDeck {
@@ -32,6 +34,8 @@ struct AnkiDeck {
 std::string htmlText(std::string_view text);
 /// Makes a tag of a name: spaces and characters to which Anki gives a meaning become "_".
 std::string ankiTag(std::string_view name);
+/// Returns the HTML that shows a picture, and in words what it shows.
+std::string htmlPicture(const std::string& name, const std::string& shows);
 /// Returns the FNV-1a hash, 64 bits.
 std::uint64_t fingerprintOf(std::string_view bytes);
 /// Returns 16 hexadecimal digits.

@@ -207,8 +207,8 @@ void addNotes(Database& database, const AnkiDeck& deck, std::int64_t deckId) {
   for (const AnkiNote& note : deck.notes) {
     const std::string label = htmlText(note.label);
     // Fields are separated by U+001F.
-    const std::string fields =
-        label + "\x1f<img src=\"" + note.question + "\">\x1f<img src=\"" + note.answer + "\">";
+    const std::string fields = label + "\x1f" + htmlPicture(note.question, note.questionShows) +
+                               "\x1f" + htmlPicture(note.answer, note.answerShows);
     const std::int64_t id = idOf(note.id);
     const std::int64_t zero = 0;
     const std::int64_t none = -1;

@@ -5,14 +5,6 @@
 
 namespace sline::render {
 
-namespace {
-
-std::string picture(const std::string& name) {
-  return "<img src=\"" + name + "\">";
-}
-
-}  // namespace
-
 std::string ankiText(const AnkiDeck& deck) {
   // A header is a single line, not HTML.
   std::string name = deck.name;
@@ -26,8 +18,9 @@ std::string ankiText(const AnkiDeck& deck) {
   for (const std::string& tag : deck.tags)
     tags += (tags.empty() ? "" : " ") + tag;
   for (const AnkiNote& note : deck.notes)
-    text += note.id + '\t' + picture(note.question) + '\t' + picture(note.answer) + "<br>" +
-            htmlText(note.label) + '\t' + tags + '\n';
+    text += note.id + '\t' + htmlPicture(note.question, note.questionShows) + '\t' +
+            htmlPicture(note.answer, note.answerShows) + "<br>" + htmlText(note.label) + '\t' +
+            tags + '\n';
   return text;
 }
 

@@ -13,6 +13,7 @@
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pdf/sheet_pictures.h"
 #include "render/export/pdf/sheet_words.h"
+#include "render/export/pdf/sources_page.h"
 #include "render/export/pdf/style_samples.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/plate/legend.h"
@@ -46,6 +47,12 @@ void setPlate(QPainter& painter, const FigurePlate& plate) {
   paintLettering(painter, plate.marks.lettering, setText);
 }
 
+/// Takes the line of sources from a figure that has a page of them.
+void withoutSourcesLine(ExportOrder& order) {
+  if (order.sources == SourceCredits::page)
+    order.sources = SourceCredits::off;
+}
+
 /// Makes one sheet.
 class Sheet {
  public:
@@ -53,13 +60,17 @@ class Sheet {
       : m_given(order),
         m_order(sheetFigure(order)),
         m_layout(sheetLayout(order)),
-        m_words(sheetWords(order.labels.language)) {}
+        m_words(sheetWords(order.labels.language)) {
+    withoutSourcesLine(m_order);
+  }
 
   Result<QByteArray> make(const std::filesystem::path& target, const ExportProgress& progress) {
     Result<VectorDrawing> drawing = drawFigure(m_order, target, progress);
     if (!drawing.ok())
       return drawing.error();
     m_drawing = std::move(*drawing);
+    m_said = altTextOf(m_order);
+    m_testSaid = altTextOf(inMode(LabelMode::numbers));
     if (const Status ready = prepare(progress); !ready.ok())
       return ready.error();
     if (progress && !progress(0.9, "setting the pages"))
@@ -69,7 +80,7 @@ class Sheet {
                                         model::firstLanguage(m_order.labels.language));
     });
     progress.note(m_notes);
-    return pages->finish(m_given.credit, m_given.of<SheetOptions>().title);
+    return pages->finish(fileCredit(m_given, m_said), m_given.of<SheetOptions>().title);
   }
 
   Result<std::vector<QImage>> picture(const QImage& figure, int width,
@@ -111,23 +122,38 @@ class Sheet {
   void setPages() {
     if (m_order.of<SheetOptions>().kind == SheetKind::patient) {
       beginPage({});
-      setFigure(m_plate);
+      setFigure(m_plate, m_said);
       setCaption();
-      setPatientText();
+      setParagraphs(m_order.of<SheetOptions>().text, m_layout.text, {});
+      setSources();
       return;
     }
+    setTeachingPages();
+    setSources();
+  }
+
+  /// Sets whose work the surfaces are on a page of its own, where that is wanted.
+  void setSources() {
+    const std::string text = sourcesText(m_given.scene);
+    if (m_given.sources != SourceCredits::page || text.empty())
+      return;
+    beginPage(QString::fromUtf8(m_words.sources));
+    setParagraphs(text, m_layout.content, QString::fromUtf8(m_words.sources));
+  }
+
+  void setTeachingPages() {
     beginPage({});
-    setFigure(m_plate);
+    setFigure(m_plate, m_said);
     setCaption();
     const SheetRows rows = sheetRows(m_given, m_numbers.size(), m_legend);
     setList(rows.first);
     if (rows.test.empty())
       return;
     beginPage(QString::fromUtf8(m_words.selfTest));
-    setFigure(plateIn(LabelMode::numbers));
+    setFigure(plateIn(LabelMode::numbers), m_testSaid);
     setList(rows.test);
     beginPage(QString::fromUtf8(m_words.key));
-    setFigure(plateIn(LabelMode::numbers));
+    setFigure(plateIn(LabelMode::numbers), m_testSaid);
     setList(rows.key);
   }
 
@@ -135,11 +161,12 @@ class Sheet {
     return QString::fromStdString(structureName(node.name, m_order.labels.language)).simplified();
   }
 
-  FigurePlate plateIn(LabelMode mode) {
+  ExportOrder inMode(LabelMode mode) const {
     ExportOrder order = m_order;
     order.labels.mode = mode;
-    return figurePlate(order, m_trees);
+    return order;
   }
+  FigurePlate plateIn(LabelMode mode) { return figurePlate(inMode(mode), m_trees); }
 
   /// Numbers the labels that have a place; on the test's page labels are numbered, so they need a
   /// place there.
@@ -249,7 +276,8 @@ class Sheet {
                                  .ink = ink});
   }
 
-  void setFigure(const FigurePlate& plate) {
+  void setFigure(const FigurePlate& plate, const AltText& said) {
+    m_pages->describe(said);
     const glm::vec2 spare = m_layout.figure.size() - m_order.page.sizeMm;
     const glm::vec2 corner = m_layout.figure.low + 0.5f * spare;
     QPainter& painter = m_pages->painter();
@@ -325,7 +353,7 @@ class Sheet {
     return row;
   }
 
-  void setPatientText();
+  void setParagraphs(const std::string& text, LabelBox frame, const QString& kind);
 
   const ExportOrder& m_given;
   ExportOrder m_order;  ///< that of the figure
@@ -335,6 +363,8 @@ class Sheet {
   VectorDrawing m_drawing;            ///< the figure
   const QImage* m_picture = nullptr;  ///< shown in its place
   FigurePlate m_plate;
+  AltText m_said;      ///< what the figure shows
+  AltText m_testSaid;  ///< and what it shows on a test
   struct Number {
     int number;
     QString text;
@@ -350,19 +380,18 @@ class Sheet {
   int m_total = 0;
 };
 
-/// Sets the patient's text from below the figure on, over as many pages as it needs.
-void Sheet::setPatientText() {
+/// Sets a text into the frame and over as many further pages of that kind as it needs.
+void Sheet::setParagraphs(const std::string& text, LabelBox frame, const QString& kind) {
   const qreal scale = qreal(patientPoints * millimetresPerPoint) / labelFontPixels;
-  LabelBox frame = m_layout.text;
   float y = frame.low.y;
   const auto needLine = [&] {
     if (y + patientLeading <= frame.high.y)
       return;
-    beginPage({});
+    beginPage(kind);
     frame = m_layout.content;
     y = frame.low.y;
   };
-  for (const auto& paragraph : patientParagraphs(m_order.of<SheetOptions>().text, frame.size().x)) {
+  for (const auto& paragraph : patientParagraphs(text, frame.size().x)) {
     for (int i = 0; paragraph && i < paragraph->lineCount(); ++i) {
       needLine();
       const QTextLine one = paragraph->lineAt(i);
@@ -403,10 +432,15 @@ Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesyste
     return drawing.error();
   PdfPages pages(order.page.sizeMm, model::firstLanguage(order.labels.language));
   pages.place(*drawing, {{}, {{}, order.page.sizeMm}});
-  const FigurePlate plate = figurePlate(order);
+  const AltText said = altTextOf(order);
+  pages.describe(said);
+  ExportOrder figure = order;
+  withoutSourcesLine(figure);
+  const FigurePlate plate = figurePlate(figure);
   progress.note(plate.notes);
   setPlate(pages.painter(), plate);
-  return pages.finish(order.credit);
+  setSourcesPage(pages, order);
+  return pages.finish(fileCredit(order, said));
 }
 
 }  // namespace sline::render

@@ -7,16 +7,16 @@ namespace sline::render {
 
 const SheetWords& sheetWords(const std::string& language) {
   static constexpr std::array<SheetWords, 5> all{
-      {{"en", "Legend", "Hidden outline", "Labels", "continued", "Self-test", "Key", "Name",
-        "Date"},
+      {{"en", "Legend", "Hidden outline", "Labels", "continued", "Self-test", "Key", "Name", "Date",
+        "Sources"},
        {"de", "Legende", "Verdeckter Umriss", "Beschriftung", "Fortsetzung", "Selbsttest", "Lösung",
-        "Name", "Datum"},
+        "Name", "Datum", "Quellen"},
        {"nl", "Legenda", "Verborgen omtrek", "Benamingen", "vervolg", "Zelftest", "Antwoorden",
-        "Naam", "Datum"},
+        "Naam", "Datum", "Bronnen"},
        {"nb", "Tegnforklaring", "Skjult omriss", "Betegnelser", "fortsettelse", "Selvtest", "Fasit",
-        "Navn", "Dato"},
+        "Navn", "Dato", "Kilder"},
        {"la", "Index colorum", "Linea occulta", "Nomina", "continuatio", "Examen", "Solutiones",
-        "Nomen", "Dies"}}};
+        "Nomen", "Dies", "Fontes"}}};
   const std::string primary = language.substr(0, language.find_first_of("-_+"));
   for (const SheetWords& words : all)
     if (primary == words.language)

@@ -18,6 +18,7 @@ struct SheetWords {
   const char* key;
   const char* name;
   const char* date;
+  const char* sources;
 };
 
 /// Returns the words of a language; English for unknown ones.

@@ -19,6 +19,12 @@ namespace sline::render {
 
 namespace {
 
+constexpr const char* svgTitleId = "picture-title";
+constexpr const char* svgDescriptionId = "picture-description";
+/// What a document says of itself that has a title and a description.
+const std::string svgDescribed = std::string(" role=\"img\" aria-labelledby=\"") + svgTitleId +
+                                 "\" aria-describedby=\"" + svgDescriptionId + "\"";
+
 /// Tells where a structure or group of lines stands among its siblings.
 struct Branch {
   std::vector<const VectorStructure*> structures;  ///< at or below it
@@ -45,7 +51,8 @@ class Document {
   std::string make() {
     const std::string width = number(double(m_drawing.sizeMm.x), 4);
     const std::string height = number(double(m_drawing.sizeMm.y), 4);
-    m_text = svgStart(width, height);
+    m_text = svgStart(width, height, m_credit.description.empty() ? std::string() : svgDescribed);
+    addDescription();
     addCredit();
     if (m_drawing.background)
       m_text += "<rect id=\"background\" width=\"" + width + "\" height=\"" + height +
@@ -81,9 +88,25 @@ class Document {
     return node ? std::string_view(node->name) : std::string_view();
   }
 
+  /// Adds what the drawing shows: its first sentence as the title, which programs show, too.
+  void addDescription() {
+    const std::string& text = m_credit.description;
+    if (text.empty())
+      return;
+    const std::size_t cut = std::min(text.find(". "), text.size());
+    const std::string language =
+        m_credit.descriptionLanguage.empty()
+            ? std::string()
+            : " xml:lang=\"" + xmlText(m_credit.descriptionLanguage) + "\"";
+    m_text += "<title id=\"" + std::string(svgTitleId) + "\"" + language + ">" +
+              xmlText(std::string_view(text).substr(0, cut)) + "</title>\n";
+    m_text += "<desc id=\"" + std::string(svgDescriptionId) + "\"" + language + ">" +
+              xmlText(text) + "</desc>\n";
+  }
+
   /// Adds the credit as Inkscape writes and reads it: Dublin Core about the document.
   void addCredit() {
-    if (m_credit.empty())
+    if (m_credit.author.empty() && m_credit.copyright.empty())
       return;
     m_text +=
         "<metadata>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "

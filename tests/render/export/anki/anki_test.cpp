@@ -72,7 +72,7 @@ std::vector<QStringList> notesIn(const QByteArray& text) {
 }
 
 QString pictureIn(const QString& html) {
-  static const QRegularExpression image("^<img src=\"([a-z0-9.-]+)\">");
+  static const QRegularExpression image("^<img src=\"([a-z0-9.-]+)\" alt=\"[^<>\"]*\">");
   return image.match(html).captured(1);
 }
 
