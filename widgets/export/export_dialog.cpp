@@ -15,6 +15,7 @@
 #include <QRadioButton>
 #include <QVBoxLayout>
 
+#include "widgets/export/alt_text_hint.h"
 #include "widgets/export/export_preview.h"
 #include "widgets/export/export_texts.h"
 #include "widgets/export/file_pager.h"
@@ -68,6 +69,7 @@ ExportDialog::ExportDialog(ExportDraft& draft, ExportSource source, Viewport& vi
       m_page(new PagePanel(draft)),
       m_preview(new ExportPreview(viewport)),
       m_gauge(new SizeGauge(parent)),
+      m_hint(new AltTextHint(this)),
       m_pager(new FilePager),
       m_summary(plainLabel("exportSummary")),
       m_doubt(plainLabel("exportDoubt")),
@@ -138,6 +140,7 @@ void ExportDialog::refresh() {
   m_page->setEnabled(!hasOwnPage(m_draft));
   showPager();
   m_preview->show(shown());
+  m_hint->ask(shown());
   sayLanguage();
   showSummary();
   showDoubt();
@@ -237,6 +240,7 @@ void ExportDialog::give() {
   const std::vector<ExportFile> files = m_files;
   const QString kind = m_draft.kind;
   m_draft.target = target();
+  m_draft.order.altText.clear();  // it is about this picture
   accept();
   emit exportWanted(kind, files);
 }
