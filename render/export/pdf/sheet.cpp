@@ -80,7 +80,7 @@ class Sheet {
                                         model::firstLanguage(m_order.labels.language));
     });
     progress.note(m_notes);
-    return pages->finish(fileCredit(m_given, m_said), m_given.of<SheetOptions>().title);
+    return pages->finish(fileCredit(m_given, {}), m_given.of<SheetOptions>().title);
   }
 
   Result<std::vector<QImage>> picture(const QImage& figure, int width,
@@ -432,15 +432,14 @@ Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesyste
     return drawing.error();
   PdfPages pages(order.page.sizeMm, model::firstLanguage(order.labels.language));
   pages.place(*drawing, {{}, {{}, order.page.sizeMm}});
-  const AltText said = altTextOf(order);
-  pages.describe(said);
+  pages.describe(altTextOf(order));
   ExportOrder figure = order;
   withoutSourcesLine(figure);
   const FigurePlate plate = figurePlate(figure);
   progress.note(plate.notes);
   setPlate(pages.painter(), plate);
   setSourcesPage(pages, order);
-  return pages.finish(fileCredit(order, said));
+  return pages.finish(fileCredit(order, {}));
 }
 
 }  // namespace sline::render
