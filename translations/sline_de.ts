@@ -1828,6 +1828,38 @@
         <source>Without saved views there is one slide, of what is shown</source>
         <translation>Ohne gespeicherte Ansichten gibt es eine Folie, von dem, was zu sehen ist</translation>
     </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>What the picture shows, for who does not see it; where this is empty, the file says what is seen in the picture, and “off” leaves it out</source>
+        <translation>Was das Bild zeigt, für wen es nicht zu sehen ist; ist das Feld leer, sagt die Datei, was im Bild zu sehen ist, und „off“ lässt es weg</translation>
+    </message>
+    <message>
+        <source>Beside surfaces alone</source>
+        <translation>Nur bei Flächen</translation>
+    </message>
+    <message>
+        <source>In a line</source>
+        <translation>In einer Zeile</translation>
+    </message>
+    <message>
+        <source>On a page of their own</source>
+        <translation>Auf einer eigenen Seite</translation>
+    </message>
+    <message>
+        <source>Nowhere</source>
+        <translation>Nirgends</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>Whose work the surfaces are and under what terms</source>
+        <translation>Wessen Werk die Flächen sind und unter welchen Bedingungen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>
@@ -4640,6 +4672,10 @@
         <source>Names, and the views&apos; texts and notes, are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
         <translation>Namen sowie Texte und Notizen der Ansichten stehen in der Datei, wie die Szene sie hat. Pfade, Benutzernamen, Daten und Patientendaten nicht.</translation>
     </message>
+    <message>
+        <source>What is seen is also told in words, for who does not see it.</source>
+        <translation>Was zu sehen ist, steht auch in Worten darin, für wen es nicht zu sehen ist.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -7335,6 +7371,30 @@ OpenGL: %3</translation>
         <source>Drawn</source>
         <translation>Gezeichnet</translation>
     </message>
+    <message>
+        <source>Authors</source>
+        <translation>Urheber</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lizenz</translation>
+    </message>
+    <message>
+        <source>Whose work the surface is; exports print it where you wish</source>
+        <translation>Wessen Werk die Fläche ist; Exporte drucken es, wo du es wünschst</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>mehrere</translation>
+    </message>
+    <message>
+        <source>Say Whose Work It Is</source>
+        <translation>Sagen, wessen Werk es ist</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTree</name>
@@ -7717,6 +7777,18 @@ OpenGL: %3</translation>
     <message>
         <source>Notes, for who presents it</source>
         <translation>Notizen, für den, der vorführt</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Was die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>For who does not see the picture: files for others have it, and without it they say what is seen</source>
+        <translation>Für wen das Bild nicht zu sehen ist: Dateien für andere haben es, und ohne es sagen sie, was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Description, for who does not see it</source>
+        <translation>Beschreibung, für wen es nicht zu sehen ist</translation>
     </message>
 </context>
 <context>

@@ -1828,6 +1828,38 @@
         <source>Without saved views there is one slide, of what is shown</source>
         <translation>Uten lagrede visninger er det ett lysbilde, av det som vises</translation>
     </message>
+    <message>
+        <source>Description</source>
+        <translation>Beskrivelse</translation>
+    </message>
+    <message>
+        <source>What the picture shows, for who does not see it; where this is empty, the file says what is seen in the picture, and “off” leaves it out</source>
+        <translation>Hva bildet viser, for den som ikke ser det; er feltet tomt, sier filen hva som er å se i bildet, og «off» utelater det</translation>
+    </message>
+    <message>
+        <source>Beside surfaces alone</source>
+        <translation>Bare ved flater</translation>
+    </message>
+    <message>
+        <source>In a line</source>
+        <translation>På én linje</translation>
+    </message>
+    <message>
+        <source>On a page of their own</source>
+        <translation>På en egen side</translation>
+    </message>
+    <message>
+        <source>Nowhere</source>
+        <translation>Ingen steder</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Kilder</translation>
+    </message>
+    <message>
+        <source>Whose work the surfaces are and under what terms</source>
+        <translation>Hvem som har laget flatene, og på hvilke vilkår</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>
@@ -4640,6 +4672,10 @@
         <source>Names, and the views&apos; texts and notes, are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
         <translation>Navn, og visningenes tekster og notater, står i filen slik scenen har dem. Stier, brukernavn, datoer og pasientdata gjør det ikke.</translation>
     </message>
+    <message>
+        <source>What is seen is also told in words, for who does not see it.</source>
+        <translation>Det som er å se, står der også i ord, for den som ikke ser det.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -7335,6 +7371,30 @@ OpenGL: %3</translation>
         <source>Drawn</source>
         <translation>Tegnet</translation>
     </message>
+    <message>
+        <source>Authors</source>
+        <translation>Opphavspersoner</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Kilde</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lisens</translation>
+    </message>
+    <message>
+        <source>Whose work the surface is; exports print it where you wish</source>
+        <translation>Hvem som har laget flaten; eksporter skriver det der du ønsker</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>flere</translation>
+    </message>
+    <message>
+        <source>Say Whose Work It Is</source>
+        <translation>Si hvem som har laget det</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTree</name>
@@ -7717,6 +7777,18 @@ OpenGL: %3</translation>
     <message>
         <source>Notes, for who presents it</source>
         <translation>Notater, for den som viser den</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Hva visningen viser</translation>
+    </message>
+    <message>
+        <source>For who does not see the picture: files for others have it, and without it they say what is seen</source>
+        <translation>For den som ikke ser bildet: filer for andre har det, og uten det sier de hva som er å se</translation>
+    </message>
+    <message>
+        <source>Description, for who does not see it</source>
+        <translation>Beskrivelse, for den som ikke ser det</translation>
     </message>
 </context>
 <context>

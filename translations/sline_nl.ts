@@ -1828,6 +1828,38 @@
         <source>Without saved views there is one slide, of what is shown</source>
         <translation>Zonder bewaarde aanzichten is er één dia, van wat te zien is</translation>
     </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschrijving</translation>
+    </message>
+    <message>
+        <source>What the picture shows, for who does not see it; where this is empty, the file says what is seen in the picture, and “off” leaves it out</source>
+        <translation>Wat de afbeelding toont, voor wie haar niet ziet; is dit leeg, dan zegt het bestand wat er te zien is, en “off” laat het weg</translation>
+    </message>
+    <message>
+        <source>Beside surfaces alone</source>
+        <translation>Alleen bij oppervlakken</translation>
+    </message>
+    <message>
+        <source>In a line</source>
+        <translation>Op één regel</translation>
+    </message>
+    <message>
+        <source>On a page of their own</source>
+        <translation>Op een eigen pagina</translation>
+    </message>
+    <message>
+        <source>Nowhere</source>
+        <translation>Nergens</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Bronnen</translation>
+    </message>
+    <message>
+        <source>Whose work the surfaces are and under what terms</source>
+        <translation>Wiens werk de oppervlakken zijn en onder welke voorwaarden</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>
@@ -4640,6 +4672,10 @@
         <source>Names, and the views&apos; texts and notes, are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
         <translation>Namen, en teksten en notities van de aanzichten, staan in het bestand zoals de scène ze heeft. Paden, gebruikersnamen, datums en patiëntgegevens niet.</translation>
     </message>
+    <message>
+        <source>What is seen is also told in words, for who does not see it.</source>
+        <translation>Wat te zien is, staat er ook in woorden in, voor wie het niet ziet.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -7335,6 +7371,30 @@ OpenGL: %3</translation>
         <source>Drawn</source>
         <translation>Getekend</translation>
     </message>
+    <message>
+        <source>Authors</source>
+        <translation>Auteurs</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Bron</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Licentie</translation>
+    </message>
+    <message>
+        <source>Whose work the surface is; exports print it where you wish</source>
+        <translation>Wiens werk het oppervlak is; exports drukken het af waar je dat wenst</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>meerdere</translation>
+    </message>
+    <message>
+        <source>Say Whose Work It Is</source>
+        <translation>Zeggen wiens werk het is</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTree</name>
@@ -7717,6 +7777,18 @@ OpenGL: %3</translation>
     <message>
         <source>Notes, for who presents it</source>
         <translation>Notities, voor wie het vertoont</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Wat het aanzicht toont</translation>
+    </message>
+    <message>
+        <source>For who does not see the picture: files for others have it, and without it they say what is seen</source>
+        <translation>Voor wie de afbeelding niet ziet: bestanden voor anderen hebben het, en zonder dit zeggen ze wat er te zien is</translation>
+    </message>
+    <message>
+        <source>Description, for who does not see it</source>
+        <translation>Beschrijving, voor wie het niet ziet</translation>
     </message>
 </context>
 <context>
