@@ -204,7 +204,7 @@ class AltTextCommandTest : public QObject {
       const QString deck = path("hostile");
       QCOMPARE(runSline(QStringList{"export", scene, "--svg", svg, "--anki", deck, "--glb",
                                     path("hostile.glb"), "--pdf", path("hostile.pdf"), "--credits",
-                                    "line", "--size-mm", "80x60"} +
+                                    "line", "--size-mm", "240x160"} +
                         flags)
                    .code,
                0);
