@@ -63,6 +63,7 @@ std::vector<SeenCover> SeenMap::covers() const {
       }
     }
   std::vector<SeenCover> all;
+  all.reserve(hidden.size());
   for (const auto& [pair, cells] : hidden)
     all.push_back({m_layers[pair.first].node().id, m_layers[pair.second].node().id,
                    cells / own[pair.second]});
