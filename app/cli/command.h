@@ -24,6 +24,8 @@ enum class Exit : int {
 
 void addRender(CLI::App& program, Exit& exit);
 void addAnnotate(CLI::App& program, Exit& exit);
+void addDescribe(CLI::App& program, Exit& exit);
+void addCredit(CLI::App& program, Exit& exit);
 void addCompare(CLI::App& program, Exit& exit);
 void addCompose(CLI::App& program, Exit& exit);
 void addLines(CLI::App& program, Exit& exit);

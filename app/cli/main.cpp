@@ -79,6 +79,8 @@ int run(int argc, char** argv) {
   sline::cli::addReload(program, exit);
   sline::cli::addView(program, exit);
   sline::cli::addAnnotate(program, exit);
+  sline::cli::addDescribe(program, exit);
+  sline::cli::addCredit(program, exit);
   sline::cli::addDemo(program, exit);
   sline::cli::addRamp(program, exit);
   sline::cli::addSteadiness(program, exit);

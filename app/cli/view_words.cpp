@@ -51,6 +51,9 @@ std::vector<CLI::Option*> addViewWordOptions(CLI::App& command, ViewWordFlags& f
           add("--text", flags.text,
               "What is to be read with the view, marked up as callouts are: *italic*, **bold**"),
           add("--notes", flags.notes, "Notes for who presents the view"),
+          add("--alt", flags.alt,
+              "What the view shows, for who does not see it; exports say it where labels are "
+              "written out, and else what is seen (`sline describe`)"),
           command
               .add_option("--seconds", flags.seconds,
                           "How long the view is shown in films; 0 for as long as others")
@@ -66,7 +69,7 @@ Result<model::ViewWords> withWordFlags(const model::ViewWords& words, const View
   };
   for (const Said& said :
        {Said{"--title", flags.title, changed.title}, Said{"--text", flags.text, changed.text},
-        Said{"--notes", flags.notes, changed.notes}})
+        Said{"--notes", flags.notes, changed.notes}, Said{"--alt", flags.alt, changed.description}})
     if (const Status applied = applyWords(said.flag, said.values, said.wording); !applied.ok())
       return applied.error();
   if (flags.seconds && *flags.seconds != 0.0f && !model::viewSecondsLimits.contain(*flags.seconds))
@@ -80,7 +83,8 @@ Result<model::ViewWords> withWordFlags(const model::ViewWords& words, const View
 nlohmann::json jsonWords(const model::ViewWords& words) {
   nlohmann::json json{{"title", jsonWording(words.title)},
                       {"text", jsonWording(words.text)},
-                      {"notes", jsonWording(words.notes)}};
+                      {"notes", jsonWording(words.notes)},
+                      {"alt", jsonWording(words.description)}};
   json["seconds"] = words.seconds ? nlohmann::json(model::jsonNumber(*words.seconds)) : nullptr;
   return json;
 }

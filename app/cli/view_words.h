@@ -17,9 +17,12 @@ struct ViewWordFlags {
   std::vector<std::string> title;
   std::vector<std::string> text;
   std::vector<std::string> notes;
+  std::vector<std::string> alt;
   std::optional<float> seconds;
 
-  bool any() const { return !title.empty() || !text.empty() || !notes.empty() || seconds; }
+  bool any() const {
+    return !title.empty() || !text.empty() || !notes.empty() || !alt.empty() || seconds;
+  }
 };
 
 /// Declares the flags; returns them, so that a command can say what they go with.
@@ -29,8 +32,8 @@ std::vector<CLI::Option*> addViewWordOptions(CLI::App& command, ViewWordFlags& f
 /// error names the flag.
 Result<model::ViewWords> withWordFlags(const model::ViewWords& words, const ViewWordFlags& flags);
 
-/// Returns title, text, notes and seconds as the list for programs has them: texts by language, ""
-/// for the scene's own.
+/// Returns title, text, notes, alt and seconds as the list for programs has them: texts by
+/// language, "" for the scene's own.
 nlohmann::json jsonWords(const model::ViewWords& words);
 
 }  // namespace sline::cli

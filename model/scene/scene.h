@@ -18,6 +18,7 @@
 #include "model/geometry/paint.h"
 #include "model/scene/annotation.h"
 #include "model/scene/camera.h"
+#include "model/scene/credit.h"
 #include "model/scene/focus.h"
 #include "model/scene/light.h"
 #include "model/scene/look.h"
@@ -65,6 +66,7 @@ struct Provenance {
   /// The transform that a scene around the file applied: the rows of an affine map of RAS
   /// millimetres.
   std::optional<std::array<float, 12>> transform;
+  SourceCredit credit;  ///< as its file or the folder around it says, or as a person does
   bool operator==(const Provenance&) const = default;
 };
 
@@ -90,6 +92,8 @@ struct ViewWords {
   Wording title;                 ///< without one, the view's name is its title
   Wording text;                  ///< to be read with the picture, marked up as in markup.h
   Wording notes;                 ///< for who presents it, plain
+  Wording description;           ///< of the picture for who does not see it, plain; without one it
+                                 ///< is made of what the picture shows (render/description)
   std::optional<float> seconds;  ///< how long it is shown; absent: as long as others
   bool operator==(const ViewWords&) const = default;
 };

@@ -2,6 +2,8 @@
 #include "model/scene_file/provenance_json.h"
 
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace sline::model {
 
@@ -10,6 +12,30 @@ using Ordered = nlohmann::ordered_json;
 
 /// Counts stay exact in programs that have no other numbers than doubles.
 constexpr std::int64_t largestCount = std::int64_t(1) << 53;
+
+SourceCredit creditFrom(JsonObject& object) {
+  SourceCredit credit;
+  for (const auto& [key, target] :
+       {std::pair("authors", &credit.authors), std::pair("source", &credit.source),
+        std::pair("licence", &credit.licence)})
+    if (const auto text = object.take(key)) {
+      *target = text->text();
+      if (target->size() > longestCredit)
+        text->fail("a line of at most " + std::to_string(longestCredit) +
+                   " bytes is expected here");
+    }
+  return credit;
+}
+
+Ordered creditJson(const SourceCredit& credit) {
+  Ordered json = Ordered::object();
+  for (const auto& [key, text] :
+       {std::pair("authors", &credit.authors), std::pair("source", &credit.source),
+        std::pair("licence", &credit.licence)})
+    if (!text->empty())
+      json[key] = *text;
+  return json;
+}
 
 std::optional<IntensityRange> rangeFrom(JsonObject& object) {
   const auto value = object.take("intensities");
@@ -63,6 +89,11 @@ Provenance provenanceFrom(JsonObject& object) {
   }
   if (const auto transform = object.take("transform"))
     p.transform = transform->numbers<12>();
+  if (const auto credit = object.take("credit")) {
+    JsonObject inner(*credit);
+    p.credit = creditFrom(inner);
+    object.giveBack("credit", inner.rest());
+  }
   return p;
 }
 
@@ -98,6 +129,8 @@ Ordered provenanceJson(const Provenance& p) {
     for (const float number : *p.transform)
       json["transform"].push_back(jsonNumber(number));
   }
+  if (!p.credit.empty())
+    json["credit"] = creditJson(p.credit);
   return json;
 }
 

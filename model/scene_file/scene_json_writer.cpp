@@ -173,7 +173,7 @@ Ordered wordingOf(const Wording& wording) {
 void addWords(Ordered& json, const ViewWords& words) {
   for (const auto& [key, wording] :
        {std::pair("title", &words.title), std::pair("text", &words.text),
-        std::pair("notes", &words.notes)})
+        std::pair("notes", &words.notes), std::pair("description", &words.description)})
     if (!wording->empty())
       json[key] = wordingOf(*wording);
   if (words.seconds)

@@ -242,7 +242,8 @@ View SceneJsonReader::view(const JsonValue& value) const {
     view.focus = focus(*focused);
   view.words = {.title = wordingFrom(object, "title"),
                 .text = wordingFrom(object, "text"),
-                .notes = wordingFrom(object, "notes")};
+                .notes = wordingFrom(object, "notes"),
+                .description = wordingFrom(object, "description")};
   if (const auto seconds = object.take("seconds")) {
     view.words.seconds = seconds->number();
     if (!viewSecondsLimits.contain(*view.words.seconds))

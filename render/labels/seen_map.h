@@ -25,6 +25,19 @@ struct SeenPlace {
   bool sure = true;
 };
 
+/// How much of a picture shows a structure.
+struct SeenShare {
+  model::NodeId structure;
+  float cells = 0.0f;      ///< how many of the map's it fills, by colour and outline
+  glm::vec2 middle{0.0f};  ///< the middle of what shows, millimetres of the output
+};
+/// Tells that a structure hides a part of another, of which one sees the rest.
+struct SeenCover {
+  model::NodeId before;
+  model::NodeId behind;
+  float share = 0.0f;  ///< of what would be seen of the one behind if the other were away, 0 … 1
+};
+
 class SeenMap {
  public:
   /// Draws the visible structures as the screen shows them. What takes long to make of their meshes
@@ -48,6 +61,10 @@ class SeenMap {
   std::optional<model::Annotation> labelFor(model::NodeId structure) const;
   /// Returns the label with a place that `find` has returned.
   static model::Annotation labelAt(model::NodeId structure, const SeenPlace& place);
+  /// Returns what the picture shows of each structure that shows anywhere, the most first.
+  std::vector<SeenShare> shares() const;
+  /// Returns which structure hides a part of which other, the largest parts first.
+  std::vector<SeenCover> covers() const;
   /// Tells whether the structure is not what one sees at that place of its surface.
   bool hides(model::NodeId structure, const glm::vec3& p) const;
 

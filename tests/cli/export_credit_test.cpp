@@ -52,10 +52,10 @@ class ExportCreditTest : public QObject {
     // A sheet's paper has a size of its own.
     const QStringList size =
         flags.contains("--sheet") ? QStringList() : QStringList{"--size-mm", "80x60"};
-    const Finished finished =
-        runSline(QStringList{"export", m_scene, "--" + kind, out() + "/" + name, "--dpi", "72",
-                             "--seconds", "0.5", "--fps", "6", "--film-height", "96"} +
-                 size + flags);
+    const Finished finished = runSline(
+        QStringList{"export", m_scene, "--" + kind, out() + "/" + name, "--dpi", "72", "--seconds",
+                    "0.5", "--fps", "6", "--film-height", "96", "--alt", "off"} +
+        size + flags);
     if (finished.code != 0)
       qWarning("%s", finished.err.constData());
     QStringList files;

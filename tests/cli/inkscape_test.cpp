@@ -30,6 +30,7 @@ struct Outline {
   QString width;
   QString height;
   QString viewBox;
+  QString title;                      ///< that of the document
   std::map<QString, QString> titles;  ///< titles of groups, by their ids
   std::map<QString, QString> labels;  ///< labels as Inkscape shows them, by ids too
   QStringList layers;                 ///< ids, in order
@@ -63,7 +64,8 @@ Outline outlineOf(const QString& file) {
     if (attributes.value(spaceOfInkscape, "groupmode") == QLatin1String("layer"))
       outline.layers << id;
     if (reader.name() == QLatin1String("title")) {
-      outline.titles[open.value(open.size() - 1)] = reader.readElementText();
+      const QString title = reader.readElementText();
+      (open.size() == 1 ? outline.title : outline.titles[open.value(open.size() - 1)]) = title;
       continue;
     }
     if (reader.name() == QLatin1String("text")) {
@@ -181,6 +183,8 @@ void InkscapeTest::savedAgainItIsTheSame() {
   // SVG.
   QVERIFY2(ours.titles.size() > 40, qPrintable(QString::number(ours.titles.size())));
   QCOMPARE(theirs.titles, ours.titles);
+  QVERIFY2(ours.title.startsWith("Drawing of"), qPrintable(ours.title));
+  QCOMPARE(theirs.title, ours.title);
   QCOMPARE(named(ours.labels), named(ours.titles));
   if (plain)
     return;

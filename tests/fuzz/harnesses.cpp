@@ -8,6 +8,7 @@
 
 #include "model/edit/letter_style.h"
 #include "model/figure/figure_file.h"
+#include "model/import/credits/source_credit.h"
 #include "model/import/dicom/dicom.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/import.h"
@@ -237,6 +238,20 @@ std::string bulkStore(std::string_view bytes) {
   return {};
 }
 
+/// Checks that what is said of authors and terms is one line each. The first byte says what text it
+/// is in.
+std::string credit(std::string_view bytes) {
+  const auto kind = model::CreditText(bytes.empty() ? 0 : std::uint8_t(bytes.front()) % 4);
+  const model::SourceCredit said =
+      model::creditIn(bytes.substr(std::min<std::size_t>(1, bytes.size())), kind);
+  for (const std::string* text : {&said.authors, &said.source, &said.licence})
+    if (text->size() > model::longestCredit ||
+        std::any_of(text->begin(), text->end(),
+                    [](char letter) { return std::uint8_t(letter) < ' ' || letter == 0x7f; }))
+      return "no line of text";
+  return {};
+}
+
 /// Checks that the spans of a callout are bytes of its text in order, and that another style for
 /// some of them changes no word. The first byte says where the selection is.
 std::string markup(std::string_view bytes) {
@@ -340,6 +355,7 @@ constexpr Harness table[] = {
     {"bulk_store", bulkStore},
     {"mesh_codec", meshCodec},
     {"scan_codec", scanCodec},
+    {"credit", credit},
     {"markup", markup},
     {"figure", figure},
     {"import", wholeImport},

@@ -268,6 +268,30 @@ class ExportDialogTest : public QObject {
     }
   }
 
+  /// Where nothing is typed the field has what the file will say; what is typed is said once.
+  void whatTheFileSays() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.small();
+    auto* field = &desk.part<QPlainTextEdit>("export-altText");
+    QTRY_VERIFY2(field->placeholderText().startsWith(QStringLiteral("Drawing of")),
+                 qPrintable(field->placeholderText()));
+    QVERIFY(desk.part<QLabel>("exportSummary").text().contains(QStringLiteral("in words")));
+    QTest::keyClicks(field, QStringLiteral("off"));
+    QVERIFY(!desk.part<QLabel>("exportSummary").text().contains(QStringLiteral("in words")));
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("Balls <&>"));
+    desk.target(desk.out.filePath(QStringLiteral("told.svg")));
+    desk.click("exportButton");
+    QVERIFY(desk.finished());
+    const QByteArray svg = contents(desk.out.filePath(QStringLiteral("told.svg")));
+    QVERIFY(svg.contains(">Balls &lt;&amp;&gt;</desc>"));
+    QApplication::setActiveWindow(&desk.window);
+    desk.show();
+    QCOMPARE(desk.part<QPlainTextEdit>("export-altText").toPlainText(), QString());
+  }
+
   void eachSavedViewIsAFile() {
     ExportDesk desk;
     desk.show();

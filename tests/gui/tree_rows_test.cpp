@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the list of structures by hand: eyes, locks, values and the context menu.
+#include <QApplication>
 #include <QClipboard>
+#include <QDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QTimer>
 #include <QtTest>
@@ -226,6 +229,33 @@ class TreeRowsTest : public QObject {
     QVERIFY(QGuiApplication::clipboard()->text().contains("RAS (header)"));
     QTest::mouseClick(&f.control<QWidget>("propertiesClose"), Qt::LeftButton);
     QTRY_VERIFY(!f.window.findChild<QWidget*>("propertiesDialog"));
+  }
+
+  void propertiesSayWhoseWorkItIs() {
+    WindowFixture f;
+    QVERIFY(openScene(f, madeBody()));
+    click(f, "left kidney", StructureTreeModel::name);
+    press(f, QKeySequence("Alt+Return"));
+    // There is no window manager to activate it.
+    QApplication::setActiveWindow(&f.control<QDialog>("propertiesDialog"));
+    const auto type = [&](const char* name, const char* text) {
+      auto& edit = f.control<QLineEdit>(name);
+      edit.setFocus();
+      QTest::keyClicks(&edit, text);
+      QTest::keyClick(&edit, Qt::Key_Tab);
+    };
+    const auto credit = [&] {
+      for (const model::Node& node : f.session.scene().nodes())
+        if (node.name == "left kidney")
+          return node.provenance.credit;
+      return model::SourceCredit();
+    };
+    type("property-authors", "Jane <Doe>");
+    type("property-licence", "CC BY 4.0");
+    QCOMPARE(credit().line(), std::string("Jane <Doe>, CC BY 4.0"));
+    f.session.undo();
+    QCOMPARE(credit().line(), std::string("Jane <Doe>"));
+    QTest::mouseClick(&f.control<QWidget>("propertiesClose"), Qt::LeftButton);
   }
 };
 

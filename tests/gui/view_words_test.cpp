@@ -44,6 +44,7 @@ class ViewWordsTest : public QObject {
 
  private slots:
   void typed();
+  void whatItShows();
   void eachViewItsOwn();
   void inLanguages();
   void undone();
@@ -79,6 +80,22 @@ void ViewWordsTest::typed() {
   f.text().selectAll();
   QTest::keyClick(&f.text(), Qt::Key_B, Qt::ControlModifier);
   QCOMPARE(f.said().text.text, std::string("**levator ani**"));
+}
+
+/// What is told who does not see the picture is typed beside the rest, and is in no caption.
+void ViewWordsTest::whatItShows() {
+  Words f;
+  f.speak("scene");
+  auto& field = f.control<QPlainTextEdit>("viewDescription");
+  QVERIFY(field.placeholderText().contains("does not see"));
+  QTest::keyClicks(&field, "Two balls & a third");
+  QCOMPARE(f.said().description.text, std::string("Two balls & a third"));
+  f.speak("de");
+  QCOMPARE(field.toPlainText(), QString());
+  QCOMPARE(field.placeholderText(), QString("Two balls & a third"));
+  QTest::keyClicks(&field, "Kugeln");
+  QCOMPARE(f.said().description.texts.at("de"), std::string("Kugeln"));
+  QVERIFY(f.said().text.empty() && f.said().notes.empty());
 }
 
 void ViewWordsTest::eachViewItsOwn() {

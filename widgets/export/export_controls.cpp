@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QScrollArea>
@@ -14,6 +15,7 @@
 #include <iterator>
 #include <utility>
 
+#include "widgets/export/alt_text_hint.h"
 #include "widgets/export/export_dialog.h"
 #include "widgets/export/export_preview.h"
 #include "widgets/export/export_texts.h"
@@ -174,6 +176,10 @@ void ExportDialog::connectControls() {
   connect(m_filled, &QCheckBox::toggled, this, [this](bool filled) {
     m_draft.filled = filled;
     refresh();
+  });
+  connect(m_hint, &AltTextHint::told, this, [this](const QString& text) {
+    if (auto* words = findChild<QPlainTextEdit*>(QStringLiteral("export-altText")))
+      words->setPlaceholderText(text);
   });
   connect(m_preview, &ExportPreview::drawn, this, &ExportDialog::showDoubt);
   connect(m_preview, &ExportPreview::drawn, this, &ExportDialog::showPager);

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "render/export/order/view_orders.h"
+#include "widgets/export/alt_text_hint.h"
 #include "widgets/export/export_preview.h"
 #include "widgets/export/export_texts.h"
 #include "widgets/export/file_pager.h"
@@ -69,6 +70,7 @@ ExportDialog::ExportDialog(ExportDraft& draft, ExportSource source, Viewport& vi
       m_page(new PagePanel(draft)),
       m_preview(new ExportPreview(viewport)),
       m_gauge(new SizeGauge(parent)),
+      m_hint(new AltTextHint(this)),
       m_pager(new FilePager),
       m_summary(plainLabel("exportSummary")),
       m_doubt(plainLabel("exportDoubt")),
@@ -168,6 +170,7 @@ void ExportDialog::refresh() {
   m_page->setEnabled(!hasOwnPage(m_draft));
   showPager();
   m_preview->show(shown());
+  m_hint->ask(shown());
   sayLanguage();
   showSummary();
   showDoubt();
@@ -269,6 +272,7 @@ void ExportDialog::give() {
   const std::vector<ExportFile> files = m_files;
   const QString kind = m_draft.kind;
   m_draft.target = target();
+  m_draft.order.altText.clear();  // it is about this picture
   accept();
   emit exportWanted(kind, files);
 }

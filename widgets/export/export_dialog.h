@@ -15,6 +15,7 @@ class QVBoxLayout;
 
 namespace sline::widgets {
 
+class AltTextHint;
 class ExportPreview;
 class FilePager;
 class PagePanel;
@@ -92,6 +93,7 @@ class ExportDialog : public QDialog {
   QLabel* m_pageHeading = nullptr;
   ExportPreview* m_preview;
   SizeGauge* m_gauge;  ///< outlives the dialog while it measures
+  AltTextHint* m_hint;
   FilePager* m_pager;
   QLabel* m_summary;
   QLabel* m_doubt;

@@ -124,6 +124,12 @@ QString creditText(const ExportDraft& draft) {
                                     : tr("Author and rights are in the file as you typed them.");
 }
 
+QString descriptionText(const ExportDraft& draft) {
+  return draft.order.altText == "off"
+             ? QString()
+             : tr("What is seen is also told in words, for who does not see it.");
+}
+
 QString privacyText(const ExportDraft& draft) {
   if (pageUseOf(draft.kind) == render::PageUse::slides)
     return tr(
@@ -164,7 +170,8 @@ QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile
   QStringList sentences{subjectText(draft, files), cardText(draft, files.front().order)};
   if (pageUseOf(draft.kind) != render::PageUse::none)
     sentences << labelText(draft, pages) << sizeText(draft, files);
-  sentences << weightText(files, bytes) << privacyText(draft) << creditText(draft);
+  sentences << weightText(files, bytes) << privacyText(draft) << descriptionText(draft)
+            << creditText(draft);
   sentences.removeAll(QString());
   return sentences;
 }

@@ -7,6 +7,7 @@
 #include <QFormLayout>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QPointer>
 #include <QPushButton>
@@ -14,7 +15,9 @@
 #include <QThreadPool>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <set>
 
+#include "model/edit/credits.h"
 #include "model/fairing/faired.h"
 #include "model/scene/resolved_styles.h"
 #include "widgets/gamma/stages.h"
@@ -177,7 +180,7 @@ std::vector<Property> extentProperties(const std::vector<model::MeshPtr>& meshes
           {QStringLiteral("volume"), tr("Volume"), inside}};
 }
 
-StructureProperties::StructureProperties(const Session& session, const NodeIds& ids,
+StructureProperties::StructureProperties(Session& session, const NodeIds& ids,
                                          const QString& explanation, QWidget* parent)
     : QDialog(parent), m_form(new QFormLayout) {
   setObjectName(QStringLiteral("propertiesDialog"));
@@ -212,6 +215,7 @@ StructureProperties::StructureProperties(const Session& session, const NodeIds& 
   buttons->button(QDialogButtonBox::Close)->setDefault(true);
 
   add(propertiesOf(session.scene(), ids));
+  addCredit(session, ids);
   if (!explanation.isEmpty())
     add({{QStringLiteral("drawn"), tr("Drawn"), explanation}});
   std::vector<model::MeshPtr> meshes;
@@ -239,6 +243,45 @@ void StructureProperties::add(const std::vector<Property>& properties) {
     label->setEnabled(false);
     m_form->addRow(label, text);
     m_lines << property.label + QLatin1Char('\t') + property.text;
+  }
+}
+
+/// Adds a field for each part of the credit; one that is left open changes nothing.
+void StructureProperties::addCredit(Session& session, const NodeIds& ids) {
+  const struct {
+    const char* id;
+    QString label;
+    std::string model::SourceCredit::*field;
+    std::optional<std::string> model::CreditChange::*change;
+  } rows[] = {
+      {"authors", tr("Authors"), &model::SourceCredit::authors, &model::CreditChange::authors},
+      {"source", tr("Source"), &model::SourceCredit::source, &model::CreditChange::source},
+      {"licence", tr("Licence"), &model::SourceCredit::licence, &model::CreditChange::licence}};
+  for (const auto& row : rows) {
+    std::set<std::string> said;
+    for (const auto& [node, style] : model::resolvedBelow(session.scene(), ids))
+      said.insert(node->provenance.credit.*row.field);
+    auto* edit = new QLineEdit;
+    edit->setObjectName(QStringLiteral("property-") + QLatin1String(row.id));
+    edit->setAccessibleName(row.label);
+    edit->setToolTip(tr("Whose work the surface is; exports print it where you wish"));
+    edit->setMaxLength(int(model::longestCredit));
+    if (said.size() == 1)
+      edit->setText(QString::fromStdString(*said.begin()));
+    else
+      edit->setPlaceholderText(tr("several"));
+    auto* label = new QLabel(row.label);
+    label->setEnabled(false);
+    label->setBuddy(edit);
+    m_form->addRow(label, edit);
+    connect(edit, &QLineEdit::editingFinished, this, [&session, ids, edit, change = row.change] {
+      if (!edit->isModified())
+        return;
+      edit->setModified(false);
+      model::CreditChange typed;
+      typed.*change = edit->text().toStdString();
+      session.apply(tr("Say Whose Work It Is"), model::withCredit(session.scene(), ids, typed));
+    });
   }
 }
 

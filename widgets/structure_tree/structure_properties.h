@@ -25,16 +25,18 @@ std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids
 /// closed.
 std::vector<Property> extentProperties(const std::vector<model::MeshPtr>& meshes);
 
-/// Shows the properties as they are when it opens, as text that can be selected and copied.
+/// Shows the properties as they are when it opens, as text that can be selected and copied, and
+/// fields in which one says whose work the surfaces are.
 class StructureProperties : public QDialog {
   Q_OBJECT
  public:
   /// `explanation` says why a single structure is drawn as it is; it may be empty.
-  StructureProperties(const Session& session, const NodeIds& ids, const QString& explanation,
+  StructureProperties(Session& session, const NodeIds& ids, const QString& explanation,
                       QWidget* parent = nullptr);
 
  private:
   void add(const std::vector<Property>& properties);
+  void addCredit(Session& session, const NodeIds& ids);
   void copy() const;
 
   QFormLayout* m_form;

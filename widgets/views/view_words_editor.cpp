@@ -49,17 +49,26 @@ ViewWordsEditor::ViewWordsEditor(Session& session, Viewport& viewport, Preferenc
   m_text->setToolTip(LabelField::markupHint());
   m_notes = makeField("viewNotes", tr("Notes for who presents the view"));
   m_notes->setToolTip(tr("For you alone, while you present: no file for others has them"));
+  m_description = makeField("viewDescription", tr("What the view shows"));
+  m_description->setToolTip(
+      tr("For who does not see the picture: files for others have it, and without it they say what "
+         "is seen"));
   grid->addWidget(m_text, 0, 1, 2, 1);
   grid->addWidget(m_notes, 0, 2, 2, 1);
   grid->setColumnStretch(0, 3);
   grid->setColumnStretch(1, 5);
+  grid->addWidget(m_description, 0, 3, 2, 1);
   grid->setColumnStretch(2, 4);
+  grid->setColumnStretch(3, 3);
   connect(m_title, &QLineEdit::textEdited, this,
           [this](const QString& text) { writeWording("title", &model::ViewWords::title, text); });
   connect(m_text, &QPlainTextEdit::textChanged, this,
           [this] { writeWording("text", &model::ViewWords::text, m_text->toPlainText()); });
   connect(m_notes, &QPlainTextEdit::textChanged, this,
           [this] { writeWording("notes", &model::ViewWords::notes, m_notes->toPlainText()); });
+  connect(m_description, &QPlainTextEdit::textChanged, this, [this] {
+    writeWording("description", &model::ViewWords::description, m_description->toPlainText());
+  });
   connect(m_seconds, &QDoubleSpinBox::valueChanged, this, [this](double seconds) {
     if (const model::View* now = view(); now && !m_following) {
       model::ViewWords words = now->words;
@@ -166,7 +175,8 @@ void ViewWordsEditor::showWords() {
     const model::Wording& wording;
     QString hint;
   } fields[] = {{*m_text, words.text, tr("Text, to be read with the view")},
-                {*m_notes, words.notes, tr("Notes, for who presents it")}};
+                {*m_notes, words.notes, tr("Notes, for who presents it")},
+                {*m_description, words.description, tr("Description, for who does not see it")}};
   for (const auto& each : fields) {
     const QString text = ownWords(each.wording, m_language);
     if (each.field.toPlainText() != text)

@@ -19,8 +19,9 @@ class LabelField;
 class ViewCaption;
 
 /// Edits what the chosen view says: its title, a text marked up as callouts are, notes for who
-/// presents it, in the language in which labels are typed, and how long it is shown. While it is
-/// open the picture has title and text as pictures and films will have them.
+/// presents it and what it shows for who does not see it, in the language in which labels are
+/// typed, and how long it is shown. While it is open the picture has title and text as pictures and
+/// films will have them.
 class ViewWordsEditor : public QWidget {
   Q_OBJECT
  public:
@@ -53,6 +54,7 @@ class ViewWordsEditor : public QWidget {
   QDoubleSpinBox* m_seconds = nullptr;
   LabelField* m_text = nullptr;
   LabelField* m_notes = nullptr;
+  LabelField* m_description = nullptr;
   int m_index = -1;
   std::string m_language;    ///< in which words are typed; empty for the scene's own
   bool m_following = false;  ///< the session changes the controls, not the user

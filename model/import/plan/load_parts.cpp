@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/disk/memory_budget.h"
+#include "model/import/credits/source_credit.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/naming/laterality.h"
 #include "model/import/naming/names.h"
@@ -166,6 +167,7 @@ LoadedParts partsFrom(const Sources& sources, std::size_t index, Result<RawMeshe
   std::vector<RawMesh>& meshes = read->meshes;
   std::map<std::string, FileFacts> facts = factsOf(source, meshes);
   const std::vector<std::string> names = partNames(meshes);
+  const SourceCredit credit = creditOf(source.file);
   for (std::size_t i = 0; i < meshes.size() && loading.meter.goesOn(shown); ++i) {
     Part part;
     part.file = index;
@@ -175,8 +177,10 @@ LoadedParts partsFrom(const Sources& sources, std::size_t index, Result<RawMeshe
     const std::string& file = part.raw.file.empty() ? shown : part.raw.file;
     part.provenance.file = part.raw.origin.empty() ? file : part.raw.origin;
     // Without its file's name there is nothing to read again by.
-    if (part.raw.origin.empty())
+    if (part.raw.origin.empty()) {
       part.provenance.fingerprint = facts[file].fingerprint;
+      part.provenance.credit = credit;
+    }
     if (facts[file].surfaces > 1 || part.raw.threshold)
       part.provenance.part = names[i];
     if (const auto& threshold = part.raw.threshold)

@@ -9,6 +9,7 @@
 #include "model/scene/label_words.h"
 #include "render/export/anki/anki_options.h"
 #include "render/export/anki/card_painter.h"
+#include "render/export/description/alt_text.h"
 #include "render/export/order/sheet_words.h"
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
@@ -26,7 +27,7 @@ AnkiDeck emptyDeck(const ExportOrder& order) {
   deck.name = !name.empty()                                      ? name
               : !order.viewName.empty() && !wantsAllViews(order) ? order.viewName
                                                                  : "Anatomy";
-  deck.description = order.credit.line();
+  deck.description = fileCredit(order, {}).line();
   return deck;
 }
 
@@ -106,6 +107,7 @@ class Cards {
     std::map<model::AnnotationId, int> numbers;
     std::string ground;
     std::string numbered;  ///< what stands over the ground where numbers do
+    std::string shows;     ///< in words that name nothing
   };
 
   Status addView(const ExportOrder& order, const std::string& title) {
@@ -126,6 +128,9 @@ class Cards {
       return Unit{};
     if (Status drawn = drawGround(sheet.order, plate.marks, sheet.ground); !drawn.ok())
       return drawn;
+    ExportOrder asked = sheet.order;
+    asked.labels.mode = LabelMode::numbers;  // a question names nothing
+    sheet.shows = altTextOf(asked).text;
     if (Status numbered = addNumbers(sheet); !numbered.ok())
       return numbered;
     addPart(order, title);
@@ -184,7 +189,8 @@ class Cards {
       if (Status drawn = addFaces(note, sheet, id, labels); !drawn.ok())
         return drawn;
       if (!numbers.empty()) {
-        note.numbered = {question.words + ": " + m_words.whichNumber, sheet.ground, sheet.numbered};
+        note.numbered = {question.words + ": " + m_words.whichNumber, sheet.ground, sheet.numbered,
+                         sheet.shows};
         note.numbers = std::exchange(numbers, {});
       }
       if (!note.marked.empty() || !note.numbered.empty() || !note.covered.empty())
@@ -198,10 +204,13 @@ class Cards {
     const CardPainter painter(sheet.order);
     const LabelPlate alone = onlyThose(sheet.named, {id});
     note.named.ground = sheet.ground;
+    // An answer names what it answers alone: others are asked for later.
+    if (!sheet.shows.empty())
+      note.named.shows = sheet.shows + ' ' + note.label;
     if (Status drawn = addPicture(painter.labels(alone), note.named.over); !drawn.ok())
       return drawn;
     if (wanted.nameIt) {
-      note.marked = {m_words.whatIsMarked, sheet.ground, {}};
+      note.marked = {m_words.whatIsMarked, sheet.ground, {}, sheet.shows};
       if (Status drawn = addPicture(painter.question(alone, {id}), note.marked.over); !drawn.ok())
         return drawn;
     }
@@ -212,7 +221,7 @@ class Cards {
     for (const ShownLabel& label : sheet.named.labels)
       if (!labels.contains(label.item.id))
         shown.insert(label.item.id);
-    note.covered = {m_words.whatIsHidden, sheet.ground, {}};
+    note.covered = {m_words.whatIsHidden, sheet.ground, {}, sheet.shows};
     return addPicture(painter.question(onlyThose(sheet.named, shown), {id}), note.covered.over);
   }
 

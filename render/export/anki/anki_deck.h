@@ -15,7 +15,8 @@ namespace sline::render {
 struct AnkiFace {
   std::string words;  ///< plain text above the pictures
   std::string ground;
-  std::string over;  ///< what is written over the ground, and clear elsewhere
+  std::string over;   ///< what is written over the ground, and clear elsewhere
+  std::string shows;  ///< what the pictures show, plain text, for who does not see them
 
   bool empty() const { return ground.empty(); }
 };

@@ -30,13 +30,17 @@ std::string profileChunk(const std::string& profile) {
       "iCCP", std::string("Grey") + '\0' + '\0' + zlibStream(std::as_bytes(std::span(profile))));
 }
 
-/// Returns a chunk of UTF-8 text that is not deflated and has no language.
-std::string textChunk(const std::string& keyword, const std::string& text) {
-  return text.empty() ? std::string() : pngChunk("iTXt", keyword + std::string(5, '\0') + text);
+/// Returns a chunk of UTF-8 text that is not deflated; the language may be unknown.
+std::string textChunk(const std::string& keyword, const std::string& text,
+                      const std::string& language = {}) {
+  return text.empty() ? std::string()
+                      : pngChunk("iTXt", keyword + std::string(3, '\0') + language +
+                                             std::string(2, '\0') + text);
 }
 
 std::string creditChunks(const ExportCredit& credit) {
   return textChunk("Author", credit.author) + textChunk("Copyright", credit.copyright) +
+         textChunk("Description", credit.description, credit.descriptionLanguage) +
          textChunk("XML:com.adobe.xmp", xmpPacket(credit));
 }
 

@@ -8,6 +8,8 @@ namespace sline::render {
 std::string xmpPacket(const ExportCredit& credit) {
   if (credit.empty())
     return {};
+  // A language that is not known is the default one.
+  const std::string& language = credit.descriptionLanguage;
   // The names and the packet's id are those of §7.
   std::string xmp =
       "<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
@@ -20,6 +22,14 @@ std::string xmpPacket(const ExportCredit& credit) {
   if (!credit.copyright.empty())
     xmp += "<dc:rights><rdf:Alt><rdf:li xml:lang=\"x-default\">" + xmlText(credit.copyright) +
            "</rdf:li></rdf:Alt></dc:rights>\n";
+  if (!credit.description.empty()) {
+    xmp += "<dc:description><rdf:Alt><rdf:li xml:lang=\"x-default\">" +
+           xmlText(credit.description) + "</rdf:li>";
+    if (!language.empty())
+      xmp += "<rdf:li xml:lang=\"" + xmlText(language) + "\">" + xmlText(credit.description) +
+             "</rdf:li>";
+    xmp += "</rdf:Alt></dc:description>\n";
+  }
   return xmp + "</rdf:Description>\n</rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"r\"?>";
 }
 

@@ -7,7 +7,8 @@
 
 namespace sline::render {
 
-/// Returns the credit as an XMP packet (ISO 16684-1) of Dublin Core's creator and rights; empty
+/// Returns the credit as an XMP packet (ISO 16684-1) of Dublin Core's creator, rights and
+/// description; empty
 /// where there is none.
 std::string xmpPacket(const ExportCredit& credit);
 

@@ -2,10 +2,12 @@
 #include "render/export/gltf/gltf_document.h"
 
 #include <limits>
+#include <utility>
 
 #include "model/base/colour_text.h"
 #include "model/scene/markup.h"
 #include "model/scene/resolved_styles.h"
+#include "render/export/description/alt_text.h"
 #include "render/export/gltf/gltf_buffer.h"
 #include "render/export/gltf/gltf_json.h"
 #include "render/export/gltf/gltf_sights.h"
@@ -90,6 +92,8 @@ class Document {
     if (!node.isGroup()) {
       described["mesh"] = addMesh(i);
       described["extras"] = styleExtras(m_styles[i]);
+      if (!node.provenance.credit.empty() && m_order.sources != SourceCredits::off)
+        described["extras"]["credit"] = creditExtras(node.provenance.credit);
     }
     const std::size_t place = add(std::move(described));
     addChild(placeOf(node.parent), place);
@@ -191,6 +195,24 @@ class Document {
       addCamera(view.name, view.camera, viewExtras(scene, view, m_places));
   }
 
+  static Json creditExtras(const model::SourceCredit& credit) {
+    Json extras = Json::object();
+    for (const auto& [key, text] :
+         {std::pair("authors", &credit.authors), std::pair("source", &credit.source),
+          std::pair("licence", &credit.licence)})
+      if (!text->empty())
+        extras[key] = *text;
+    return extras;
+  }
+
+  /// Returns the credit with those of the surfaces, which are in the file.
+  ExportCredit surfacesCredit() const {
+    ExportOrder order = m_order;
+    if (order.sources == SourceCredits::withSurfaces)
+      order.sources = SourceCredits::line;
+    return fileCredit(order);
+  }
+
   Json sceneExtras() const {
     Json extras{{"frame", "LPS"}, {"unit", "mm"}};
     for (const model::Section& section : m_order.scene.sections())
@@ -232,20 +254,24 @@ void appendChunk(std::string& glb, const char* type, std::string_view bytes, cha
 /// a name.
 Json assetOf(const ExportCredit& credit) {
   Json asset{{"version", "2.0"}, {"generator", "Sline " SLINE_VERSION}};
-  if (!credit.empty())
-    asset["copyright"] = credit.line();
+  if (const std::string line = credit.line(); !line.empty())
+    asset["copyright"] = line;
   if (!credit.author.empty())
     asset["extras"] = {{"author", credit.author}};
   return asset;
 }
 
 Result<std::string> Document::bytes() const {
-  Json root{{"asset", assetOf(m_order.credit)}, {"scene", 0}};
+  const ExportCredit credit = surfacesCredit();
+  Json root{{"asset", assetOf(credit)}, {"scene", 0}};
   Json scene = Json::object();
   // Lists in glTF are never empty.
   if (!m_roots.empty())
     scene["nodes"] = m_roots;
   scene["extras"] = sceneExtras();
+  if (!credit.description.empty())
+    scene["extras"]["description"] = {{"text", credit.description},
+                                      {"language", credit.descriptionLanguage}};
   root["scenes"] = Json::array({std::move(scene)});
   const std::string& binary = m_buffer.bytes();
   const auto put = [&root](const char* key, const Json& list) {

@@ -9,6 +9,8 @@
 
 #include "model/disk/whole_file.h"
 #include "model/disk/whole_folder.h"
+#include "model/edit/views.h"
+#include "render/export/description/alt_text.h"
 #include "render/export/motion/film_painter.h"
 #include "render/export/motion/film_sink.h"
 #include "render/export/motion/subtitles.h"
@@ -26,6 +28,22 @@ Error filmNotWritten(const fs::path& file, int code) {
 }
 
 namespace {
+
+/// Returns the credit, with what the film shows at its beginning; of a sweep through Γ nothing is
+/// named, as what one sees of a structure changes.
+ExportCredit filmCredit(const ExportOrder& order) {
+  ExportOrder first = order;
+  const Motion motion = order.of<FilmOptions>().motion;
+  if (motion == Motion::gammaSweep)
+    first.labels.mode = LabelMode::off;
+  if (motion == Motion::tour && !order.scene.views().empty()) {
+    const model::View& view = order.scene.views().front();
+    first.scene = model::withViewApplied(order.scene, view).scene;
+    first.camera = view.camera;
+    first.words = view.words;
+  }
+  return fileCredit(first, altTextOfFilm(first));
+}
 
 /// Writes one film into its file.
 class Filming {
@@ -57,7 +75,7 @@ class Filming {
             .frames = m_film->frames(),
             .framesPerSecond = m_film->framesPerSecond(),
             .transparent = m_order.environment.background == Background::transparent,
-            .credit = m_order.credit};
+            .credit = filmCredit(m_order)};
   }
 
   /// Returns the palette of a few frames, spread evenly over the film.

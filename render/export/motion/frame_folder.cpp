@@ -14,7 +14,9 @@ class FrameFolder : public FilmSink {
   FrameFolder(std::filesystem::path folder, const FilmShape& shape)
       : m_folder(std::move(folder)),
         m_credit(shape.credit),
-        m_digits(std::max<std::size_t>(std::to_string(shape.frames).size(), 4)) {}
+        m_digits(std::max<std::size_t>(std::to_string(shape.frames).size(), 4)) {
+    m_credit.description.clear();  // it is that of the first
+  }
 
   Status add(const Image& frame) override {
     std::string number = std::to_string(++m_added);

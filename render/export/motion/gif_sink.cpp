@@ -88,6 +88,8 @@ class GifSink : public FilmSink {
     std::string comment = credit.author.empty() ? "" : "Author: " + credit.author;
     if (!credit.copyright.empty())
       comment += (comment.empty() ? "Copyright: " : "\nCopyright: ") + credit.copyright;
+    if (!credit.description.empty())
+      comment += (comment.empty() ? "" : "\n") + credit.description;
     return comment.empty() || EGifPutComment(m_gif, comment.c_str()) == GIF_OK;
   }
 

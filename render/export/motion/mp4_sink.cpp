@@ -126,7 +126,8 @@ class Mp4Sink : public FilmSink {
     arguments << "-map_metadata"
               << "-1";
     for (const auto& [name, text] : {std::pair("artist=", m_shape.credit.author),
-                                     std::pair("copyright=", m_shape.credit.copyright)})
+                                     std::pair("copyright=", m_shape.credit.copyright),
+                                     std::pair("description=", m_shape.credit.description)})
       if (!text.empty())
         arguments << "-metadata" << name + QString::fromStdString(text);
     arguments << "-fflags"

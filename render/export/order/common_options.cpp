@@ -176,6 +176,52 @@ constexpr ExportOption copyright{
     .field = boundTo([](auto& o) -> auto& { return o.credit.copyright; }),
     .kept = false};
 
+constexpr ExportOption altText{
+    .id = "altText",
+    .group = OptionGroup::credit,
+    .flag = "--alt",
+    .value = "TEXT",
+    .help =
+        "What the picture shows, in words, for who does not see it; off for none. Without it the "
+        "file says what its view does (`sline view --alt`), else what is seen, and names nothing "
+        "where no labels are written out",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Description"),
+    .tip = QT_TRANSLATE_NOOP(
+        "sline::render::ExportOption",
+        "What the picture shows, for who does not see it; where this is empty, the file says what "
+        "is seen in the picture, and “off” leaves it out"),
+    .kind = TextOption{.longest = 2000, .lines = 3},
+    .field = boundTo([](auto& o) -> auto& { return o.altText; }),
+    .kept = false};
+
+constexpr std::array sourceChoices{
+    OptionChoice{.id = "surfaces",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Beside surfaces alone"),
+                 .value = int(SourceCredits::withSurfaces)},
+    OptionChoice{.id = "line",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "In a line"),
+                 .value = int(SourceCredits::line)},
+    OptionChoice{.id = "page",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "On a page of their own"),
+                 .value = int(SourceCredits::page)},
+    OptionChoice{.id = "off",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Nowhere"),
+                 .value = int(SourceCredits::off)}};
+
+constexpr ExportOption sources{
+    .id = "sources",
+    .group = OptionGroup::credit,
+    .flag = "--credits",
+    .help =
+        "Whose work the surfaces are (`sline credit`): in a line at the picture's foot, on a page "
+        "or slide of its own where there are such, beside the surfaces in GLB files alone, or "
+        "nowhere",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Sources"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "Whose work the surfaces are and under what terms"),
+    .kind = ChoiceOption{sourceChoices},
+    .field = boundTo([](auto& o) -> auto& { return o.sources; })};
+
 }  // namespace
 
 constinit const ExportOption backgroundOption{
@@ -221,7 +267,7 @@ OptionList pictureOptions() {
 }
 
 OptionList creditOptions() {
-  static constexpr std::array all{&author, &copyright};
+  static constexpr std::array all{&author, &copyright, &altText, &sources};
   return all;
 }
 

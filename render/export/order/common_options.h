@@ -9,7 +9,8 @@ namespace sline::render {
 
 /// Returns background, labels and marks, in the order in which the user should meet them.
 OptionList pictureOptions();
-/// Returns the options for who made the picture and who may use it; all kinds have these.
+/// Returns the options for who made the picture, who may use it, what it shows and whose work the
+/// surfaces are; all kinds have these.
 OptionList creditOptions();
 
 extern const ExportOption backgroundOption;

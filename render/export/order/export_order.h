@@ -47,10 +47,10 @@ struct ExportMarks {
 /// Tells which structures a legend lists. `onSheets`: all, on sheets of paper alone.
 enum class LegendList { onSheets, none, all, labelled, focus };
 
-/// Tells who made the picture and what others may do with it. It is written in the place that the
-/// kind of file has for it, and only where the user said so. It comes from nowhere else: not from
-/// the scene, its sources or the account. Each field is one line of UTF-8 (`plainLine`); empty: not
-/// said.
+/// Tells who made the picture, what others may do with it, and what it shows. It is written in the
+/// place that the kind of file has for it. Author and rights are written only where the user said
+/// so and come from nowhere else: not from the scene, its sources or the account. Each field is one
+/// line of UTF-8 (`plainLine`); empty: not said.
 ///
 /// PNG has it as text and XMP, TIFF in its tags, JPEG as Exif, EXR in its header, JPEG 2000 as XMP,
 /// SVG and PDF as Dublin Core, GLB in its asset, MP4 in its tags, WebP as XMP, GIF in a comment,
@@ -59,10 +59,19 @@ enum class LegendList { onSheets, none, all, labelled, focus };
 struct ExportCredit {
   std::string author;
   std::string copyright;  ///< or a licence: "CC BY 4.0"
-  bool empty() const { return author.empty() && copyright.empty(); }
+  /// What the file shows, in words, for who does not see it, and the language of that (BCP 47).
+  /// Writers set it (`altTextOf`); what a person says is in `ExportOrder::altText`.
+  std::string description = {};
+  std::string descriptionLanguage = {};
+  bool empty() const { return author.empty() && copyright.empty() && description.empty(); }
   /// Returns both as one sentence shows them: "Jane Doe, CC BY 4.0".
   std::string line() const;
 };
+
+/// Tells where it is said whose work the surfaces are (`model::SourceCredit`). `withSurfaces`: in
+/// files that hold the surfaces themselves, beside these. `line`: also in a line at the foot of
+/// each picture. `page`: also on a page or slide of its own, where there are such, else in a line.
+enum class SourceCredits { withSurfaces, off, line, page };
 
 /// Holds everything that a file of any kind is made from. The scene is as it is to be drawn: a
 /// saved view, a focus or sections that were asked for are already applied.
@@ -80,6 +89,10 @@ struct ExportOrder {
   ExportMarks marks;
   LegendList legend = LegendList::onSheets;
   ExportCredit credit;
+  SourceCredits sources = SourceCredits::withSurfaces;
+  /// What the picture shows, in words, for who does not see it; empty: what the view says, else
+  /// what is seen in it; "off": nothing.
+  std::string altText;
   WriterOptions own;  ///< further options, of single kinds of files
 
   /// Tells whether a picture of it has a legend in it.

@@ -26,6 +26,7 @@ struct SheetWords {
   const char* whatIsMarked;  ///< what a card asks beside a mark
   const char* whatIsHidden;  ///< likewise, beside a covered name
   const char* whichNumber;   ///< likewise, after the name of something that has a number
+  const char* sources;       ///< heads the list of whose work the surfaces are
 };
 
 /// Returns the words of a language; English for unknown ones.

@@ -13,6 +13,7 @@
 #include "render/export/pdf/pdf_pages.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pdf/sheet_setter.h"
+#include "render/export/pdf/sources_page.h"
 
 namespace sline::render {
 
@@ -54,7 +55,7 @@ class Lesson {
     for (const auto& part : m_parts)
       progress.note(part->setter.notes());
     progress.note(m_notes);
-    return pages->finish(m_order.credit, m_order.of<SheetOptions>().title, std::move(m_navigation));
+    return pages->finish(fileCredit(m_order, {}), m_order.of<SheetOptions>().title, std::move(m_navigation));
   }
 
  private:
@@ -105,6 +106,10 @@ class Lesson {
         if (part->setter.hasTest())
           setKey(*part, pages, count);
     }
+    m_sources = std::size_t(count.page);
+    m_parts.front()->setter.setSources(pages, count);
+    if (hasSources())
+      bookmark(m_words.sources, m_sources, false);
     m_index = std::size_t(count.page);
     const std::vector<IndexEntry> entries = index();
     if (entries.empty())
@@ -125,6 +130,10 @@ class Lesson {
                        [](const auto& part) { return part->setter.hasTest(); });
   }
 
+  bool hasSources() const {
+    return m_order.sources == SourceCredits::page && !sourcesText(m_order.scene).empty();
+  }
+
   std::vector<ContentsEntry> contents() const {
     std::vector<ContentsEntry> entries;
     for (const auto& part : m_parts)
@@ -132,6 +141,8 @@ class Lesson {
           {QString::fromStdString(part->order.of<SheetOptions>().title).simplified(), part->first});
     if (hasTests() && m_order.of<TestOptions>().key == KeyPlace::end)
       entries.push_back({QString::fromUtf8(m_words.key), m_keys});
+    if (hasSources())
+      entries.push_back({QString::fromUtf8(m_words.sources), m_sources});
     if (!index().empty())
       entries.push_back({QString::fromUtf8(m_words.index), m_index});
     return entries;
@@ -166,6 +177,7 @@ class Lesson {
   ExportNotes m_notes;
   std::size_t m_keys = 0;
   std::size_t m_index = 0;
+  std::size_t m_sources = 0;
   int m_total = 0;
 };
 

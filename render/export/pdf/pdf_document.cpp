@@ -17,6 +17,7 @@
 
 #include "render/export/encoding/xmp_packet.h"
 #include "render/export/pdf/pdf_fonts.h"
+#include "render/export/pdf/pdf_tags.h"
 
 namespace sline::render {
 
@@ -157,7 +158,8 @@ void putBelow(QPDF& file, QPDFPageObjectHelper& page, const PdfContent& content,
   // QPdfWriter's pages are a whole number of points high: its upper edge is moved to the page's.
   const double raised = size.y - box.getArrayItem(3).getNumericValue();
   page.addPageContents(
-      file.newStream(content.operators + "q 1 0 0 1 0 " + real(raised).unparse() + " cm\n"), true);
+      file.newStream(taggedDrawing(content) + "q 1 0 0 1 0 " + real(raised).unparse() + " cm\n"),
+      true);
   page.addPageContents(file.newStream("Q\n"), false);
   for (const char* other : {"/CropBox", "/BleedBox", "/TrimBox", "/ArtBox"})
     object.removeKey(other);
@@ -226,9 +228,13 @@ QByteArray joined(const QByteArray& painted, const std::vector<PdfContent>& belo
   keepOnly(file.getRoot(), {"/Type", "/Pages"});
   for (const Object& object : file.getAllObjects())
     removeTraces(object);
-  for (std::size_t i = 0; i < pages.size(); ++i)
+  std::vector<int> texts;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    texts.push_back(tagTexts(file, pages[i]));
     putBelow(file, pages[i], below[i], description.pageSize);
+  }
   nameFonts(pages);
+  addTags(file, pages, below, texts);
   describe(file, description);
   addNavigation(file, pages, description.navigation, description.pageSize.y);
   if (file.anyWarnings())

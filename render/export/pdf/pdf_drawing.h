@@ -31,6 +31,8 @@ struct PdfContent {
   std::set<int> opacities;     ///< percent; each has a state, named by `pdfStateName`
   std::vector<PdfForm> forms;  ///< named by `pdfFormName`
   std::vector<Image> images;   ///< with alpha; named by `pdfImageName`
+  std::string said;            ///< what the drawing shows, in words; empty: it is passed over
+  std::string language;        ///< of that, BCP 47; empty: the document's
 };
 
 std::string pdfStateName(int percent);

@@ -52,6 +52,10 @@ Result<QByteArray> PdfPages::finish(const ExportCredit& credit, const std::strin
   std::vector<PdfContent> below(m_page + 1);
   for (const Placed& placed : m_placed)
     appendDrawing(below[placed.page], *placed.drawing, placed.place, size.y);
+  for (const auto& [page, said] : m_said) {
+    below[page].said = said.text;
+    below[page].language = said.language;
+  }
   return joinedPdf(m_bytes.data(), below,
                    {.pageSize = size,
                     .language = m_language,

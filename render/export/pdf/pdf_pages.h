@@ -4,6 +4,7 @@
 
 #include <QBuffer>
 #include <QPainter>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ class PdfPages : public SheetPages {
   QPainter& painter() override { return m_painter; }
   /// The drawing lies below everything painted on the page, whenever that was.
   void place(const VectorDrawing& drawing, const PdfPlacement& place) override;
+  void describe(const AltText& said) override { m_said[m_page] = said; }
 
   /// Returns the whole file. It holds no more than what the pages show, the credit and, if there is
   /// one, the title that viewers show above them: no program, date or machine.
@@ -49,6 +51,7 @@ class PdfPages : public SheetPages {
   std::string m_language;
   std::size_t m_page = 0;
   std::vector<Placed> m_placed;
+  std::map<std::size_t, AltText> m_said;  ///< of pages
   QBuffer m_bytes;
   std::unique_ptr<QPdfWriter> m_writer;
   QPainter m_painter;

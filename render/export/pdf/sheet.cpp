@@ -9,6 +9,7 @@
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pdf/sheet_pictures.h"
 #include "render/export/pdf/sheet_setter.h"
+#include "render/export/pdf/sources_page.h"
 
 namespace sline::render {
 
@@ -41,7 +42,7 @@ Result<QByteArray> sheetDocument(const ExportOrder& order, const std::filesystem
                                       model::firstLanguage(order.labels.language));
   });
   progress.note(sheet.notes());
-  return pages->finish(order.credit, order.of<SheetOptions>().title);
+  return pages->finish(fileCredit(order, {}), order.of<SheetOptions>().title);
 }
 
 Result<std::vector<QImage>> sheetPictures(const ExportOrder& order, const QImage& figure, int width,
@@ -65,10 +66,14 @@ Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesyste
     return drawing.error();
   PdfPages pages(order.page.sizeMm, model::firstLanguage(order.labels.language));
   pages.place(*drawing, {{}, {{}, order.page.sizeMm}});
-  const FigurePlate plate = figurePlate(order);
+  pages.describe(altTextOf(order));
+  ExportOrder figure = order;
+  withoutSourcesLine(figure);
+  const FigurePlate plate = figurePlate(figure);
   progress.note(plate.notes);
   setPlate(pages.painter(), plate);
-  return pages.finish(order.credit);
+  setSourcesPage(pages, order);
+  return pages.finish(fileCredit(order, {}));
 }
 
 }  // namespace sline::render

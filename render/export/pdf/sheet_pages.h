@@ -4,6 +4,7 @@
 
 #include <QPainter>
 
+#include "render/export/description/alt_text.h"
 #include "render/export/pdf/pdf_drawing.h"
 
 namespace sline::render {
@@ -19,6 +20,8 @@ class SheetPages {
   /// Places a drawing on the current page, below everything that is painted afterwards; it must
   /// live until the pages are done.
   virtual void place(const VectorDrawing& drawing, const PdfPlacement& place) = 0;
+  /// Says what the drawings of the current page show, for who does not see them.
+  virtual void describe(const AltText&) {}
 };
 
 }  // namespace sline::render

@@ -7,6 +7,7 @@
 #include "render/export/pdf/pdf_pages.h"
 #include "render/export/pdf/sheet_figure.h"
 #include "render/export/pdf/sheet_options.h"
+#include "render/export/pdf/sources_page.h"
 #include "render/export/pdf/style_samples.h"
 #include "render/export/plate/legend.h"
 #include "render/lettering/label_texts.h"
@@ -34,17 +35,28 @@ void setPlate(QPainter& painter, const FigurePlate& plate) {
   paintLettering(painter, plate.marks.lettering, setText);
 }
 
+void withoutSourcesLine(ExportOrder& order) {
+  if (order.sources == SourceCredits::page)
+    order.sources = SourceCredits::off;
+}
+
 SheetSetter::SheetSetter(const ExportOrder& order)
     : m_given(order),
       m_order(sheetFigure(order)),
       m_layout(sheetLayout(order)),
-      m_words(sheetWords(order.labels.language)) {}
+      m_words(sheetWords(order.labels.language)) {
+  withoutSourcesLine(m_order);
+}
 
 Status SheetSetter::draw(const std::filesystem::path& target, const ExportProgress& progress) {
   Result<VectorDrawing> drawing = drawFigure(m_order, target, progress);
   if (!drawing.ok())
     return drawing.error();
   m_drawing = std::move(*drawing);
+  m_said = altTextOf(m_order);
+  ExportOrder test = m_order;
+  test.labels.mode = LabelMode::numbers;
+  m_testSaid = altTextOf(test);
   return prepare(progress);
 }
 
@@ -72,20 +84,32 @@ SheetRows SheetSetter::rows() const {
 
 void SheetSetter::setAll(SheetPages& pages, PageCount& count) {
   setFirst(pages, count);
-  if (!hasTest())
+  if (hasTest()) {
+    setTest(pages, count);
+    setKey(pages, count);
+  }
+  setSources(pages, count);
+}
+
+void SheetSetter::setSources(SheetPages& pages, PageCount& count) {
+  const std::string text = sourcesText(m_given.scene);
+  if (m_given.sources != SourceCredits::page || text.empty())
     return;
-  setTest(pages, count);
-  setKey(pages, count);
+  m_pages = &pages;
+  m_count = &count;
+  const QString heading = QString::fromUtf8(m_words.sources);
+  beginPage(heading);
+  setParagraphs(text, m_layout.content, heading);
 }
 
 void SheetSetter::setFirst(SheetPages& pages, PageCount& count) {
   m_pages = &pages;
   m_count = &count;
   beginPage({});
-  setFigure(m_plate);
+  setFigure(m_plate, m_said);
   setCaption();
   if (m_order.of<SheetOptions>().kind == SheetKind::patient)
-    setPatientText();
+    setParagraphs(m_order.of<SheetOptions>().text, m_layout.text, {});
   else
     setList(rows().first, {.numbers = m_numbers, .words = {}});
 }
@@ -96,7 +120,7 @@ void SheetSetter::setTest(SheetPages& pages, PageCount& count) {
   beginPage(QString::fromUtf8(m_words.selfTest));
   setInstruction();
   setNameAndDate();
-  setFigure(m_testPlate);
+  setFigure(m_testPlate, m_testSaid);
   const SheetRows rows = this->rows();
   setList(rows.test, {.numbers = m_answers, .words = {}});
   if (!rows.words.empty())
@@ -127,7 +151,7 @@ void SheetSetter::setKey(SheetPages& pages, PageCount& count) {
   m_pages = &pages;
   m_count = &count;
   beginPage(QString::fromUtf8(m_words.key));
-  setFigure(m_testPlate);
+  setFigure(m_testPlate, m_testSaid);
   setList(rows().key, {.numbers = m_answers, .words = {}});
 }
 
@@ -250,7 +274,8 @@ void SheetSetter::setInstruction() {
   setLine(painter(), fitted, {box.low.x, box.low.y + capHeightMm(points)}, points);
 }
 
-void SheetSetter::setFigure(const FigurePlate& plate) {
+void SheetSetter::setFigure(const FigurePlate& plate, const AltText& said) {
+  m_pages->describe(said);
   const glm::vec2 spare = m_layout.figure.size() - m_order.page.sizeMm;
   const glm::vec2 corner = m_layout.figure.low + 0.5f * spare;
   QPainter& painter = m_pages->painter();
@@ -329,19 +354,18 @@ SheetRow SheetSetter::rowOf(RowKind kind, ListProgress& progress, const ListWord
   return row;
 }
 
-/// Sets the patient's text from below the figure on, over as many pages as it needs.
-void SheetSetter::setPatientText() {
+/// Sets a text into the frame and over as many further pages of that kind as it needs.
+void SheetSetter::setParagraphs(const std::string& text, LabelBox frame, const QString& kind) {
   const qreal scale = qreal(patientPoints * millimetresPerPoint) / labelFontPixels;
-  LabelBox frame = m_layout.text;
   float y = frame.low.y;
   const auto needLine = [&] {
     if (y + patientLeading <= frame.high.y)
       return;
-    beginPage({});
+    beginPage(kind);
     frame = m_layout.content;
     y = frame.low.y;
   };
-  for (const auto& paragraph : patientParagraphs(m_order.of<SheetOptions>().text, frame.size().x)) {
+  for (const auto& paragraph : patientParagraphs(text, frame.size().x)) {
     for (int i = 0; paragraph && i < paragraph->lineCount(); ++i) {
       needLine();
       const QTextLine one = paragraph->lineAt(i);

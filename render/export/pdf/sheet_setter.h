@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "render/export/description/alt_text.h"
 #include "render/export/order/sheet_words.h"
 #include "render/export/order/test_options.h"
 #include "render/export/pdf/sheet_header.h"
@@ -20,6 +21,8 @@ namespace sline::render {
 /// Draws the figure of the order as vectors.
 Result<VectorDrawing> drawFigure(const ExportOrder& order, const std::filesystem::path& target,
                                  const ExportProgress& progress);
+/// Takes the line of sources from a figure that has a page of them.
+void withoutSourcesLine(ExportOrder& order);
 /// Sets what stands over a figure, as text.
 void setPlate(QPainter& painter, const FigurePlate& plate);
 
@@ -43,6 +46,8 @@ class SheetSetter {
   void setFirst(SheetPages& pages, PageCount& count);
   void setTest(SheetPages& pages, PageCount& count);
   void setKey(SheetPages& pages, PageCount& count);
+  /// Sets whose work the surfaces are on a page of its own, where that is wanted.
+  void setSources(SheetPages& pages, PageCount& count);
 
   /// Returns what can be looked up on the first pages: what is labelled there, or in its legend
   /// where there are no labels.
@@ -81,14 +86,14 @@ class SheetSetter {
   void beginPage(const QString& kind);
   void setNameAndDate();
   void setInstruction();
-  void setFigure(const FigurePlate& plate);
+  void setFigure(const FigurePlate& plate, const AltText& said);
   void setCaption();
   void setList(const std::vector<RowKind>& kinds, const ListWords& words);
   void setRows(const std::vector<RowKind>& kinds, const ListFrames& frames, const ListWords& words);
   void setWordBank(const SheetRows& rows);
   SheetRow rowOf(RowKind kind, ListProgress& progress, const ListWords& words) const;
   QString headingOf(RowKind first) const;
-  void setPatientText();
+  void setParagraphs(const std::string& text, LabelBox frame, const QString& kind);
   QPainter& painter() { return m_pages->painter(); }
   SheetRows rows() const;
 
@@ -101,6 +106,8 @@ class SheetSetter {
   const QImage* m_picture = nullptr;  ///< shown in its place
   FigurePlate m_plate;
   FigurePlate m_testPlate;
+  AltText m_said;      ///< what the figure shows
+  AltText m_testSaid;  ///< and what it shows on a test
   std::vector<Number> m_numbers;
   std::vector<Number> m_answers;            ///< of the test, by their numbers there
   std::map<model::NodeId, int> m_numberOf;  ///< the numbers that the legend shows

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/disk/whole_file.h"
+#include "render/export/description/alt_text.h"
 #include "render/export/pixels/image_file.h"
 #include "render/export/pixels/page_bands.h"
 #include "render/export/pixels/pixel_options.h"
@@ -66,7 +67,8 @@ Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesyst
   const glm::ivec2 size = pixelsOf(order.page);
   if (Status sound = checkOrder(kind, order, size, target); !sound.ok())
     return sound;
-  const PixelLayout layout = layoutOf(order, kind, size);
+  PixelLayout layout = layoutOf(order, kind, size);
+  layout.credit = fileCredit(order);
   const bool ink = isInkAlone(order, kind);
   progress.note(pixelNotes(order, kind));
   const PageBands bands{

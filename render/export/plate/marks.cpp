@@ -9,6 +9,7 @@
 #include "render/export/plate/gamma_key.h"
 #include "render/export/plate/legend.h"
 #include "render/export/plate/legend_row.h"
+#include "render/export/plate/source_credits.h"
 #include "render/lettering/caption.h"
 #include "render/lettering/label_texts.h"
 #include "render/lettering/mark_words.h"
@@ -38,37 +39,10 @@ bool visibleIn(const model::Scene& scene, const model::Node& node) {
   return !node.isGroup() && scene.resolve(node.id).visible;
 }
 
-/// Tells whether anything visible comes from files of known directions.
-bool hasSides(const model::Scene& scene) {
-  bool any = false;
-  for (const model::Node& node : scene.nodes())
-    if (visibleIn(scene, node)) {
-      any = true;
-      if (node.provenance.frame != "file")
-        return true;
-    }
-  return !any;
-}
-
 bool takesAway(const model::Plane& plane, const model::Box& box) {
   const auto corners = box.corners();
   return std::any_of(corners.begin(), corners.end(),
                      [&](const glm::vec3& corner) { return !plane.keeps(corner); });
-}
-
-/// Returns the sections that are on and take something away of what is visible.
-std::vector<const model::Section*> sectionsSeen(const model::Scene& scene) {
-  std::vector<const model::Section*> seen;
-  for (const model::Section& section : scene.sections()) {
-    const auto cuts = [&](const model::Node& node) {
-      return visibleIn(scene, node) && !node.mesh->bounds().empty() &&
-             (section.scope == model::rootId || scene.isBelow(node.id, section.scope)) &&
-             takesAway(section.plane, node.mesh->bounds());
-    };
-    if (section.enabled && std::any_of(scene.nodes().begin(), scene.nodes().end(), cuts))
-      seen.push_back(&section);
-  }
-  return seen;
 }
 
 class MarkLayout {
@@ -83,6 +57,8 @@ class MarkLayout {
   }
 
   Marks make() {
+    if (showsSources(m_order))
+      addSources();
     if (m_order.marks.sides && hasSides(m_order.scene))
       addSides();
     else if (m_order.marks.sides)
@@ -96,6 +72,8 @@ class MarkLayout {
       addLegend();
     if (m_order.marks.words)
       addCaption();
+    if (m_foot > 0.0f)
+      m_marks.edges.bottom += m_foot;
     return std::move(m_marks);
   }
 
@@ -275,6 +253,7 @@ class MarkLayout {
       m_marks.edges.bottom = std::max(m_marks.edges.bottom, m_size.y - baseline + cap + gap);
   }
 
+  void addSources();
   void addGammaKeys();
   void addCaption();
   void addLegend();
@@ -284,10 +263,31 @@ class MarkLayout {
   LetteringColours m_colours;
   MarkWords m_words;
   Marks m_marks;
+  float m_foot = 0.0f;  ///< the height that sources take below everything else
   std::vector<LabelBox> m_boxes;
   std::optional<LabelBox> m_top;
   std::optional<LabelBox> m_bottom;
 };
+
+/// Adds whose work the surfaces are at the very foot, and leaves that out of the page that other
+/// marks have.
+void MarkLayout::addSources() {
+  constexpr float sourcesSize = 0.65f;
+  const QString whole = QString::fromStdString(sourcesInOne(m_order.scene)).simplified();
+  if (whole.isEmpty())
+    return;
+  const QString fitted = elided(whole, sourcesSize, m_size.x - 2.0f * margin);
+  if (fitted != whole)
+    addNote(
+        m_marks.notes,
+        {.kind = ExportNote::Kind::textShortened, .names = {whole.toStdString()}, .detail = {}});
+  const LetteringText one =
+      text(fitted, {margin, m_size.y - margin}, sourcesSize, TextAnchor::start);
+  if (!add({.name = "sources", .shapes = {}, .text = one}, boxOf(one)))
+    return;
+  m_foot = capHeightMm(points(sourcesSize)) + gap;
+  m_size.y -= m_foot;
+}
 
 /// Adds keys in the upper right corner, one below the other.
 void MarkLayout::addGammaKeys() {
@@ -385,6 +385,31 @@ void MarkLayout::addCaption() {
 }
 
 }  // namespace
+
+bool hasSides(const model::Scene& scene) {
+  bool any = false;
+  for (const model::Node& node : scene.nodes())
+    if (visibleIn(scene, node)) {
+      any = true;
+      if (node.provenance.frame != "file")
+        return true;
+    }
+  return !any;
+}
+
+std::vector<const model::Section*> sectionsSeen(const model::Scene& scene) {
+  std::vector<const model::Section*> seen;
+  for (const model::Section& section : scene.sections()) {
+    const auto cuts = [&](const model::Node& node) {
+      return visibleIn(scene, node) && !node.mesh->bounds().empty() &&
+             (section.scope == model::rootId || scene.isBelow(node.id, section.scope)) &&
+             takesAway(section.plane, node.mesh->bounds());
+    };
+    if (section.enabled && std::any_of(scene.nodes().begin(), scene.nodes().end(), cuts))
+      seen.push_back(&section);
+  }
+  return seen;
+}
 
 Marks marksOf(const ExportOrder& order) {
   return MarkLayout(order).make();

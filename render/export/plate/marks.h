@@ -13,7 +13,8 @@ namespace sline::render {
 /// Millimetres between marks and the output's edge.
 inline constexpr float markMargin = 3.0f;
 
-/// Holds an item for each mark: "side L", "view", "section 1" …, "scale", "caption", and one for
+/// Holds an item for each mark: "side L", "view", "section 1" …, "scale", "caption", "sources", and
+/// one for
 /// each row of the legend and each part of the keys of Γ.
 struct Marks {
   Lettering lettering;
@@ -32,6 +33,11 @@ struct Marks {
 /// that has no room on the page, beside what the labels' style reserves, is left out. The camera
 /// must be valid.
 Marks marksOf(const ExportOrder& order);
+
+/// Tells whether anything visible comes from files of known directions, or nothing is visible.
+bool hasSides(const model::Scene& scene);
+/// Returns the sections that are on and take something away of what is visible.
+std::vector<const model::Section*> sectionsSeen(const model::Scene& scene);
 
 /// Paints the marks. The painter's unit must be a millimetre, from the picture's upper left corner.
 void paintMarks(QPainter& painter, const Marks& marks);

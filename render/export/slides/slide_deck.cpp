@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include "model/scene/label_words.h"
+#include "render/export/description/alt_text.h"
 #include "render/export/encoding/png_image.h"
 #include "render/export/order/sheet_words.h"
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/figure_plate.h"
+#include "render/export/plate/source_credits.h"
 #include "render/export/svg/svg_file.h"
 #include "render/lettering/mark_words.h"
 #include "render/lettering/typesetting.h"
@@ -45,13 +47,14 @@ class Making {
     const LetteringColours colours = letteringColours(m_deck.dark);
     m_deck.ink = colours.ink;
     m_deck.halo = colours.ground;
-    m_deck.credit = order.credit;
+    m_deck.credit = fileCredit(order, {});
   }
 
   Result<SlideDeck> make() {
     if (!showsViews(m_order)) {
       if (const Status added = addView(m_order, shownView(m_order), {0.0, 1.0}); !added.ok())
         return added.error();
+      addSources();
       return std::move(m_deck);
     }
     const std::vector<model::View>& views = m_order.scene.views();
@@ -61,6 +64,7 @@ class Making {
           !added.ok())
         return added.error();
     }
+    addSources();
     return std::move(m_deck);
   }
 
@@ -74,11 +78,15 @@ class Making {
   Status addView(ExportOrder order, const model::View* view, const Span& span) {
     order.page.sizeMm = slidePageMm(m_order, view);
     order.marks.viewName = false;  // it is the title
-    order.words = {};              // they are the slide's
+    // They are the slide's, but for what the picture shows.
+    order.words = {.description = std::move(order.words.description)};
     order.labels.onDark = m_deck.dark;
+    if (order.sources == SourceCredits::page)  // they have a slide
+      order.sources = SourceCredits::off;
     Slide slide;
     slide.title = titleOf(order, view);
     if (view) {
+      order.words = view->words;
       slide.text = wordsIn(view->words.text, m_language);
       slide.notes = wordsIn(view->words.notes, m_language);
     }
@@ -90,6 +98,7 @@ class Making {
     const FigurePlate plate = figurePlate(order, m_trees);
     m_progress.note(plate.notes);
     addWritings(slide, order, plate);
+    addAltText(slide, order);
     slide.onClick = order.of<SlideOptions>().onClick;
     m_deck.slides.push_back(slide);
     if (order.of<SlideOptions>().selfTest && !slide.labels.empty())
@@ -108,6 +117,8 @@ class Making {
     bare.labels.mode = LabelMode::off;
     bare.marks = ExportMarks::none();
     bare.legend = LegendList::none;
+    bare.altText = "off";  // the slide says it
+    bare.sources = SourceCredits::off;
     const auto tell = [&](double share, std::string_view what) {
       return !m_progress || m_progress(0.95 * (span.from + span.size * share), what);
     };
@@ -157,6 +168,23 @@ class Making {
       slide.labels.push_back({lettering.items[i], languages[i]});
   }
 
+  static void addAltText(Slide& slide, const ExportOrder& order) {
+    const AltText said = altTextOf(order);
+    slide.shown = {said.text, said.language};
+  }
+
+  /// Adds the slide that says whose work the surfaces are.
+  void addSources() {
+    if (m_order.sources != SourceCredits::page)
+      return;
+    Slide slide;
+    slide.title = {sheetWords(m_language).sources, m_language};
+    for (const SourceLine& line : sourceLines(m_order.scene))
+      slide.key.push_back({0, {line.text, {}}});
+    if (!slide.key.empty())
+      m_deck.slides.push_back(std::move(slide));
+  }
+
   /// Adds the slide with numbers in place of labels, and its key, where there is something to ask.
   void addTest(const ExportOrder& shown, Slide slide) {
     const std::vector<model::Question> questions = questionsOf(shown);
@@ -177,6 +205,7 @@ class Making {
     slide.figure.at.x = 0.5f * (slideSizeMm(m_deck.shape).x - slide.figure.size.x);
     slide.title = headed(words.selfTest);
     addWritings(slide, order, plate);
+    addAltText(slide, order);
     Slide key;
     key.title = headed(words.key);
     for (const ShownLabel& label : plate.labels->labels)

@@ -29,7 +29,7 @@ struct SlideLabel {
 };
 
 struct SlideKeyLine {
-  int number = 0;
+  int number = 0;  ///< 0: none
   SlideWords words;
 };
 
@@ -37,6 +37,7 @@ struct Slide {
   SlideWords title;
   SlideWords text;   ///< marked up as in model/scene/markup.h
   SlideWords notes;  ///< plain
+  SlideWords shown;  ///< what the picture shows, for who does not see it
   std::optional<std::size_t> picture;
   SlideBox figure;  ///< where the picture stands
   std::vector<SlideLabel> marks;

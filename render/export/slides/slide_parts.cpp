@@ -35,7 +35,7 @@ std::vector<std::string> linesOf(const SlideWords& words) {
 /// Returns the picture with the document that programs show which know it; others show the pixels.
 std::string pictureXml(const Slide& slide, const std::string& named) {
   return "<p:pic><p:nvPicPr><p:cNvPr " + named + " descr=\"" +
-         slideXmlText(plainLine(slide.title.text)) +
+         slideXmlText(plainLine(slide.shown.text)) +
          "\"/><p:cNvPicPr><a:picLocks noChangeAspect=\"1\"/></p:cNvPicPr><p:nvPr/></p:nvPicPr>"
          "<p:blipFill><a:blip r:embed=\"" +
          slidePngId +
@@ -53,7 +53,8 @@ std::string keyList(const SlideDeck& deck, const Slide& slide, const std::string
   constexpr int mostColumns = 5;
   std::vector<std::string> lines;
   for (const SlideKeyLine& line : slide.key)
-    lines.push_back(std::to_string(line.number) + "  " + plainLine(line.words.text));
+    lines.push_back((line.number > 0 ? std::to_string(line.number) + "  " : std::string()) +
+                    plainLine(line.words.text));
   const glm::vec2 box = slideFrames(deck.shape, false).list.size;
   int columns = 1;
   float share = 0.0f;

@@ -122,11 +122,12 @@ std::string markedParagraphs(const SlideWords& words) {
 std::string keyParagraphs(const std::vector<SlideKeyLine>& lines) {
   std::string all;
   for (const SlideKeyLine& line : lines)
-    all +=
-        paragraph(slideRun(std::to_string(line.number), {.bold = true}) + slideRun("\u2002", {}) +
-                      slideRun(plainLine(line.words.text), {},
-                               {.language = line.words.language, .inside = {}}),
-                  runsFromRight(line.words.text));
+    all += paragraph((line.number > 0 ? slideRun(std::to_string(line.number), {.bold = true}) +
+                                            slideRun("\u2002", {})
+                                      : std::string()) +
+                         slideRun(plainLine(line.words.text), {},
+                                  {.language = line.words.language, .inside = {}}),
+                     runsFromRight(line.words.text));
   return all.empty() ? "<a:p/>" : all;
 }
 

@@ -15,6 +15,12 @@ namespace sline::render {
 
 namespace {
 
+constexpr const char* svgTitleId = "picture-title";
+constexpr const char* svgDescriptionId = "picture-description";
+/// What a document says of itself that has a title and a description.
+const std::string svgDescribed = std::string(" role=\"img\" aria-labelledby=\"") + svgTitleId +
+                                 "\" aria-describedby=\"" + svgDescriptionId + "\"";
+
 class Document {
  public:
   Document(const VectorDrawing& drawing, const model::Scene& scene,
@@ -30,7 +36,8 @@ class Document {
   std::string make() {
     const std::string width = number(double(m_drawing.sizeMm.x), 4);
     const std::string height = number(double(m_drawing.sizeMm.y), 4);
-    m_text = svgStart(width, height);
+    m_text = svgStart(width, height, m_credit.description.empty() ? std::string() : svgDescribed);
+    addDescription();
     appendCredit(m_text, m_credit);
     if (m_drawing.background)
       m_text += "<rect id=\"background\" width=\"" + width + "\" height=\"" + height +
@@ -43,6 +50,22 @@ class Document {
   }
 
  private:
+  /// Adds what the drawing shows: its first sentence as the title, which programs show, too.
+  void addDescription() {
+    const std::string& text = m_credit.description;
+    if (text.empty())
+      return;
+    const std::size_t cut = std::min(text.find(". "), text.size());
+    const std::string language =
+        m_credit.descriptionLanguage.empty()
+            ? std::string()
+            : " xml:lang=\"" + xmlText(m_credit.descriptionLanguage) + "\"";
+    m_text += "<title id=\"" + std::string(svgTitleId) + "\"" + language + ">" +
+              xmlText(std::string_view(text).substr(0, cut)) + "</title>\n";
+    m_text += "<desc id=\"" + std::string(svgDescriptionId) + "\"" + language + ">" +
+              xmlText(text) + "</desc>\n";
+  }
+
   const VectorDrawing& m_drawing;
   const model::Scene& m_scene;
   std::span<const SvgWriting> m_writings;

@@ -2,6 +2,7 @@
 #include "render/export/svg/svg_file.h"
 
 #include "model/disk/whole_file.h"
+#include "render/export/description/alt_text.h"
 #include "render/export/order/drawing_notes.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/svg/svg_document.h"
@@ -30,7 +31,7 @@ Result<std::string> svgText(const ExportOrder& order, const std::filesystem::pat
   if (plate.labels)
     writings.push_back({"labels", "Labels", letteringOf(*plate.labels)});
   writings.push_back({"marks", "Marks", plate.marks.lettering});
-  return svgDocument(*drawing, order.scene, writings, order.credit);
+  return svgDocument(*drawing, order.scene, writings, fileCredit(order));
 }
 
 Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,

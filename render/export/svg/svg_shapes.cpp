@@ -7,12 +7,13 @@
 
 namespace sline::render {
 
-std::string svgStart(const std::string& width, const std::string& height) {
+std::string svgStart(const std::string& width, const std::string& height, const std::string& more) {
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<svg xmlns=\"http://www.w3.org/2000/svg\" "
          "xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
          "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"" +
-         width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+         width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\"" +
+         more + ">\n";
 }
 
 void appendShape(std::string& text, const VectorShape& shape, const SvgPrecision& precision) {

@@ -8,8 +8,10 @@
 
 namespace sline::render {
 
-/// Returns the start of a document that is so many millimetres wide and high.
-std::string svgStart(const std::string& width, const std::string& height);
+/// Returns the start of a document that is so many millimetres wide and high, with further
+/// attributes of its element.
+std::string svgStart(const std::string& width, const std::string& height,
+                     const std::string& more = {});
 
 struct SvgPrecision {
   int decimals = 3;

@@ -52,6 +52,7 @@ Provenance sampleProvenance() {
   p.part = "artery";
   p.fingerprint = Fingerprint{12'345'678'901, 0xfedcba98u};
   p.transform = {1, 0, 0, 0.1f, 0, -1, 0, 0, 0, 0, 1, -7};
+  p.credit = {.authors = "Jane Doe", .source = "An atlas", .licence = "CC BY 4.0"};
   return p;
 }
 
@@ -74,6 +75,7 @@ ViewWords sampleWords() {
   return {.title = {"The pelvis", {{"de", "Das Becken"}}},
           .text = {"Seen *from the front*", {{"de", "Von *vorn*"}}},
           .notes = {"Begin with the bones", {}},
+          .description = {"An artery & more", {{"de", "Eine Arterie"}}},
           .seconds = 7.5f};
 }
 

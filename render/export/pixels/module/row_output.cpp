@@ -246,6 +246,8 @@ class OutputRows : public RowFile {
       spec.attribute("Artist", m_layout.credit.author);
     if (!m_layout.credit.copyright.empty())
       spec.attribute("Copyright", m_layout.credit.copyright);
+    if (!m_layout.credit.description.empty())
+      spec.attribute("ImageDescription", m_layout.credit.description);
     // By default writers put in the time of day. EXR's takes an empty text for none; the others
     // take anything that is not text for none.
     if (m_kind == PixelKind::exr)

@@ -77,7 +77,7 @@ std::vector<QStringList> notesIn(const QByteArray& text) {
 
 /// Returns the pictures that a side of a card shows, the lowest first.
 QStringList picturesIn(const QString& html) {
-  static const QRegularExpression image("<img src=\"([a-z0-9.-]+)\"");
+  static const QRegularExpression image("<img src=\"([a-z0-9.-]+)\" alt=\"[^<>\"]*\"");
   QStringList names;
   for (auto each = image.globalMatch(html); each.hasNext();)
     names << each.next().captured(1);

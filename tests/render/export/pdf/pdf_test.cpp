@@ -2,8 +2,13 @@
 // Tests how PDF files are made: painted pages that no longer tell who made them, drawings with
 // groups that are clear as a whole, lists that flow through columns and pages.
 #include <QBuffer>
+#include <QFile>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <qpdf/Buffer.hh>
@@ -107,11 +112,27 @@ class PdfTest : public QObject {
   void listsFlow_data();
   void listsFlow();
   void stopsWhenToldTo();
+  void pagesAreTagged();
+  void othersReadTags();
 
  private:
   QByteArray page(float opacity) const;
   std::unique_ptr<Typesetting> m_typesetting;
 };
+
+/// Returns the elements of that kind below one, as they follow each other.
+std::vector<Object> elements(Object below, const std::string& kind) {
+  std::vector<Object> found;
+  Object children = below.getKey("/K");
+  for (int i = 0; children.isArray() && i < children.getArrayNItems(); ++i) {
+    Object child = children.getArrayItem(i);
+    if (child.getKey("/S").isNameAndEquals(kind))
+      found.push_back(child);
+    const std::vector<Object> deeper = elements(child, kind);
+    found.insert(found.end(), deeper.begin(), deeper.end());
+  }
+  return found;
+}
 
 void PdfTest::initTestCase() {
   Result<std::unique_ptr<Typesetting>> made = Typesetting::create();
@@ -288,6 +309,98 @@ void PdfTest::stopsWhenToldTo() {
     QCOMPARE(QString::fromStdString(stopped.error().reason), QString("the export was stopped"));
     QVERIFY(sheetDocument(order, "never.pdf", {}).ok());
   }
+}
+
+/// Two labelled balls on a sheet with a self-test and its key.
+ExportOrder sheetOrder() {
+  ExportOrder order;
+  for (const float x : {-30.0f, 30.0f}) {
+    model::Node node{.name = x < 0.0f ? "QZX(right" : "QZXleft"};
+    node.mesh = moved(*sphere(1.0f, 3), 20.0f, {x, 0.0f, 0.0f});
+    node.provenance.frame = "LPS";
+    model::Annotation label{.kind = model::AnnotationKind::label};
+    label.text = node.name;
+    label.anchors = {model::SurfacePoint{.structure = order.scene.append(node), .triangle = 0}};
+    label.found = true;
+    order.scene.appendAnnotation(label);
+  }
+  order.camera =
+      model::anatomicalCamera(model::AnatomicalView::anterior, order.scene.visibleBounds(), 1.5f);
+  order.labels = {.mode = LabelMode::on, .language = "nb"};
+  order.of<SheetOptions>().kind = SheetKind::teaching;
+  return order;
+}
+
+/// Each page has its figure, with what it shows, and its texts; marks and tree agree.
+void PdfTest::pagesAreTagged() {
+  const Result<QByteArray> sheet = sheetDocument(sheetOrder(), {}, {});
+  QVERIFY(sheet.ok());
+  QPDF file;
+  file.processMemoryFile("sheet", sheet->constData(), std::size_t(sheet->size()));
+  Object catalog = file.getRoot();
+  QCOMPARE(catalog.getKey("/Lang").getUTF8Value(), std::string("nb"));
+  QVERIFY(catalog.getKey("/MarkInfo").getKey("/Marked").getBoolValue());
+  Object tree = catalog.getKey("/StructTreeRoot");
+  const std::vector<Object> figures = elements(tree, "/Figure");
+  std::vector<Object> pages = file.getAllPages();
+  QCOMPARE(pages.size(), std::size_t(3));
+  QCOMPARE(figures.size(), std::size_t(3));
+  QCOMPARE(elements(tree, "/Sect").size(), std::size_t(3));
+  const auto alt = [&](std::size_t i) {
+    Object figure = figures[i];
+    return QString::fromStdString(figure.getKey("/Alt").getUTF8Value());
+  };
+  QVERIFY2(alt(0).contains("QZX(right") && alt(0).contains("sett forfra"), qPrintable(alt(0)));
+  for (const std::size_t test : {1, 2})
+    QCOMPARE(alt(test), QString("Tegning av 2 strukturer, sett forfra. Kroppens høyre side er til "
+                                "venstre i bildet."));
+  Object places = tree.getKey("/ParentTree").getKey("/Nums");
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    QCOMPARE(pages[i].getKey("/StructParents").getIntValue(), std::int64_t(i));
+    Object marks = places.getArrayItem(int(2 * i + 1));
+    std::string content;
+    for (Object part : pages[i].getPageContents()) {
+      const auto bytes = part.getStreamData();
+      content.append(reinterpret_cast<const char*>(bytes->getBuffer()), bytes->getSize());
+    }
+    const QByteArray text = QByteArray::fromStdString(content);
+    QCOMPARE(int(text.count("/MCID ")), marks.getArrayNItems());
+    QCOMPARE(text.count(" BDC") + text.count(" BMC"), text.count("EMC"));
+    for (int mark = 0; mark < marks.getArrayNItems(); ++mark) {
+      QCOMPARE(text.count(QByteArray("/MCID " + QByteArray::number(mark) + ">>")), 1);
+      QVERIFY(marks.getArrayItem(mark).isDictionary());
+    }
+  }
+  ExportOrder silent = sheetOrder();
+  silent.altText = "off";
+  silent.of<SheetOptions>().kind = SheetKind::none;
+  const Result<QByteArray> figure = figureDocument(silent, {}, {});
+  QVERIFY(figure.ok());
+  QPDF other;
+  other.processMemoryFile("figure", figure->constData(), std::size_t(figure->size()));
+  QVERIFY(elements(other.getRoot().getKey("/StructTreeRoot"), "/Figure").empty());
+}
+
+void PdfTest::othersReadTags() {
+  const QString program = QStandardPaths::findExecutable("pdfinfo");
+  if (program.isEmpty())
+    SLINE_ABSENT("pdfinfo is not installed");
+  QTemporaryDir folder;
+  const Result<QByteArray> sheet = sheetDocument(sheetOrder(), {}, {});
+  QFile file(folder.filePath("sheet.pdf"));
+  QVERIFY(sheet.ok() && file.open(QIODevice::WriteOnly) && file.write(*sheet) == sheet->size());
+  file.close();
+  const auto told = [&](const QStringList& arguments) {
+    QProcess process;
+    process.start(program, arguments + QStringList{file.fileName()});
+    return process.waitForFinished() ? QString::fromUtf8(process.readAll()) : QString();
+  };
+  const QString info = told({});
+  QVERIFY2(info.contains(QRegularExpression("Tagged: +yes")), qPrintable(info));
+  const QString tree = told({"-struct-text"});
+  QCOMPARE(int(tree.count("Figure")), 3);
+  QCOMPARE(int(tree.count("Sect")), 3);
+  QVERIFY2(tree.contains("P (block)\n      \"QZXleft\""), qPrintable(tree));
 }
 
 }  // namespace sline::test

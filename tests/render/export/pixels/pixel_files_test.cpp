@@ -231,6 +231,7 @@ void PixelFilesTest::kindsAgree() {
 
 void PixelFilesTest::pngSaysWhatItIs() {
   render::ExportOrder order = orderedPicture();
+  order.altText = "off";
   QCOMPARE(chunks(contents(written("a.png", order))),
            QStringList({"IHDR", "sRGB", "gAMA", "cHRM", "pHYs", "tEXt", "IDAT", "IEND"}));
   order.of<render::PixelOptions>().grey = true;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/edit/credits.h"
+
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace sline::model {
+
+namespace {
+
+std::string tidyLine(const std::string& text) {
+  std::string line;
+  for (const char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if (byte > ' ' && byte != 0x7f)
+      line += letter;
+    else if (!line.empty() && line.back() != ' ')
+      line += ' ';
+  }
+  if (line.size() > longestCredit) {
+    std::size_t end = longestCredit;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0) == 0x80)
+      --end;
+    line.resize(end);
+  }
+  while (!line.empty() && line.back() == ' ')
+    line.pop_back();
+  return line;
+}
+
+}  // namespace
+
+SourceCredit tidied(const SourceCredit& credit) {
+  return {.authors = tidyLine(credit.authors),
+          .source = tidyLine(credit.source),
+          .licence = tidyLine(credit.licence)};
+}
+
+Edited withCredit(const Scene& scene, std::span<const NodeId> ids, const CreditChange& change) {
+  std::set<NodeId> named;
+  for (const NodeId id : ids)
+    for (const NodeId structure : scene.structuresBelow(id))
+      named.insert(structure);
+  std::vector<Node> nodes = scene.nodes();
+  bool changed = false;
+  for (Node& node : nodes) {
+    if (!named.contains(node.id))
+      continue;
+    SourceCredit& credit = node.provenance.credit;
+    const SourceCredit said = tidied({.authors = change.authors.value_or(credit.authors),
+                                      .source = change.source.value_or(credit.source),
+                                      .licence = change.licence.value_or(credit.licence)});
+    changed = changed || said != credit;
+    credit = said;
+  }
+  Edited edited{scene, changed};
+  if (changed)
+    edited.scene.setNodes(std::move(nodes));
+  return edited;
+}
+
+}  // namespace sline::model

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gathers whose work the surfaces of a picture are.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "render/export/order/export_order.h"
+
+namespace sline::render {
+
+/// What is said of so many structures: "BodyParts3D, DBCLS, CC BY 4.0". It names none of them.
+struct SourceLine {
+  std::string text;
+  std::size_t structures = 0;
+};
+
+/// Returns what visible structures say of whose work they are, each line once, that of most
+/// structures first.
+std::vector<SourceLine> sourceLines(const model::Scene& scene);
+/// Returns them in one line, parted by semicolons, and no longer than that many bytes.
+std::string sourcesInOne(const model::Scene& scene, std::size_t longest = 1000);
+
+/// Tells whether pictures say it.
+inline bool showsSources(const ExportOrder& order) {
+  return order.sources == SourceCredits::line || order.sources == SourceCredits::page;
+}
+
+}  // namespace sline::render
