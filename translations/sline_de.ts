@@ -1426,10 +1426,6 @@
         <translation>Anki-Stapel</translation>
     </message>
     <message>
-        <source>Cards that ask for the labels of the picture: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
-        <translation>Karten, die nach der Beschriftung des Bildes fragen: ein Paket für Anki (.apkg) oder Text und Bilder in einem ZIP (.zip) oder neuen Ordner</translation>
-    </message>
-    <message>
         <source>PNG picture</source>
         <translation>PNG-Bild</translation>
     </message>
@@ -1470,10 +1466,6 @@
         <translation>PDF-Dokument</translation>
     </message>
     <message>
-        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key</source>
-        <translation>Dieselben Vektoren auf einer Seite für sich, oder ein Blatt mit Titel, Legende und nummerierter Beschriftung, einer Seite zum Abfragen und deren Lösung</translation>
-    </message>
-    <message>
         <source>GLB surfaces (glTF)</source>
         <translation>GLB-Flächen (glTF)</translation>
     </message>
@@ -1485,6 +1477,14 @@
         <source>A slide for each saved view with its title, text and notes: labels are text boxes and lines that can be edited there, over the drawing</source>
         <translation>Eine Folie für jede gespeicherte Ansicht mit Titel, Text und Notizen: Beschriftungen sind Textfelder und Linien über der Zeichnung, die sich dort bearbeiten lassen</translation>
     </message>
+    <message>
+        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key; of all saved views with contents and an index</source>
+        <translation>Dieselben Vektoren auf einer eigenen Seite, oder ein Blatt mit Titel, Legende und nummerierten Beschriftungen, einer Seite zum Selbsttest und der Lösung; von allen gespeicherten Ansichten mit Inhalt und Verzeichnis</translation>
+    </message>
+    <message>
+        <source>Cards that ask for the labels of the picture, or of all saved views: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
+        <translation>Karten, die nach den Beschriftungen des Bildes oder aller gespeicherten Ansichten fragen: ein Paket für Anki (.apkg) oder Text und Bilder in einem ZIP (.zip) oder einem neuen Ordner</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportOption</name>
@@ -1495,14 +1495,6 @@
     <message>
         <source>Its name in Anki; else the view&apos;s name</source>
         <translation>Sein Name in Anki; sonst der Name der Ansicht</translation>
-    </message>
-    <message>
-        <source>S&amp;how the other labels</source>
-        <translation>Die and&amp;eren Beschriftungen zeigen</translation>
-    </message>
-    <message>
-        <source>A card asks for one label and shows the others</source>
-        <translation>Eine Karte fragt nach einer Beschriftung und zeigt die anderen</translation>
     </message>
     <message>
         <source>Once around</source>
@@ -1829,14 +1821,6 @@
         <translation>Legende</translation>
     </message>
     <message>
-        <source>Ask for &amp;callouts, too</source>
-        <translation>Auch nach Te&amp;xtfeldern fragen</translation>
-    </message>
-    <message>
-        <source>Callouts explain; only labels name what a card can ask for</source>
-        <translation>Textfelder erklären; nur Beschriftungen nennen, wonach eine Karte fragen kann</translation>
-    </message>
-    <message>
         <source>Γ over s&amp;urfaces</source>
         <translation>Γ über &amp;Flächen</translation>
     </message>
@@ -1859,14 +1843,6 @@
     <message>
         <source>Title and text of a saved view at the picture&apos;s foot, where it says any; in films as a subtitle</source>
         <translation>Titel und Text einer gespeicherten Ansicht am Fuß des Bildes, wo sie welche hat; in Filmen als Untertitel</translation>
-    </message>
-    <message>
-        <source>Each saved view</source>
-        <translation>Jede gespeicherte Ansicht</translation>
-    </message>
-    <message>
-        <source>What is shown</source>
-        <translation>Was zu sehen ist</translation>
     </message>
     <message>
         <source>16 : 9</source>
@@ -1901,12 +1877,112 @@
         <translation>Nach jeder Folie eine mit Nummern an Stelle ihrer Beschriftungen, dann die Lösung</translation>
     </message>
     <message>
-        <source>A slide for</source>
-        <translation>Eine Folie für</translation>
+        <source>Which number is it?</source>
+        <translation>Welche Nummer ist es?</translation>
     </message>
     <message>
-        <source>Without saved views there is one slide, of what is shown</source>
-        <translation>Ohne gespeicherte Ansichten gibt es eine Folie, von dem, was zu sehen ist</translation>
+        <source>A card for each name, which asks for its number in the picture</source>
+        <translation>Eine Karte für jeden Namen, die nach seiner Nummer im Bild fragt</translation>
+    </message>
+    <message>
+        <source>Which name is covered?</source>
+        <translation>Welcher Name ist verdeckt?</translation>
+    </message>
+    <message>
+        <source>A card for each label, which covers its name among the others</source>
+        <translation>Eine Karte für jede Beschriftung, die ihren Namen zwischen den anderen verdeckt</translation>
+    </message>
+    <message>
+        <source>What is this?</source>
+        <translation>Was ist das?</translation>
+    </message>
+    <message>
+        <source>A card for each label, which marks the place and asks what it is</source>
+        <translation>Eine Karte für jede Beschriftung, die die Stelle markiert und fragt, was es ist</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>What the picture shows, for who does not see it; where this is empty, the file says what is seen in the picture, and “off” leaves it out</source>
+        <translation>Was das Bild zeigt, für wen es nicht zu sehen ist; ist das Feld leer, sagt die Datei, was im Bild zu sehen ist, und „off“ lässt es weg</translation>
+    </message>
+    <message>
+        <source>Beside surfaces alone</source>
+        <translation>Nur bei Flächen</translation>
+    </message>
+    <message>
+        <source>In a line</source>
+        <translation>In einer Zeile</translation>
+    </message>
+    <message>
+        <source>On a page of their own</source>
+        <translation>Auf einer eigenen Seite</translation>
+    </message>
+    <message>
+        <source>Nowhere</source>
+        <translation>Nirgends</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>Whose work the surfaces are and under what terms</source>
+        <translation>Wessen Werk die Flächen sind und unter welchen Bedingungen</translation>
+    </message>
+    <message>
+        <source>All with a label</source>
+        <translation>Allem Beschrifteten</translation>
+    </message>
+    <message>
+        <source>Test asks for</source>
+        <translation>Test fragt nach</translation>
+    </message>
+    <message>
+        <source>The fewer, the easier</source>
+        <translation>Je weniger, desto leichter</translation>
+    </message>
+    <message>
+        <source>Of these alone</source>
+        <translation>Nur davon</translation>
+    </message>
+    <message>
+        <source>Names of structures or groups, with commas; empty: of all</source>
+        <translation>Namen von Strukturen oder Gruppen, mit Kommas; leer: von allen</translation>
+    </message>
+    <message>
+        <source>&amp;Callouts, too</source>
+        <translation>Auch Te&amp;xtfelder</translation>
+    </message>
+    <message>
+        <source>Callouts explain; only labels name what can be asked for</source>
+        <translation>Textfelder erklären; nur Beschriftungen benennen, wonach man fragen kann</translation>
+    </message>
+    <message>
+        <source>After each test</source>
+        <translation>Nach jedem Test</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>Word bank</source>
+        <translation>Wörterliste</translation>
+    </message>
+    <message>
+        <source>The self-test has the answers below, in another order</source>
+        <translation>Unter dem Selbsttest stehen die Antworten in anderer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Lösung</translation>
+    </message>
+    <message>
+        <source>Where the answers stand, each test&apos;s on a page of its own</source>
+        <translation>Wo die Antworten stehen, die jedes Tests auf einer eigenen Seite</translation>
     </message>
 </context>
 <context>
@@ -3452,13 +3528,6 @@
         <translation>pt</translation>
     </message>
     <message numerus="yes">
-        <source>%n files, one for each saved view.</source>
-        <translation>
-            <numerusform>%n Datei, für die gespeicherte Ansicht.</numerusform>
-            <numerusform>%n Dateien, eine für jede gespeicherte Ansicht.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n structures, seen as in the window.</source>
         <translation>
             <numerusform>%n Struktur, gesehen wie im Fenster.</numerusform>
@@ -4728,6 +4797,38 @@
         <source>Lay saved views out as panels a, b, c on a page for a journal, with insets, scale bars and one legend</source>
         <translation>Gespeicherte Ansichten als Bildfelder a, b, c auf einer Seite für eine Zeitschrift anordnen, mit Ausschnitten, Maßstäben und einer Legende</translation>
     </message>
+    <message numerus="yes">
+        <source>%n files, one for each saved view: %1 … %2.</source>
+        <translation>
+            <numerusform>%n Datei, eine für jede gespeicherte Ansicht: %1 … %2.</numerusform>
+            <numerusform>%n Dateien, eine für jede gespeicherte Ansicht: %1 … %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 views on about %n pages, with contents, index and bookmarks.</source>
+        <translation>
+            <numerusform>%1 Ansichten auf etwa %n Seite, mit Inhalt, Verzeichnis und Lesezeichen.</numerusform>
+            <numerusform>%1 Ansichten auf etwa %n Seiten, mit Inhalt, Verzeichnis und Lesezeichen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n cards, in a deck for each view.</source>
+        <translation>
+            <numerusform>Höchstens %n Karte, in einem Stapel für jede Ansicht.</numerusform>
+            <numerusform>Höchstens %n Karten, in einem Stapel für jede Ansicht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n cards.</source>
+        <translation>
+            <numerusform>Höchstens %n Karte.</numerusform>
+            <numerusform>Höchstens %n Karten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is seen is also told in words, for who does not see it.</source>
+        <translation>Was zu sehen ist, steht auch in Worten darin, für wen es nicht zu sehen ist.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -5223,10 +5324,6 @@ OpenGL: %3</translation>
         </translation>
     </message>
     <message>
-        <source>A file for each view, with the view&apos;s name behind its own</source>
-        <translation>Eine Datei für jede Ansicht, deren Name hinter dem der Datei steht</translation>
-    </message>
-    <message>
         <source>Moves the camera to or fro without turning it</source>
         <translation>Bewegt die Kamera vor oder zurück, ohne sie zu drehen</translation>
     </message>
@@ -5296,6 +5393,21 @@ OpenGL: %3</translation>
     <message>
         <source>Language: %1</source>
         <translation>Sprache: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n sa&amp;ved views, in one file</source>
+        <translation>
+            <numerusform>Die %n &amp;gespeicherte Ansicht, in einer Datei</numerusform>
+            <numerusform>Alle %n &amp;gespeicherten Ansichten, in einer Datei</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each view has a page, a slide or a deck of its own</source>
+        <translation>Jede Ansicht hat eine eigene Seite, eine eigene Folie oder einen eigenen Stapel</translation>
+    </message>
+    <message>
+        <source>A file for each view, with its number and name behind the file&apos;s own</source>
+        <translation>Eine Datei für jede Ansicht, mit deren Nummer und Namen hinter dem der Datei</translation>
     </message>
 </context>
 <context>
@@ -7748,6 +7860,30 @@ OpenGL: %3</translation>
         <source>Drawn</source>
         <translation>Gezeichnet</translation>
     </message>
+    <message>
+        <source>Authors</source>
+        <translation>Urheber</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lizenz</translation>
+    </message>
+    <message>
+        <source>Whose work the surface is; exports print it where you wish</source>
+        <translation>Wessen Werk die Fläche ist; Exporte drucken es, wo du es wünschst</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>mehrere</translation>
+    </message>
+    <message>
+        <source>Say Whose Work It Is</source>
+        <translation>Sagen, wessen Werk es ist</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTree</name>
@@ -8130,6 +8266,18 @@ OpenGL: %3</translation>
     <message>
         <source>Notes, for who presents it</source>
         <translation>Notizen, für den, der vorführt</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Was die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>For who does not see the picture: files for others have it, and without it they say what is seen</source>
+        <translation>Für wen das Bild nicht zu sehen ist: Dateien für andere haben es, und ohne es sagen sie, was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Description, for who does not see it</source>
+        <translation>Beschreibung, für wen es nicht zu sehen ist</translation>
     </message>
 </context>
 <context>

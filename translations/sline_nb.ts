@@ -1426,10 +1426,6 @@
         <translation>Anki-kortstokk</translation>
     </message>
     <message>
-        <source>Cards that ask for the labels of the picture: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
-        <translation>Kort som spør etter bildets etiketter: en pakke for Anki (.apkg), eller tekst og bilder i en ZIP (.zip) eller ny mappe</translation>
-    </message>
-    <message>
         <source>PNG picture</source>
         <translation>PNG-bilde</translation>
     </message>
@@ -1470,10 +1466,6 @@
         <translation>PDF-dokument</translation>
     </message>
     <message>
-        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key</source>
-        <translation>De samme vektorene på en egen side, eller et ark med tittel, tegnforklaring og nummererte etiketter, en side til egentest og fasiten</translation>
-    </message>
-    <message>
         <source>GLB surfaces (glTF)</source>
         <translation>GLB-overflater (glTF)</translation>
     </message>
@@ -1485,6 +1477,14 @@
         <source>A slide for each saved view with its title, text and notes: labels are text boxes and lines that can be edited there, over the drawing</source>
         <translation>Et lysbilde for hver lagrede visning med tittel, tekst og notater: etiketter er tekstbokser og linjer over tegningen, som kan redigeres der</translation>
     </message>
+    <message>
+        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key; of all saved views with contents and an index</source>
+        <translation>De samme vektorene på en egen side, eller et ark med tittel, tegnforklaring og nummererte betegnelser, en side til egentest og fasiten; av alle lagrede visninger med innhold og register</translation>
+    </message>
+    <message>
+        <source>Cards that ask for the labels of the picture, or of all saved views: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
+        <translation>Kort som spør etter betegnelsene i bildet eller i alle lagrede visninger: en pakke for Anki (.apkg), eller tekst og bilder i en ZIP (.zip) eller en ny mappe</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportOption</name>
@@ -1495,14 +1495,6 @@
     <message>
         <source>Its name in Anki; else the view&apos;s name</source>
         <translation>Navnet i Anki; ellers visningens navn</translation>
-    </message>
-    <message>
-        <source>S&amp;how the other labels</source>
-        <translation>Vis de a&amp;ndre etikettene</translation>
-    </message>
-    <message>
-        <source>A card asks for one label and shows the others</source>
-        <translation>Et kort spør etter én etikett og viser de andre</translation>
     </message>
     <message>
         <source>Once around</source>
@@ -1829,14 +1821,6 @@
         <translation>Tegnforklaring</translation>
     </message>
     <message>
-        <source>Ask for &amp;callouts, too</source>
-        <translation>Spør etter f&amp;orklaringer også</translation>
-    </message>
-    <message>
-        <source>Callouts explain; only labels name what a card can ask for</source>
-        <translation>Forklaringer forklarer; bare etiketter nevner det et kort kan spørre om</translation>
-    </message>
-    <message>
         <source>Γ over s&amp;urfaces</source>
         <translation>Γ over &amp;flater</translation>
     </message>
@@ -1859,14 +1843,6 @@
     <message>
         <source>Title and text of a saved view at the picture&apos;s foot, where it says any; in films as a subtitle</source>
         <translation>Tittel og tekst til en lagret visning nederst i bildet, der den har noen; i filmer som undertekst</translation>
-    </message>
-    <message>
-        <source>Each saved view</source>
-        <translation>Hver lagrede visning</translation>
-    </message>
-    <message>
-        <source>What is shown</source>
-        <translation>Det som vises</translation>
     </message>
     <message>
         <source>16 : 9</source>
@@ -1901,12 +1877,112 @@
         <translation>Etter hvert lysbilde ett med tall i stedet for etikettene, og så fasiten</translation>
     </message>
     <message>
-        <source>A slide for</source>
-        <translation>Et lysbilde for</translation>
+        <source>Which number is it?</source>
+        <translation>Hvilket nummer er det?</translation>
     </message>
     <message>
-        <source>Without saved views there is one slide, of what is shown</source>
-        <translation>Uten lagrede visninger er det ett lysbilde, av det som vises</translation>
+        <source>A card for each name, which asks for its number in the picture</source>
+        <translation>Et kort for hvert navn, som spør etter nummeret i bildet</translation>
+    </message>
+    <message>
+        <source>Which name is covered?</source>
+        <translation>Hvilket navn er dekket?</translation>
+    </message>
+    <message>
+        <source>A card for each label, which covers its name among the others</source>
+        <translation>Et kort for hver betegnelse, som dekker navnet blant de andre</translation>
+    </message>
+    <message>
+        <source>What is this?</source>
+        <translation>Hva er dette?</translation>
+    </message>
+    <message>
+        <source>A card for each label, which marks the place and asks what it is</source>
+        <translation>Et kort for hver betegnelse, som merker stedet og spør hva det er</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beskrivelse</translation>
+    </message>
+    <message>
+        <source>What the picture shows, for who does not see it; where this is empty, the file says what is seen in the picture, and “off” leaves it out</source>
+        <translation>Hva bildet viser, for den som ikke ser det; er feltet tomt, sier filen hva som er å se i bildet, og «off» utelater det</translation>
+    </message>
+    <message>
+        <source>Beside surfaces alone</source>
+        <translation>Bare ved flater</translation>
+    </message>
+    <message>
+        <source>In a line</source>
+        <translation>På én linje</translation>
+    </message>
+    <message>
+        <source>On a page of their own</source>
+        <translation>På en egen side</translation>
+    </message>
+    <message>
+        <source>Nowhere</source>
+        <translation>Ingen steder</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Kilder</translation>
+    </message>
+    <message>
+        <source>Whose work the surfaces are and under what terms</source>
+        <translation>Hvem som har laget flatene, og på hvilke vilkår</translation>
+    </message>
+    <message>
+        <source>All with a label</source>
+        <translation>Alt med betegnelse</translation>
+    </message>
+    <message>
+        <source>Test asks for</source>
+        <translation>Testen spør etter</translation>
+    </message>
+    <message>
+        <source>The fewer, the easier</source>
+        <translation>Jo færre, desto lettere</translation>
+    </message>
+    <message>
+        <source>Of these alone</source>
+        <translation>Bare av disse</translation>
+    </message>
+    <message>
+        <source>Names of structures or groups, with commas; empty: of all</source>
+        <translation>Navn på strukturer eller grupper, med komma; tomt: av alle</translation>
+    </message>
+    <message>
+        <source>&amp;Callouts, too</source>
+        <translation>Også te&amp;kstfelt</translation>
+    </message>
+    <message>
+        <source>Callouts explain; only labels name what can be asked for</source>
+        <translation>Tekstfelt forklarer; bare betegnelser navngir det man kan spørre etter</translation>
+    </message>
+    <message>
+        <source>After each test</source>
+        <translation>Etter hver test</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Til slutt</translation>
+    </message>
+    <message>
+        <source>Word bank</source>
+        <translation>Ordliste</translation>
+    </message>
+    <message>
+        <source>The self-test has the answers below, in another order</source>
+        <translation>Under egentesten står svarene i en annen rekkefølge</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Fasit</translation>
+    </message>
+    <message>
+        <source>Where the answers stand, each test&apos;s on a page of its own</source>
+        <translation>Hvor svarene står, de til hver test på en egen side</translation>
     </message>
 </context>
 <context>
@@ -3452,13 +3528,6 @@
         <translation>pt</translation>
     </message>
     <message numerus="yes">
-        <source>%n files, one for each saved view.</source>
-        <translation>
-            <numerusform>%n fil, for den lagrede visningen.</numerusform>
-            <numerusform>%n filer, én for hver lagret visning.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n structures, seen as in the window.</source>
         <translation>
             <numerusform>%n struktur, sett som i vinduet.</numerusform>
@@ -4728,6 +4797,38 @@
         <source>Lay saved views out as panels a, b, c on a page for a journal, with insets, scale bars and one legend</source>
         <translation>Legg lagrede visninger ut som felt a, b, c på en side for et tidsskrift, med utsnitt, målestokker og én tegnforklaring</translation>
     </message>
+    <message numerus="yes">
+        <source>%n files, one for each saved view: %1 … %2.</source>
+        <translation>
+            <numerusform>%n fil, én for hver lagrede visning: %1 … %2.</numerusform>
+            <numerusform>%n filer, én for hver lagrede visning: %1 … %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 views on about %n pages, with contents, index and bookmarks.</source>
+        <translation>
+            <numerusform>%1 visninger på omtrent %n side, med innhold, register og bokmerker.</numerusform>
+            <numerusform>%1 visninger på omtrent %n sider, med innhold, register og bokmerker.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n cards, in a deck for each view.</source>
+        <translation>
+            <numerusform>Høyst %n kort, i en kortstokk for hver visning.</numerusform>
+            <numerusform>Høyst %n kort, i en kortstokk for hver visning.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n cards.</source>
+        <translation>
+            <numerusform>Høyst %n kort.</numerusform>
+            <numerusform>Høyst %n kort.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is seen is also told in words, for who does not see it.</source>
+        <translation>Det som er å se, står der også i ord, for den som ikke ser det.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -5223,10 +5324,6 @@ OpenGL: %3</translation>
         </translation>
     </message>
     <message>
-        <source>A file for each view, with the view&apos;s name behind its own</source>
-        <translation>Én fil for hver visning, med visningens navn bak sitt eget</translation>
-    </message>
-    <message>
         <source>Moves the camera to or fro without turning it</source>
         <translation>Flytter kameraet fram eller tilbake uten å dreie det</translation>
     </message>
@@ -5296,6 +5393,21 @@ OpenGL: %3</translation>
     <message>
         <source>Language: %1</source>
         <translation>Språk: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n sa&amp;ved views, in one file</source>
+        <translation>
+            <numerusform>Den %n lag&amp;rede visningen, i én fil</numerusform>
+            <numerusform>Alle %n lag&amp;rede visninger, i én fil</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each view has a page, a slide or a deck of its own</source>
+        <translation>Hver visning har sin egen side, sitt eget lysbilde eller sin egen kortstokk</translation>
+    </message>
+    <message>
+        <source>A file for each view, with its number and name behind the file&apos;s own</source>
+        <translation>En fil for hver visning, med nummeret og navnet bak filens eget</translation>
     </message>
 </context>
 <context>
@@ -7748,6 +7860,30 @@ OpenGL: %3</translation>
         <source>Drawn</source>
         <translation>Tegnet</translation>
     </message>
+    <message>
+        <source>Authors</source>
+        <translation>Opphavspersoner</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Kilde</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lisens</translation>
+    </message>
+    <message>
+        <source>Whose work the surface is; exports print it where you wish</source>
+        <translation>Hvem som har laget flaten; eksporter skriver det der du ønsker</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>flere</translation>
+    </message>
+    <message>
+        <source>Say Whose Work It Is</source>
+        <translation>Si hvem som har laget det</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTree</name>
@@ -8130,6 +8266,18 @@ OpenGL: %3</translation>
     <message>
         <source>Notes, for who presents it</source>
         <translation>Notater, for den som viser den</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Hva visningen viser</translation>
+    </message>
+    <message>
+        <source>For who does not see the picture: files for others have it, and without it they say what is seen</source>
+        <translation>For den som ikke ser bildet: filer for andre har det, og uten det sier de hva som er å se</translation>
+    </message>
+    <message>
+        <source>Description, for who does not see it</source>
+        <translation>Beskrivelse, for den som ikke ser det</translation>
     </message>
 </context>
 <context>

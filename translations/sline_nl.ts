@@ -1426,10 +1426,6 @@
         <translation>Anki-stapel</translation>
     </message>
     <message>
-        <source>Cards that ask for the labels of the picture: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
-        <translation>Kaarten die naar de labels van de afbeelding vragen: een pakket voor Anki (.apkg), of tekst en afbeeldingen in een ZIP (.zip) of nieuwe map</translation>
-    </message>
-    <message>
         <source>PNG picture</source>
         <translation>PNG-afbeelding</translation>
     </message>
@@ -1470,10 +1466,6 @@
         <translation>PDF-document</translation>
     </message>
     <message>
-        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key</source>
-        <translation>Dezelfde vectoren op een eigen pagina, of een blad met titel, legenda en genummerde labels, een pagina om zichzelf te toetsen en de sleutel</translation>
-    </message>
-    <message>
         <source>GLB surfaces (glTF)</source>
         <translation>GLB-oppervlakken (glTF)</translation>
     </message>
@@ -1485,6 +1477,14 @@
         <source>A slide for each saved view with its title, text and notes: labels are text boxes and lines that can be edited there, over the drawing</source>
         <translation>Een dia voor elk bewaard aanzicht met titel, tekst en notities: labels zijn tekstvakken en lijnen boven de tekening, die daar te bewerken zijn</translation>
     </message>
+    <message>
+        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key; of all saved views with contents and an index</source>
+        <translation>Dezelfde vectoren op een eigen pagina, of een blad met titel, legenda en genummerde benamingen, een pagina om zichzelf te toetsen en de antwoorden; van alle bewaarde aanzichten met inhoud en register</translation>
+    </message>
+    <message>
+        <source>Cards that ask for the labels of the picture, or of all saved views: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
+        <translation>Kaarten die naar de benamingen van de afbeelding of van alle bewaarde aanzichten vragen: een pakket voor Anki (.apkg), of tekst en afbeeldingen in een ZIP (.zip) of een nieuwe map</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportOption</name>
@@ -1495,14 +1495,6 @@
     <message>
         <source>Its name in Anki; else the view&apos;s name</source>
         <translation>De naam in Anki; anders de naam van het aanzicht</translation>
-    </message>
-    <message>
-        <source>S&amp;how the other labels</source>
-        <translation>De andere labels &amp;tonen</translation>
-    </message>
-    <message>
-        <source>A card asks for one label and shows the others</source>
-        <translation>Een kaart vraagt naar één label en toont de andere</translation>
     </message>
     <message>
         <source>Once around</source>
@@ -1829,14 +1821,6 @@
         <translation>Legenda</translation>
     </message>
     <message>
-        <source>Ask for &amp;callouts, too</source>
-        <translation>Ook naar bijsc&amp;hriften vragen</translation>
-    </message>
-    <message>
-        <source>Callouts explain; only labels name what a card can ask for</source>
-        <translation>Bijschriften leggen uit; alleen labels noemen waar een kaart naar kan vragen</translation>
-    </message>
-    <message>
         <source>Γ over s&amp;urfaces</source>
         <translation>Γ over opper&amp;vlakken</translation>
     </message>
@@ -1859,14 +1843,6 @@
     <message>
         <source>Title and text of a saved view at the picture&apos;s foot, where it says any; in films as a subtitle</source>
         <translation>Titel en tekst van een bewaard aanzicht onder aan de afbeelding, waar het die heeft; in films als ondertitel</translation>
-    </message>
-    <message>
-        <source>Each saved view</source>
-        <translation>Elk bewaard aanzicht</translation>
-    </message>
-    <message>
-        <source>What is shown</source>
-        <translation>Wat te zien is</translation>
     </message>
     <message>
         <source>16 : 9</source>
@@ -1901,12 +1877,112 @@
         <translation>Na elke dia een met nummers in plaats van de labels, en dan de antwoorden</translation>
     </message>
     <message>
-        <source>A slide for</source>
-        <translation>Een dia voor</translation>
+        <source>Which number is it?</source>
+        <translation>Welk nummer is het?</translation>
     </message>
     <message>
-        <source>Without saved views there is one slide, of what is shown</source>
-        <translation>Zonder bewaarde aanzichten is er één dia, van wat te zien is</translation>
+        <source>A card for each name, which asks for its number in the picture</source>
+        <translation>Een kaart voor elke naam, die naar het nummer in de afbeelding vraagt</translation>
+    </message>
+    <message>
+        <source>Which name is covered?</source>
+        <translation>Welke naam is bedekt?</translation>
+    </message>
+    <message>
+        <source>A card for each label, which covers its name among the others</source>
+        <translation>Een kaart voor elke benaming, die de naam tussen de andere bedekt</translation>
+    </message>
+    <message>
+        <source>What is this?</source>
+        <translation>Wat is dit?</translation>
+    </message>
+    <message>
+        <source>A card for each label, which marks the place and asks what it is</source>
+        <translation>Een kaart voor elke benaming, die de plaats markeert en vraagt wat het is</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschrijving</translation>
+    </message>
+    <message>
+        <source>What the picture shows, for who does not see it; where this is empty, the file says what is seen in the picture, and “off” leaves it out</source>
+        <translation>Wat de afbeelding toont, voor wie haar niet ziet; is dit leeg, dan zegt het bestand wat er te zien is, en “off” laat het weg</translation>
+    </message>
+    <message>
+        <source>Beside surfaces alone</source>
+        <translation>Alleen bij oppervlakken</translation>
+    </message>
+    <message>
+        <source>In a line</source>
+        <translation>Op één regel</translation>
+    </message>
+    <message>
+        <source>On a page of their own</source>
+        <translation>Op een eigen pagina</translation>
+    </message>
+    <message>
+        <source>Nowhere</source>
+        <translation>Nergens</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Bronnen</translation>
+    </message>
+    <message>
+        <source>Whose work the surfaces are and under what terms</source>
+        <translation>Wiens werk de oppervlakken zijn en onder welke voorwaarden</translation>
+    </message>
+    <message>
+        <source>All with a label</source>
+        <translation>Alles met benaming</translation>
+    </message>
+    <message>
+        <source>Test asks for</source>
+        <translation>Toets vraagt naar</translation>
+    </message>
+    <message>
+        <source>The fewer, the easier</source>
+        <translation>Hoe minder, hoe makkelijker</translation>
+    </message>
+    <message>
+        <source>Of these alone</source>
+        <translation>Alleen hiervan</translation>
+    </message>
+    <message>
+        <source>Names of structures or groups, with commas; empty: of all</source>
+        <translation>Namen van structuren of groepen, met komma’s; leeg: van alle</translation>
+    </message>
+    <message>
+        <source>&amp;Callouts, too</source>
+        <translation>Ook te&amp;kstvakken</translation>
+    </message>
+    <message>
+        <source>Callouts explain; only labels name what can be asked for</source>
+        <translation>Tekstvakken leggen uit; alleen benamingen noemen waarnaar men kan vragen</translation>
+    </message>
+    <message>
+        <source>After each test</source>
+        <translation>Na elke toets</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Aan het eind</translation>
+    </message>
+    <message>
+        <source>Word bank</source>
+        <translation>Woordenlijst</translation>
+    </message>
+    <message>
+        <source>The self-test has the answers below, in another order</source>
+        <translation>Onder de zelftoets staan de antwoorden in een andere volgorde</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Antwoorden</translation>
+    </message>
+    <message>
+        <source>Where the answers stand, each test&apos;s on a page of its own</source>
+        <translation>Waar de antwoorden staan, die van elke toets op een eigen pagina</translation>
     </message>
 </context>
 <context>
@@ -3452,13 +3528,6 @@
         <translation>pt</translation>
     </message>
     <message numerus="yes">
-        <source>%n files, one for each saved view.</source>
-        <translation>
-            <numerusform>%n bestand, voor het bewaarde aanzicht.</numerusform>
-            <numerusform>%n bestanden, één voor elk bewaard aanzicht.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n structures, seen as in the window.</source>
         <translation>
             <numerusform>%n structuur, gezien als in het venster.</numerusform>
@@ -4728,6 +4797,38 @@
         <source>Lay saved views out as panels a, b, c on a page for a journal, with insets, scale bars and one legend</source>
         <translation>Opgeslagen aanzichten als vakken a, b, c op een pagina voor een tijdschrift zetten, met uitsneden, schaalbalken en één legenda</translation>
     </message>
+    <message numerus="yes">
+        <source>%n files, one for each saved view: %1 … %2.</source>
+        <translation>
+            <numerusform>%n bestand, één voor elk bewaard aanzicht: %1 … %2.</numerusform>
+            <numerusform>%n bestanden, één voor elk bewaard aanzicht: %1 … %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 views on about %n pages, with contents, index and bookmarks.</source>
+        <translation>
+            <numerusform>%1 aanzichten op ongeveer %n pagina, met inhoud, register en bladwijzers.</numerusform>
+            <numerusform>%1 aanzichten op ongeveer %n pagina’s, met inhoud, register en bladwijzers.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n cards, in a deck for each view.</source>
+        <translation>
+            <numerusform>Ten hoogste %n kaart, in een stapel voor elk aanzicht.</numerusform>
+            <numerusform>Ten hoogste %n kaarten, in een stapel voor elk aanzicht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n cards.</source>
+        <translation>
+            <numerusform>Ten hoogste %n kaart.</numerusform>
+            <numerusform>Ten hoogste %n kaarten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is seen is also told in words, for who does not see it.</source>
+        <translation>Wat te zien is, staat er ook in woorden in, voor wie het niet ziet.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -5223,10 +5324,6 @@ OpenGL: %3</translation>
         </translation>
     </message>
     <message>
-        <source>A file for each view, with the view&apos;s name behind its own</source>
-        <translation>Een bestand per aanzicht, met de naam van het aanzicht erachter</translation>
-    </message>
-    <message>
         <source>Moves the camera to or fro without turning it</source>
         <translation>Beweegt de camera heen of weer zonder te draaien</translation>
     </message>
@@ -5296,6 +5393,21 @@ OpenGL: %3</translation>
     <message>
         <source>Language: %1</source>
         <translation>Taal: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n sa&amp;ved views, in one file</source>
+        <translation>
+            <numerusform>Het %n &amp;bewaarde aanzicht, in één bestand</numerusform>
+            <numerusform>Alle %n &amp;bewaarde aanzichten, in één bestand</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each view has a page, a slide or a deck of its own</source>
+        <translation>Elk aanzicht heeft een eigen pagina, dia of stapel</translation>
+    </message>
+    <message>
+        <source>A file for each view, with its number and name behind the file&apos;s own</source>
+        <translation>Een bestand voor elk aanzicht, met nummer en naam achter die van het bestand</translation>
     </message>
 </context>
 <context>
@@ -7748,6 +7860,30 @@ OpenGL: %3</translation>
         <source>Drawn</source>
         <translation>Getekend</translation>
     </message>
+    <message>
+        <source>Authors</source>
+        <translation>Auteurs</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Bron</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Licentie</translation>
+    </message>
+    <message>
+        <source>Whose work the surface is; exports print it where you wish</source>
+        <translation>Wiens werk het oppervlak is; exports drukken het af waar je dat wenst</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>meerdere</translation>
+    </message>
+    <message>
+        <source>Say Whose Work It Is</source>
+        <translation>Zeggen wiens werk het is</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTree</name>
@@ -8130,6 +8266,18 @@ OpenGL: %3</translation>
     <message>
         <source>Notes, for who presents it</source>
         <translation>Notities, voor wie het vertoont</translation>
+    </message>
+    <message>
+        <source>What the view shows</source>
+        <translation>Wat het aanzicht toont</translation>
+    </message>
+    <message>
+        <source>For who does not see the picture: files for others have it, and without it they say what is seen</source>
+        <translation>Voor wie de afbeelding niet ziet: bestanden voor anderen hebben het, en zonder dit zeggen ze wat er te zien is</translation>
+    </message>
+    <message>
+        <source>Description, for who does not see it</source>
+        <translation>Beschrijving, voor wie het niet ziet</translation>
     </message>
 </context>
 <context>
