@@ -440,7 +440,8 @@ void ExportTest::surfacesAndCards() {
   QCOMPARE(
       runSline({"export", scene, "--anki", deck, "--deck", "Niere", "--size-mm", "100x60"}).code,
       0);
-  QVERIFY(contents(deck + "/deck.txt").contains("#deck:Niere"));
+  const QByteArray text = contents(deck + "/deck.txt");
+  QVERIFY(text.contains("#deck column:5\n") && text.contains("\tNiere\n"));
   QCOMPARE(QDir(deck).entryList({"*.png"}).size(), 4);
   const Finished bare = runSline({"export", m_sample, "--anki", m_folder.filePath("none.apkg")});
   QCOMPARE(bare.code, 1);

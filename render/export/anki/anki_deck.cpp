@@ -23,7 +23,8 @@ std::string htmlOf(const AnkiFace& face) {
   // Without a style sheet of its own, so that it looks the same in notes of every type.
   std::string html = face.words.empty() ? std::string() : "<div>" + htmlText(face.words) + "</div>";
   html += "<div style=\"position:relative;display:inline-block\"><img src=\"" + face.ground +
-          "\" alt=\"" + htmlText(face.shows) + "\" style=\"display:block;max-width:100%;max-height:75vh\">";
+          "\" alt=\"" + htmlText(face.shows) +
+          "\" style=\"display:block;max-width:100%;max-height:75vh\">";
   if (!face.over.empty())
     html += "<img src=\"" + face.over +
             "\" alt=\"\" style=\"position:absolute;left:0;top:0;width:100%;height:100%\">";

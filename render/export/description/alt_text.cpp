@@ -27,10 +27,9 @@ class Describing {
         m_words(descriptionTable(m_language)),
         m_left(mostWords) {}
 
-  std::string make() {
+  std::string make(bool named) {
     if (m_facts.structures.empty())
       return m_words.empty;
-    const bool named = m_order.labels.mode == LabelMode::on;
     addFirst(named);
     addEdge(m_words.onLeft, m_facts.left);
     addEdge(m_words.onTop, m_facts.top);
@@ -186,7 +185,7 @@ std::string oneLine(const std::string& text) {
 }  // namespace
 
 std::string describedPicture(const ExportOrder& order, std::size_t mostWords) {
-  return Describing(order, mostWords).make();
+  return Describing(order, mostWords).make(order.labels.mode == LabelMode::on);
 }
 
 AltText altTextOf(const ExportOrder& order) {
@@ -200,7 +199,9 @@ AltText altTextOf(const ExportOrder& order) {
   const model::Wording& said = order.words.description;
   if (order.labels.mode == LabelMode::on && !said.in(language).empty())
     return {oneLine(said.in(language)), said.texts.contains(language) ? language : std::string()};
-  return {describedPicture(order), descriptionTable(language).language};
+  // A file does not tell what nobody has written on the picture, such as names of files.
+  const bool named = order.labels.mode == LabelMode::on && hasLabels(order.scene);
+  return {Describing(order, usualWords).make(named), descriptionTable(language).language};
 }
 
 AltText altTextOfFilm(const ExportOrder& first) {

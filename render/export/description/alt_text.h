@@ -20,10 +20,11 @@ struct AltText {
 };
 
 /// Returns what is said of the order's picture: what the person says in the order, else what the
-/// view says in the language, else a description. Where labels are off, or numbers or lines stand
-/// for them, it names no structure, so that it gives no answer away: what the view says is not used
-/// then, and with numbers and lines not what the order says either. It takes as long as finding
-/// places for labels.
+/// view says in the language, else a description, which names structures only where the scene has
+/// labels: a file does not tell what nobody has written on the picture. Where labels are off, or
+/// numbers or lines stand for them, no structure is named, so that no answer is given away: what
+/// the view says is not used then, and with numbers and lines not what the order says either. It
+/// takes as long as finding places for labels.
 AltText altTextOf(const ExportOrder& order);
 
 /// Returns the same of a film, whose first picture the order is of.

@@ -55,7 +55,8 @@ class Lesson {
     for (const auto& part : m_parts)
       progress.note(part->setter.notes());
     progress.note(m_notes);
-    return pages->finish(fileCredit(m_order, {}), m_order.of<SheetOptions>().title, std::move(m_navigation));
+    return pages->finish(fileCredit(m_order, {}), m_order.of<SheetOptions>().title,
+                         std::move(m_navigation));
   }
 
  private:

@@ -127,12 +127,6 @@ model::Scene labelled(const ExportOrder& order) {
 
 }  // namespace
 
-bool hasLabels(const model::Scene& scene) {
-  const auto& annotations = scene.annotations();
-  return std::any_of(annotations.begin(), annotations.end(),
-                     [](const model::Annotation& annotation) { return annotation.visible; });
-}
-
 ExportOrder sheetFigure(const ExportOrder& order) {
   ExportOrder figure = order;
   const SheetKind kind = order.of<SheetOptions>().kind;

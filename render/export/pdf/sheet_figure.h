@@ -6,14 +6,10 @@
 
 namespace sline::render {
 
-/// Tells whether the scene has a visible annotation. If it has none, structures are labelled where
-/// a sheet shows labels: those that are seen, and of a left and a right one that with more room
-/// beside it.
-bool hasLabels(const model::Scene& scene);
-
 /// Returns the figure as the order's sheet has it: its page is fitted into the sheet, and labels
 /// are shown as the sheet shows them. Where the sheet shows labels and the scene has none, they are
-/// added, numbered down the left side and then down the right. Without a sheet it is unchanged.
+/// added to those structures that are seen, and of a left and a right one to that with more room
+/// beside it, numbered down the left side and then down the right. Without a sheet it is unchanged.
 ExportOrder sheetFigure(const ExportOrder& order);
 
 }  // namespace sline::render

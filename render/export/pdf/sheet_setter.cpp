@@ -53,7 +53,10 @@ Status SheetSetter::draw(const std::filesystem::path& target, const ExportProgre
   if (!drawing.ok())
     return drawing.error();
   m_drawing = std::move(*drawing);
-  m_said = altTextOf(m_order);
+  ExportOrder said = m_order;
+  if (!hasLabels(m_given.scene))  // those of the sheet are nobody's words
+    said.labels.mode = LabelMode::off;
+  m_said = altTextOf(said);
   ExportOrder test = m_order;
   test.labels.mode = LabelMode::numbers;
   m_testSaid = altTextOf(test);

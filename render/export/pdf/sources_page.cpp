@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "render/export/order/sheet_words.h"
 #include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/pdf_pages.h"
-#include "render/export/order/sheet_words.h"
 #include "render/export/plate/source_credits.h"
 
 namespace sline::render {

@@ -386,6 +386,12 @@ void MarkLayout::addCaption() {
 
 }  // namespace
 
+bool hasLabels(const model::Scene& scene) {
+  const auto& annotations = scene.annotations();
+  return std::any_of(annotations.begin(), annotations.end(),
+                     [](const model::Annotation& annotation) { return annotation.visible; });
+}
+
 bool hasSides(const model::Scene& scene) {
   bool any = false;
   for (const model::Node& node : scene.nodes())

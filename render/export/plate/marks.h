@@ -36,6 +36,9 @@ Marks marksOf(const ExportOrder& order);
 
 /// Tells whether anything visible comes from files of known directions, or nothing is visible.
 bool hasSides(const model::Scene& scene);
+/// Tells whether the scene has a visible annotation. If it has none, sheets label structures by
+/// themselves (`sheetFigure`).
+bool hasLabels(const model::Scene& scene);
 /// Returns the sections that are on and take something away of what is visible.
 std::vector<const model::Section*> sectionsSeen(const model::Scene& scene);
 

@@ -84,7 +84,7 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
   QCOMPARE(keysOf(root["nodes"][2]["provenance"]),
            QString("file frame frame_reason mm_per_unit unit_reason smoothing_steps "
                    "refinement_steps repaired_faces displacement_mm slice_mm decimated_from "
-                   "decimation_mm part fingerprint transform"));
+                   "decimation_mm part fingerprint transform credit"));
   QCOMPARE(keysOf(root["views"][1]), QString("name camera sections"));
   QCOMPARE(keysOf(root["views"][3]), QString("name camera looks annotations focus"));
   QCOMPARE(keysOf(root["annotations"][0]),
