@@ -442,7 +442,8 @@ void ExportTest::surfacesAndCards() {
       0);
   const QByteArray text = contents(deck + "/deck.txt");
   QVERIFY(text.contains("#deck column:5\n") && text.contains("\tNiere\n"));
-  QCOMPARE(QDir(deck).entryList({"*.png"}).size(), 4);
+  // The picture, and over it each name, each mark and the numbers.
+  QCOMPARE(QDir(deck).entryList({"*.png"}).size(), 6);
   const Finished bare = runSline({"export", m_sample, "--anki", m_folder.filePath("none.apkg")});
   QCOMPARE(bare.code, 1);
   QVERIFY2(bare.err.contains("no labels"), bare.err.constData());
