@@ -16,6 +16,7 @@
 #include "widgets/export/finished_page.h"
 #include "widgets/export/note_texts.h"
 #include "widgets/session/names_by_language.h"
+#include "widgets/text/path_text.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
