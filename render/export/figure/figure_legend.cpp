@@ -46,7 +46,8 @@ std::vector<LetteringItem> FigureLegendRows::drawnAt(const glm::vec2& corner, fl
   const float baseline = 0.8f;  // of a row's height
   std::vector<LetteringItem> rows;
   for (std::size_t i = 0; i < m_entries.size(); ++i) {
-    const auto column = float(i / columns.down);
+    const std::size_t columnIndex = i / columns.down;
+    const auto column = float(columnIndex);
     const auto row = float(i % columns.down);
     rows.push_back(
         legendRow(m_entries[i],
