@@ -3,8 +3,9 @@
 
 /** Pixels within which a press is a click. */
 const clickReach = 6;
-/** Milliseconds between the two clicks of a double one. */
+/** Milliseconds, and pixels, between the two clicks of a double one. */
 const twiceWithin = 350;
+const twiceReach = 30;
 
 class Gestures {
   /**
@@ -18,7 +19,7 @@ class Gestures {
     this.fingers = new Map();
     this.wandered = false;
     this.start = { x: 0, y: 0 };
-    this.last = { at: -1e6, structure: -1 };
+    this.last = { at: -1e6, structure: 0, x: 0, y: 0 };
     this.hover = 0;
     const { element } = stage;
     element.addEventListener("pointerdown", (event) => this.down(event));
@@ -79,11 +80,16 @@ class Gestures {
   /** @param {PointerEvent} event */
   up(event) {
     if (!this.fingers.delete(event.pointerId) || this.wandered) return;
-    const structure = this.stage.structureAt(event.clientX, event.clientY);
-    const twice = event.timeStamp - this.last.at < twiceWithin && structure === this.last.structure;
-    this.last = { at: twice ? -1e6 : event.timeStamp, structure };
-    if (twice) this.acts.twice(structure);
-    else this.acts.clicked(structure);
+    const { clientX: x, clientY: y, timeStamp } = event;
+    // What was clicked first counts: the picture may have made room for its card by the second time.
+    const twice = timeStamp - this.last.at < twiceWithin && Math.hypot(x - this.last.x, y - this.last.y) < twiceReach;
+    if (twice) {
+      this.acts.twice(this.last.structure);
+      this.last.at = -1e6;
+      return;
+    }
+    this.last = { at: timeStamp, structure: this.stage.structureAt(x, y), x, y };
+    this.acts.clicked(this.last.structure);
   }
 
   /** @param {WheelEvent} event */

@@ -26,11 +26,15 @@ class PrintedPage {
   /** A copy, as a browser forgets what WebGL drew once it has shown it. */
   picture() {
     const { stage } = this;
-    stage.drawNow();
-    const { width, height } = stage.canvas;
-    const copy = make("canvas", { width, height });
-    copy.getContext("2d")?.drawImage(stage.canvas, 0, 0);
-    return make("div", { class: "printed-picture" }, copy, stage.overlay.cloneNode(true));
+    const copy = make("canvas");
+    const picture = make("div", { class: "printed-picture" }, copy);
+    stage.drawFine(() => {
+      copy.width = stage.canvas.width;
+      copy.height = stage.canvas.height;
+      copy.getContext("2d")?.drawImage(stage.canvas, 0, 0);
+      picture.append(stage.overlay.cloneNode(true));
+    });
+    return picture;
   }
 
   key() {

@@ -12,6 +12,8 @@ class Quiz {
     this.flight = flight;
     const { quiz, report } = lesson.facts;
     this.questions = quiz.mode === "off" ? [] : quiz.questions.filter((question) => this.canBeAsked(question));
+    /** Those of the round that is going on. */
+    this.asked = this.questions;
     /** @type {Map<string, boolean>} whether what was answered was right */
     this.answered = new Map();
     /** @type {"ready" | "asking" | "told" | "over"} */
@@ -52,7 +54,7 @@ class Quiz {
   }
 
   get right() {
-    return this.questions.filter((question) => this.answered.get(question.id)).length;
+    return this.asked.filter((question) => this.answered.get(question.id)).length;
   }
 
   /** Whether the reader may begin anew: where it counts only the first answers do. */
@@ -73,13 +75,26 @@ class Quiz {
     const said = [count === 1 ? lesson.say("oneQuestion") : lesson.say("questions", count),
                   lesson.say(lesson.facts.quiz.counts ? "countsText" : "practice")];
     if (answered.size) said.push(lesson.say("resumed", answered.size));
-    return [make("div", { class: "opening" }, ...said.map((words) => make("p", {}, words)),
+    return [make("div", { class: "opening" }, ...said.map((words) => make("p", {}, words)), this.rounds(),
                  make("button", { type: "button", class: "plain-button", click: () => this.begin() },
                       lesson.say("start"), icon("on")))];
   }
 
+  /** Who practises may take some of many questions. */
+  rounds() {
+    const count = this.questions.length;
+    const sizes = [10, 20, 50].filter((size) => size < count);
+    this.size = make("select", {}, ...sizes.map((size) => make("option", { value: size }, String(size))),
+                     make("option", { value: count }, this.lesson.say("all", count)));
+    return this.repeats && sizes.length
+      ? make("label", { class: "round" }, this.lesson.say("howMany"), " ", this.size) : null;
+  }
+
   async begin() {
     await this.known;
+    const size = this.repeats ? Number(this.size?.value ?? this.questions.length) : this.questions.length;
+    const some = new Set(shuffled(this.questions).slice(0, size));
+    this.asked = this.questions.filter((question) => some.has(question));
     this.at = -1;
     this.next();
   }
@@ -87,12 +102,12 @@ class Quiz {
   /** Asks the next question that is not answered. */
   next() {
     do ++this.at;
-    while (this.at < this.questions.length && this.answered.has(this.questions[this.at].id));
-    if (this.at === this.questions.length) {
+    while (this.at < this.asked.length && this.answered.has(this.asked[this.at].id));
+    if (this.at === this.asked.length) {
       this.finish();
       return;
     }
-    const facts = this.questions[this.at];
+    const facts = this.asked[this.at];
     this.state = "asking";
     this.outcome = undefined;
     this.question = new questionKinds[facts.kind](this.lesson, this.stage, facts, (outcome) => this.take(outcome));
@@ -125,7 +140,7 @@ class Quiz {
     const { lesson, question, outcome } = this;
     if (!question) return [];
     const subject = question.subject();
-    const count = lesson.say("questionOf", this.at + 1, this.questions.length);
+    const count = lesson.say("questionOf", this.at + 1, this.asked.length);
     const prompt = make("div", { class: "prompt", tabindex: "-1" },
                         make("p", { class: "count" }, count), make("h2", {}, question.prompt()),
                         subject ? make("p", { class: "subject" }, subject) : null);
@@ -159,7 +174,7 @@ class Quiz {
       ? lesson.pick(facts.words)?.words : undefined;
     if (names) said.push(lesson.say("itIs", names));
     if (facts?.kind === "find" && !outcome.correct) said.push(lesson.say("markedNow"));
-    const last = this.questions.every((one) => this.answered.has(one.id));
+    const last = this.asked.every((one) => this.answered.has(one.id));
     return make("div", { class: outcome.correct ? "verdict right" : "verdict wrong" },
                 make("p", { class: "verdict-word" }, icon(outcome.correct ? "right" : "wrong"),
                      lesson.say(outcome.correct ? "rightAnswer" : "wrongAnswer")),
@@ -197,16 +212,16 @@ class Quiz {
   finish() {
     this.state = "over";
     this.release();
-    if (!this.ended) this.reporter.end(this.right, this.questions.length);
+    if (!this.ended) this.reporter.end(this.right, this.asked.length);
     this.ended = true;
     this.remake();
-    this.lesson.announce(this.lesson.say("score", this.right, this.questions.length));
+    this.lesson.announce(this.lesson.say("score", this.right, this.asked.length));
     this.focus(".score");
   }
 
   overPage() {
-    const { lesson, questions } = this;
-    const items = questions.map((question) => {
+    const { lesson, asked } = this;
+    const items = asked.map((question) => {
       const right = this.answered.get(question.id) === true;
       const words = question.kind === "drag" ? undefined : lesson.pick(question.words);
       return make("li", { class: right ? "right" : "wrong" }, icon(right ? "right" : "wrong"),
@@ -217,7 +232,7 @@ class Quiz {
     const again = this.repeats
       ? make("button", { type: "button", class: "plain-button", click: () => this.again() }, lesson.say("again"))
       : "";
-    return [make("p", { class: "score", tabindex: "-1" }, lesson.say("score", this.right, questions.length)),
+    return [make("p", { class: "score", tabindex: "-1" }, lesson.say("score", this.right, asked.length)),
             make("ol", { class: "results" }, ...items), again];
   }
 
@@ -228,7 +243,11 @@ class Quiz {
 
   again() {
     this.answered.clear();
-    this.begin();
+    this.question = undefined;
+    this.state = "ready";
+    this.remake();
+    if (this.questions.length === this.asked.length) this.begin();
+    else this.focus("select");
   }
 
   /** Gives the scene back to the reader. */

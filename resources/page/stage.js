@@ -28,6 +28,8 @@ class Stage {
     this.lookHeld = false;
     /** @type {LabelMode | undefined} what a question shows in place of what the reader chose */
     this.askedLabels = undefined;
+    /** The size that the engine was given. */
+    this.size = { width: 0, height: 0, ratio: 0 };
     this.frame = 0;
     this.rest = 0;
     this.moving = false;
@@ -44,20 +46,33 @@ class Stage {
   /** @param {Engine} engine that has a scene */
   begin(engine) {
     this.engine = engine;
-    new ResizeObserver(() => this.fill()).observe(this.element);
-    this.fill();
     this.showLabels();
     this.showChosen();
-    this.drawNow();
+    this.fill();
+    new ResizeObserver(() => this.fill()).observe(this.element);
   }
 
   /** Gives the picture the size of its place. */
   fill() {
     const { clientWidth: width, clientHeight: height } = this.element;
-    if (!this.engine || width < 2 || height < 2) return;
+    const ratio = Math.min(window.devicePixelRatio || 1, 3);
+    const same = width === this.size.width && height === this.size.height && ratio === this.size.ratio;
+    if (!this.engine || width < 2 || height < 2 || same) return;
+    this.size = { width, height, ratio };
     this.overlay.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    this.engine.size(width, height, Math.min(window.devicePixelRatio || 1, 3));
+    this.engine.size(width, height, ratio);
     // At once, as a canvas of another size is empty until then.
+    this.drawNow();
+  }
+
+  /** Draws as many pixels as paper shows, lets `take` have them, and goes back. @param {() => void} take */
+  drawFine(take) {
+    // What is printed may have no room on the screen any more.
+    const { width, height, ratio } = this.size;
+    this.engine?.size(width, height, Math.max(ratio, Math.min(3, 4096 / Math.max(width, height))));
+    this.drawNow();
+    take();
+    this.engine?.size(width, height, ratio);
     this.drawNow();
   }
 

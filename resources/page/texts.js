@@ -78,6 +78,8 @@ const textTable = {
   again: ["Once more", "Noch einmal", "Nog een keer", "En gang til"],
   questions: ["{0} questions", "{0} Fragen", "{0} vragen", "{0} spørsmål"],
   oneQuestion: ["One question", "Eine Frage", "Eén vraag", "Ett spørsmål"],
+  howMany: ["How many?", "Wie viele?", "Hoeveel?", "Hvor mange?"],
+  all: ["all {0}", "alle {0}", "alle {0}", "alle {0}"],
   countsText: ["Your first answer to each question counts.", "Bei jeder Frage zählt die erste Antwort.",
     "Bij elke vraag telt het eerste antwoord.", "Det første svaret på hvert spørsmål teller."],
   practice: ["For practice: nothing is recorded.", "Zum Üben: Nichts wird festgehalten.",

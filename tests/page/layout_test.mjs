@@ -110,6 +110,8 @@ test("what is printed: picture, title, text, key and credits", async () => {
     return data.some((value, i) => i % 4 === 0 && value < 128);
   });
   assert.ok(inked);
+  assert.ok(await page.evaluate(() => document.querySelector("#printed canvas").width > 2 * document.querySelector(".stage canvas").width),
+            "paper shows more than a screen");
   assert.ok((await page.pdf({ preferCSSPageSize: false })).length > 5000);
   await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
   assert.equal(await page.locator("#printed > *").count(), 0);

@@ -218,6 +218,28 @@ test("practice may be repeated and is told to nobody", async () => {
   await page.done();
 });
 
+test("of many questions who practises takes some", async () => {
+  const many = (options) => pages.write(options, (parts) => {
+    const [one] = parts.facts.quiz.questions;
+    parts.facts.quiz.questions = Array.from({ length: 25 }, (_, i) => ({ ...one, id: `find-${i}` }));
+    return parts;
+  });
+  const page = await pages.visit(many({ counts: false }));
+  await page.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
+  assert.deepEqual(await page.locator(".round option").allInnerTexts(), ["10", "20", "all 25"]);
+  await begun(page, 10);
+  assert.equal(await page.locator(".score").innerText(), "0 of 10 right");
+  await page.getByRole("button", { name: "Once more" }).click();
+  await page.locator(".round select").selectOption("20");
+  await begun(page);
+  assert.equal(await page.locator("#quiz .count").innerText(), "Question 1 of 20");
+  await page.done();
+  const counted = await pages.visit(many({ report: "scorm12" }));
+  await counted.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
+  assert.equal(await counted.locator(".round").count(), 0);
+  await counted.done();
+});
+
 test("quiz only: no name in file or page, and typed names are known all the same", async () => {
   const address = pages.write({ mode: "only", report: "scorm12" });
   const { readFileSync } = await import("node:fs");
