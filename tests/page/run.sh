@@ -26,9 +26,10 @@ if ! cmp -s "$here/package-lock.json" "$work/installed"; then
 fi
 export PAGE_MODULES=$work/node_modules
 
-# All scripts of the page share one scope: they are checked together, with the engine of the tests.
-node "$here/types.mjs" >"$work/tsconfig.json"
-"$work/node_modules/.bin/tsc" -p "$work/tsconfig.json"
+# All scripts of the page share one scope: they are checked together, and engines for being what they use.
+for project in $(node "$here/types.mjs" "$work/types"); do
+  "$work/node_modules/.bin/tsc" -p "$project"
+done
 
 tests=("$@")
 [ ${#tests[@]} -eq 0 ] && tests=("$here"/*_test.mjs)

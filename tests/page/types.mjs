@@ -1,13 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the settings with which tsc checks the page's scripts: tsconfig.json and their names.
-import { existsSync, readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+// types.mjs FOLDER: writes there what tsc is to check: page.json, the page's scripts together; and for
+// each engine a project that compares it with engine.d.ts. Prints the projects' names.
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
 import { here, pageFolder, pageScripts, reporterScripts } from "./assemble.mjs";
 
-const settings = JSON.parse(readFileSync(join(here, "tsconfig.json"), "utf8"));
+const folder = process.argv[2];
+mkdirSync(folder, { recursive: true });
+
+function project(name, files) {
+  for (const file of files) if (!existsSync(file)) throw new Error(`${file} is not there`);
+  const settings = JSON.parse(readFileSync(join(here, "tsconfig.json"), "utf8"));
+  const path = join(folder, `${name}.json`);
+  writeFileSync(path, JSON.stringify({ ...settings, files }, undefined, 2));
+  console.log(path);
+}
+
 const declared = readdirSync(pageFolder).filter((name) => name.endsWith(".d.ts")).map((name) => join(pageFolder, name));
 const reporters = reporterScripts();
-// engine.d.ts speaks for the engine, whose own types are checked where it is made.
-settings.files = [...declared, ...(reporters.length ? reporters : [join(here, "fake_report.js")]), ...pageScripts()];
-for (const file of settings.files) if (!existsSync(file)) throw new Error(`order.txt names ${file}, which is not there`);
-console.log(JSON.stringify(settings, undefined, 2));
+project("page", [...declared, ...(reporters.length ? reporters : [join(here, "fake_report.js")]), ...pageScripts()]);
+
+// engine.d.ts declares the class that an engine defines: for the comparison it is given another name.
+const shape = join(folder, "engine_shape.d.ts");
+writeFileSync(shape, readFileSync(join(pageFolder, "engine.d.ts"), "utf8").replace("declare class Engine {", "declare class EngineShape {") +
+                     "\ndeclare var createEngineModule: (settings: object) => Promise<any>;\n");
+const compared = join(folder, "engine_compared.js");
+writeFileSync(compared, `/** @type {(engine: Engine) => EngineShape} */
+const engineAsShape = (engine) => engine;
+/** @type {(options: EngineOptions) => Promise<EngineShape>} */
+const startAsShape = (options) => Engine.start(options);
+`);
+for (const engine of [join(here, "fake_engine.js"), join(here, "..", "..", "render", "web", "engine.js")])
+  project(basename(engine, ".js"), [shape, engine, compared]);
