@@ -75,7 +75,7 @@ class Content {
 
   std::vector<model::ZipMember> members() {
     for (const QuestionSheet& sheet : m_book.sheets)
-      for (const AskedThing& thing : sheet.things)
+      for (const SheetThing& thing : sheet.things)
         addThing(sheet, thing);
     const Json content = assembled();
     std::vector<model::ZipMember> all{{"h5p.json", dumped(manifest())},
@@ -89,7 +89,7 @@ class Content {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
 
-  void addThing(const QuestionSheet& sheet, const AskedThing& thing) {
+  void addThing(const QuestionSheet& sheet, const SheetThing& thing) {
     if (m_options.find && isFoundByPlace(thing))
       m_hotspots.push_back(hotspotQuestion(sheet, thing));
     else if (m_options.find && hasChoice(thing) && !thing.numbers.empty())
@@ -140,10 +140,10 @@ class Content {
               {"figure", "rectangle"}}}};
   }
 
-  Json hotspotQuestion(const QuestionSheet& sheet, const AskedThing& thing) {
+  Json hotspotQuestion(const QuestionSheet& sheet, const SheetThing& thing) {
     addPicture(sheet.ground);
     Json spots = Json::array();
-    for (const AskedThing& each : sheet.things)
+    for (const SheetThing& each : sheet.things)
       for (const QuestionZone::Box& box : each.zone.boxes)
         spots.push_back(
             spot(box, &each == &thing, &each == &thing ? m_words.right : m_words.wrong));
@@ -179,7 +179,7 @@ class Content {
                       {"randomAnswers", true}}}});
   }
 
-  Json numberChoice(const QuestionSheet& sheet, const AskedThing& thing) {
+  Json numberChoice(const QuestionSheet& sheet, const SheetThing& thing) {
     std::vector<std::pair<std::string, bool>> texts{{numberText(thing), true}};
     for (const std::size_t other : thing.others)
       if (!sheet.things[other].numbers.empty())
@@ -189,7 +189,7 @@ class Content {
                   media(sheet.numbered, sheet.shows, id), texts);
   }
 
-  Json nameChoice(const QuestionSheet& sheet, const AskedThing& thing) {
+  Json nameChoice(const QuestionSheet& sheet, const SheetThing& thing) {
     std::vector<std::pair<std::string, bool>> texts{{thing.words, true}};
     for (const std::size_t other : thing.others)
       texts.emplace_back(sheet.things[other].words, false);
@@ -198,7 +198,7 @@ class Content {
   }
 
   /// Returns the names as a blank has them; empty where the first cannot stand there.
-  static std::string blankOf(const AskedThing& thing) {
+  static std::string blankOf(const SheetThing& thing) {
     std::string names;
     for (const std::string& name : thing.accepted) {
       const bool clear = name.find_first_of("*/:\\") == std::string::npos;
@@ -210,7 +210,7 @@ class Content {
     return names;
   }
 
-  Json blank(const QuestionSheet& sheet, const AskedThing& thing, const std::string& answers) {
+  Json blank(const QuestionSheet& sheet, const SheetThing& thing, const std::string& answers) {
     const std::string id = thing.id + "-name";
     return content(blanks, id,
                    {{"media", media(thing.marked, sheet.shows, id)},

@@ -70,7 +70,7 @@ class Quiz {
     m_xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n";
     for (const QuestionSheet& sheet : m_book.sheets) {
       addCategory(sheet);
-      for (const AskedThing& thing : sheet.things)
+      for (const SheetThing& thing : sheet.things)
         addThing(sheet, thing);
     }
     return std::move(m_xml) + "</quiz>\n";
@@ -97,7 +97,7 @@ class Quiz {
     m_xml += "  </question>\n";
   }
 
-  void addThing(const QuestionSheet& sheet, const AskedThing& thing) {
+  void addThing(const QuestionSheet& sheet, const SheetThing& thing) {
     if (m_options.find && isFoundByPlace(thing))
       addMarker(sheet, thing);
     else if (m_options.find && hasChoice(thing) && !thing.numbers.empty())
@@ -108,12 +108,12 @@ class Quiz {
       addChoice(sheet, thing);
   }
 
-  void begin(const char* type, const char* asked, const AskedThing& thing) {
+  void begin(const char* type, const char* asked, const SheetThing& thing) {
     m_xml += std::string("  <question type=\"") + type + "\">\n    <name><text>" +
              xmlText(plainLine(thing.words + " – " + asked)) + "</text></name>\n";
   }
 
-  void grade(const AskedThing& thing) {
+  void grade(const SheetThing& thing) {
     m_xml += htmlField("generalfeedback", asHtml(thing.words)) +
              "    <defaultgrade>1</defaultgrade>\n    <penalty>0.3333333</penalty>\n"
              "    <hidden>0</hidden>\n";
@@ -125,7 +125,7 @@ class Quiz {
              htmlField("incorrectfeedback", asHtml(m_words.wrong));
   }
 
-  void addMarker(const QuestionSheet& sheet, const AskedThing& thing) {
+  void addMarker(const QuestionSheet& sheet, const SheetThing& thing) {
     begin("ddmarker", "find", thing);
     m_xml += htmlField("questiontext", asHtml(withName(m_words.putMarker, thing.words)));
     grade(thing);
@@ -151,7 +151,7 @@ class Quiz {
     feedback();
   }
 
-  void addNumberChoice(const QuestionSheet& sheet, const AskedThing& thing) {
+  void addNumberChoice(const QuestionSheet& sheet, const SheetThing& thing) {
     begin("multichoice", "number", thing);
     m_xml += pictured(withName(m_words.whichNumber, thing.words), sheet.numbered, sheet.shows);
     grade(thing);
@@ -160,7 +160,7 @@ class Quiz {
     for (const std::size_t other : thing.others)
       choices.insert({sheet.things[other].numbers, false});
     for (const auto& [numbers, right] : choices) {
-      AskedThing shown;
+      SheetThing shown;
       shown.numbers = numbers;
       if (!numbers.empty())
         answer(asHtml(numberText(shown)), right);
@@ -168,7 +168,7 @@ class Quiz {
     m_xml += "  </question>\n";
   }
 
-  void addShortAnswer(const QuestionSheet& sheet, const AskedThing& thing) {
+  void addShortAnswer(const QuestionSheet& sheet, const SheetThing& thing) {
     begin("shortanswer", "name", thing);
     m_xml += pictured(m_words.nameIt, thing.marked, sheet.shows);
     grade(thing);
@@ -180,7 +180,7 @@ class Quiz {
     m_xml += "  </question>\n";
   }
 
-  void addChoice(const QuestionSheet& sheet, const AskedThing& thing) {
+  void addChoice(const QuestionSheet& sheet, const SheetThing& thing) {
     begin("multichoice", "choose", thing);
     m_xml += pictured(m_words.chooseIt, thing.marked, sheet.shows);
     grade(thing);

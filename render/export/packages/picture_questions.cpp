@@ -149,7 +149,7 @@ class SheetMaker {
   Status addThings(QuestionSheet& sheet, const FigurePlate& plate) {
     const SeenMap seen(m_order.scene, Screen(m_order.camera, m_order.page.sizeMm), &m_trees);
     for (const model::Question& question : m_questions) {
-      AskedThing thing{.words = plainWords(question)};
+      SheetThing thing{.words = plainWords(question)};
       const model::AnnotationId* shown = nullptr;
       for (const model::AnnotationId& id : question.labels) {
         const PlacedLabel* placed = plate.labels->layout.find(id);
@@ -173,7 +173,7 @@ class SheetMaker {
       sheet.things.push_back(std::move(thing));
     }
     std::vector<std::vector<std::string>*> lists;
-    for (AskedThing& thing : sheet.things)
+    for (SheetThing& thing : sheet.things)
       lists.push_back(&thing.accepted);
     dropAmbiguous(lists);
     return Unit{};
@@ -277,7 +277,7 @@ Result<QuestionBook> pictureQuestions(const ExportOrder& order, const ExportProg
         SheetMaker(views[i].second, *painter, trees).make(views[i].first, progress);
     if (!sheet.ok())
       return sheet.error();
-    for (AskedThing& thing : sheet->things)
+    for (SheetThing& thing : sheet->things)
       thing.id = "v" + std::to_string(i + 1) + "-" + thing.id;
     if (!sheet->things.empty())
       book.sheets.push_back(std::move(*sheet));
@@ -300,7 +300,7 @@ std::size_t questionsAtMost(const ExportOrder& order) {
   return questions;
 }
 
-std::string numberText(const AskedThing& thing) {
+std::string numberText(const SheetThing& thing) {
   std::string text;
   for (const int number : thing.numbers)
     text += (text.empty() ? "" : ", ") + std::to_string(number);

@@ -19,7 +19,7 @@ struct QuestionPicture {
 };
 
 /// Holds what can be asked about one name in one view.
-struct AskedThing {
+struct SheetThing {
   std::string id;                     ///< ASCII, the same for the same label of the same view
   std::string words;                  ///< its name in the order's language, plain text
   std::vector<std::string> accepted;  ///< names that are right when typed, the first as above
@@ -36,7 +36,7 @@ struct QuestionSheet {
   QuestionPicture small;     ///< the same, of at most 600 × 400 pixels
   QuestionPicture numbered;  ///< with numbers in place of labels
   std::string shows;         ///< what they show, in words that name no structure
-  std::vector<AskedThing> things;
+  std::vector<SheetThing> things;
 };
 
 struct QuestionBook {
@@ -55,15 +55,15 @@ Result<QuestionBook> pictureQuestions(const ExportOrder& order, const ExportProg
 std::size_t questionsAtMost(const ExportOrder& order);
 
 /// Tells whether something is asked by its place: it is large enough to be hit there.
-inline bool isFoundByPlace(const AskedThing& thing) {
+inline bool isFoundByPlace(const SheetThing& thing) {
   return thing.zone.canBeHit();
 }
 /// Tells whether there is anything to choose from.
-inline bool hasChoice(const AskedThing& thing) {
+inline bool hasChoice(const SheetThing& thing) {
   return !thing.others.empty();
 }
 
 /// Returns the numbers as a choice shows them: "3, 5".
-std::string numberText(const AskedThing& thing);
+std::string numberText(const SheetThing& thing);
 
 }  // namespace sline::render

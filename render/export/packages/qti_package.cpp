@@ -70,7 +70,7 @@ class Package {
   std::vector<model::ZipMember> members() {
     for (const QuestionSheet& sheet : m_book.sheets) {
       m_sections.emplace_back();
-      for (const AskedThing& thing : sheet.things)
+      for (const SheetThing& thing : sheet.things)
         addThing(sheet, thing);
     }
     std::vector<model::ZipMember> all{{"imsmanifest.xml", manifest()}, {"test.xml", test()}};
@@ -82,7 +82,7 @@ class Package {
   }
 
  private:
-  void addThing(const QuestionSheet& sheet, const AskedThing& thing) {
+  void addThing(const QuestionSheet& sheet, const SheetThing& thing) {
     if (m_options.find && isFoundByPlace(thing))
       addHotspot(sheet, thing);
     else if (m_options.find && hasChoice(thing) && !thing.numbers.empty())
@@ -99,7 +99,7 @@ class Package {
   }
 
   /// Adds an item; its title names nothing, as students see it.
-  void addItem(const std::string& kind, const AskedThing& thing, const QuestionPicture& picture,
+  void addItem(const std::string& kind, const SheetThing& thing, const QuestionPicture& picture,
                const std::string& declared, const std::string& body, const char* processing) {
     addPicture(picture);
     Item item{.id = "q-" + thing.id + '-' + kind, .xml = {}, .pictures = {picture.name}};
@@ -118,7 +118,7 @@ class Package {
            attribute("height", std::to_string(picture.size.y)) + "/></p>\n";
   }
 
-  void addHotspot(const QuestionSheet& sheet, const AskedThing& thing) {
+  void addHotspot(const QuestionSheet& sheet, const SheetThing& thing) {
     const QuestionPicture& ground = sheet.ground;
     std::string body =
         "    <hotspotInteraction responseIdentifier=\"RESPONSE\" maxChoices=\"1\">\n      "
@@ -130,7 +130,7 @@ class Package {
         "</object>\n";
     std::string right;
     for (std::size_t i = 0; i < sheet.things.size(); ++i) {
-      const AskedThing& each = sheet.things[i];
+      const SheetThing& each = sheet.things[i];
       if (each.zone.outline.empty())
         continue;
       const std::string id = "H" + std::to_string(i + 1);
@@ -156,14 +156,14 @@ class Package {
     return body + "    </choiceInteraction>\n";
   }
 
-  void addNumberChoice(const QuestionSheet& sheet, const AskedThing& thing) {
+  void addNumberChoice(const QuestionSheet& sheet, const SheetThing& thing) {
     std::set<std::vector<int>> sorted{thing.numbers};
     for (const std::size_t other : thing.others)
       sorted.insert(sheet.things[other].numbers);
     std::vector<std::string> texts;
     std::string right;
     for (const std::vector<int>& numbers : sorted) {
-      AskedThing shown;
+      SheetThing shown;
       shown.numbers = numbers;
       if (numbers.empty())
         continue;
@@ -177,7 +177,7 @@ class Package {
             "match_correct");
   }
 
-  void addTextEntry(const QuestionSheet& sheet, const AskedThing& thing) {
+  void addTextEntry(const QuestionSheet& sheet, const SheetThing& thing) {
     std::string declared =
         "  <responseDeclaration identifier=\"RESPONSE\" cardinality=\"single\" "
         "baseType=\"string\"><correctResponse><value>" +
@@ -197,7 +197,7 @@ class Package {
             "map_response");
   }
 
-  void addChoice(const QuestionSheet& sheet, const AskedThing& thing) {
+  void addChoice(const QuestionSheet& sheet, const SheetThing& thing) {
     std::vector<std::string> texts{thing.words};
     for (const std::size_t other : thing.others)
       texts.push_back(sheet.things[other].words);
