@@ -76,8 +76,8 @@ class SeenMap {
   std::vector<SeenShare> shares() const;
   /// Returns which structure hides a part of which other, the largest parts first.
   std::vector<SeenCover> covers() const;
-  /// Returns where one sees any of the structures rather than others: the one whose colour or
-  /// outline is strongest there, else the nearest whose bounds are drawn around the place.
+  /// Returns where one sees any of the structures rather than others: the one whose colour is
+  /// strongest there, whatever lines pass before it; without any colour the nearest.
   SeenArea areaOf(std::span<const model::NodeId> structures) const;
   /// Tells whether the structure is not what one sees at that place of its surface.
   bool hides(model::NodeId structure, const glm::vec3& p) const;

@@ -86,10 +86,9 @@ SeenArea SeenMap::areaOf(std::span<const model::NodeId> structures) const {
       for (const Fragment& one : fragments(x, y)) {
         if (!m_layers[one.layer].covers(x, y))
           continue;
-        const float shown = std::max(one.colour, one.ink);
-        if (!owner || shown > most) {
+        if (!owner || one.colour > most) {
           owner = &one;
-          most = std::max(most, shown);
+          most = std::max(most, one.colour);
         }
       }
       area.cells[std::size_t(y) * std::size_t(m_grid.columns) + std::size_t(x)] =

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "render/export/anki/anki_deck.h"
 #include "render/export/encoding/xml_text.h"
+#include "render/export/packages/package_parts.h"
 #include "render/export/packages/package_words.h"
 
 namespace sline::render {
@@ -51,13 +51,6 @@ std::string shortened(std::string text) {
   while (end > 0 && (std::uint8_t(text[end]) & 0xC0) == 0x80)
     --end;
   return text.substr(0, end);
-}
-
-/// Returns an identifier in the form that H5P has, made of a name that is unique in the file.
-std::string uuidOf(const std::string& name) {
-  const std::string digits = hexOf(fingerprintOf(name)) + hexOf(fingerprintOf(name + "#"));
-  return digits.substr(0, 8) + '-' + digits.substr(8, 4) + "-4" + digits.substr(13, 3) + "-a" +
-         digits.substr(17, 3) + '-' + digits.substr(20, 12);
 }
 
 Json imageFile(const QuestionPicture& picture) {

@@ -2,12 +2,12 @@
 #include "render/export/packages/moodle_quiz.h"
 
 #include <QByteArray>
-#include <glm/common.hpp>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "render/export/encoding/xml_text.h"
+#include "render/export/packages/package_parts.h"
 #include "render/export/packages/package_words.h"
 
 namespace sline::render {
@@ -48,16 +48,11 @@ std::string pattern(const std::string& name) {
   return xmlText(text);
 }
 
-/// Returns a polygon in whole pixels, without two like corners in a row.
+/// Returns a polygon in whole pixels, as markers have it.
 std::string polygonOf(const QuestionZone& zone, const glm::ivec2& size) {
   std::string text;
-  glm::ivec2 before(-1);
-  for (const glm::vec2& place : zone.outline) {
-    const glm::ivec2 pixel = glm::ivec2(glm::round(place * glm::vec2(size)));
-    if (pixel != before)
-      text += (text.empty() ? "" : ";") + std::to_string(pixel.x) + ',' + std::to_string(pixel.y);
-    before = pixel;
-  }
+  for (const glm::ivec2& pixel : pixelOutline(zone, size))
+    text += (text.empty() ? "" : ";") + std::to_string(pixel.x) + ',' + std::to_string(pixel.y);
   return text;
 }
 
@@ -67,7 +62,7 @@ class Quiz {
       : m_book(book), m_options(options), m_words(packageWords(book.language)) {}
 
   std::string xml() {
-    m_xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n";
+    m_xml = std::string(xmlHead) + "<quiz>\n";
     for (const QuestionSheet& sheet : m_book.sheets) {
       addCategory(sheet);
       for (const SheetThing& thing : sheet.things)

@@ -27,7 +27,7 @@ namespace sline::render {
 namespace {
 
 /// Pixels: wide enough for any page of a learning system.
-constexpr glm::ivec2 largePicture{960, 720};
+constexpr glm::ivec2 largePicture{800, 600};
 /// Pixels: Moodle shrinks larger pictures under markers, but not the zones on them.
 constexpr glm::ivec2 markerPicture{600, 400};
 constexpr std::size_t otherChoices = 3;

@@ -2,33 +2,23 @@
 #include "render/export/packages/qti_package.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <set>
 #include <string_view>
 #include <utility>
 
-#include "render/export/encoding/xml_text.h"
+#include "render/export/packages/package_parts.h"
 #include "render/export/packages/package_words.h"
 
 namespace sline::render {
 
 namespace {
 
-constexpr const char* xmlHead = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 constexpr const char* qtiSpace =
     "xmlns=\"http://www.imsglobal.org/xsd/imsqti_v2p1\" "
     "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
     "xsi:schemaLocation=\"http://www.imsglobal.org/xsd/imsqti_v2p1 "
     "http://www.imsglobal.org/xsd/qti/qtiv2p1/imsqti_v2p1.xsd\"";
 constexpr const char* templates = "http://www.imsglobal.org/question/qti_v2p1/rptemplates/";
-
-std::string attribute(const char* name, std::string_view value) {
-  return ' ' + std::string(name) + "=\"" + xmlText(plainLine(value)) + '"';
-}
-
-std::string text(std::string_view words) {
-  return xmlText(plainLine(words));
-}
 
 std::string outcome() {
   return "  <outcomeDeclaration identifier=\"SCORE\" cardinality=\"single\" baseType=\"float\">"
@@ -46,13 +36,8 @@ std::string oneRight(const std::string& right) {
 /// Returns a polygon in whole pixels, as HTML's maps have it.
 std::string coordinates(const QuestionZone& zone, const glm::ivec2& size) {
   std::string list;
-  glm::ivec2 before(-1);
-  for (const glm::vec2& place : zone.outline) {
-    const glm::ivec2 pixel = glm::ivec2(glm::round(place * glm::vec2(size)));
-    if (pixel != before)
-      list += (list.empty() ? "" : ",") + std::to_string(pixel.x) + ',' + std::to_string(pixel.y);
-    before = pixel;
-  }
+  for (const glm::ivec2& pixel : pixelOutline(zone, size))
+    list += (list.empty() ? "" : ",") + std::to_string(pixel.x) + ',' + std::to_string(pixel.y);
   return list;
 }
 
@@ -104,8 +89,9 @@ class Package {
     addPicture(picture);
     Item item{.id = "q-" + thing.id + '-' + kind, .xml = {}, .pictures = {picture.name}};
     item.xml = std::string(xmlHead) + "<assessmentItem " + qtiSpace +
-               attribute("identifier", item.id) + attribute("title", std::to_string(++m_number)) +
-               attribute("xml:lang", m_book.language) +
+               xmlAttribute("identifier", item.id) +
+               xmlAttribute("title", std::to_string(++m_number)) +
+               xmlAttribute("xml:lang", m_book.language) +
                " adaptive=\"false\" timeDependent=\"false\" toolName=\"Sline\">\n" + declared +
                outcome() + "  <itemBody>\n" + body + "  </itemBody>\n  <responseProcessing" +
                " template=\"" + templates + processing + "\"/>\n</assessmentItem>\n";
@@ -113,9 +99,9 @@ class Package {
   }
 
   static std::string image(const QuestionPicture& picture, const std::string& shows) {
-    return "    <p><img src=\"../images/" + picture.name + '"' + attribute("alt", shows) +
-           attribute("width", std::to_string(picture.size.x)) +
-           attribute("height", std::to_string(picture.size.y)) + "/></p>\n";
+    return "    <p><img src=\"../images/" + picture.name + '"' + xmlAttribute("alt", shows) +
+           xmlAttribute("width", std::to_string(picture.size.x)) +
+           xmlAttribute("height", std::to_string(picture.size.y)) + "/></p>\n";
   }
 
   void addHotspot(const QuestionSheet& sheet, const SheetThing& thing) {
@@ -123,10 +109,11 @@ class Package {
     std::string body =
         "    <hotspotInteraction responseIdentifier=\"RESPONSE\" maxChoices=\"1\">\n      "
         "<prompt>" +
-        text(withName(m_words.find, thing.words)) + "</prompt>\n      <object type=\"image/png\"" +
-        attribute("data", "../images/" + ground.name) +
-        attribute("width", std::to_string(ground.size.x)) +
-        attribute("height", std::to_string(ground.size.y)) + '>' + text(sheet.shows) +
+        lineElementText(withName(m_words.find, thing.words)) +
+        "</prompt>\n      <object type=\"image/png\"" +
+        xmlAttribute("data", "../images/" + ground.name) +
+        xmlAttribute("width", std::to_string(ground.size.x)) +
+        xmlAttribute("height", std::to_string(ground.size.y)) + '>' + lineElementText(sheet.shows) +
         "</object>\n";
     std::string right;
     for (std::size_t i = 0; i < sheet.things.size(); ++i) {
@@ -149,10 +136,10 @@ class Package {
                            "    <choiceInteraction responseIdentifier=\"RESPONSE\" "
                            "shuffle=\"") +
                        (shuffled ? "true" : "false") + "\" maxChoices=\"1\">\n      <prompt>" +
-                       text(prompt) + "</prompt>\n";
+                       lineElementText(prompt) + "</prompt>\n";
     for (std::size_t i = 0; i < texts.size(); ++i)
       body += "      <simpleChoice identifier=\"C" + std::to_string(i + 1) + "\">" +
-              text(texts[i]) + "</simpleChoice>\n";
+              lineElementText(texts[i]) + "</simpleChoice>\n";
     return body + "    </choiceInteraction>\n";
   }
 
@@ -181,17 +168,17 @@ class Package {
     std::string declared =
         "  <responseDeclaration identifier=\"RESPONSE\" cardinality=\"single\" "
         "baseType=\"string\"><correctResponse><value>" +
-        text(thing.accepted.front()) +
+        lineElementText(thing.accepted.front()) +
         "</value></correctResponse><mapping lowerBound=\"0\" upperBound=\"1\" "
         "defaultValue=\"0\">";
     std::size_t longest = 20;
     for (const std::string& name : thing.accepted) {
-      declared +=
-          "<mapEntry" + attribute("mapKey", name) + " mappedValue=\"1\" caseSensitive=\"false\"/>";
+      declared += "<mapEntry" + xmlAttribute("mapKey", name) +
+                  " mappedValue=\"1\" caseSensitive=\"false\"/>";
       longest = std::max(longest, name.size());
     }
     addItem("name", thing, thing.marked, declared + "</mapping></responseDeclaration>\n",
-            image(thing.marked, sheet.shows) + "    <p>" + text(m_words.nameIt) +
+            image(thing.marked, sheet.shows) + "    <p>" + lineElementText(m_words.nameIt) +
                 " <textEntryInteraction responseIdentifier=\"RESPONSE\" expectedLength=\"" +
                 std::to_string(longest) + "\"/></p>\n",
             "map_response");
@@ -208,12 +195,12 @@ class Package {
 
   std::string test() const {
     std::string xml = std::string(xmlHead) + "<assessmentTest " + qtiSpace +
-                      " identifier=\"test\"" + attribute("title", m_book.title) +
+                      " identifier=\"test\"" + xmlAttribute("title", m_book.title) +
                       " toolName=\"Sline\">\n  <testPart identifier=\"part\" "
                       "navigationMode=\"nonlinear\" submissionMode=\"individual\">\n";
     for (std::size_t i = 0; i < m_sections.size(); ++i) {
       xml += "    <assessmentSection identifier=\"section-" + std::to_string(i + 1) + '"' +
-             attribute("title", m_book.sheets[i].title) + " visible=\"true\">\n";
+             xmlAttribute("title", m_book.sheets[i].title) + " visible=\"true\">\n";
       for (const Item& item : m_sections[i])
         xml += "      <assessmentItemRef identifier=\"" + item.id + "\" href=\"items/" + item.id +
                ".xml\"/>\n";
@@ -224,24 +211,9 @@ class Package {
 
   /// Returns what the manifest says of the whole, with the credit where there is one.
   std::string metadata() const {
-    const auto lom = [&](const char* tag, const std::string& words) {
-      return std::string("<lom:") + tag + "><lom:string" + attribute("language", m_book.language) +
-             '>' + text(words) + "</lom:string></lom:" + tag + '>';
-    };
-    std::string xml =
-        "  <metadata>\n    <schema>QTIv2.1 Package</schema>\n"
-        "    <schemaversion>1.0.0</schemaversion>\n    <lom:lom><lom:general>" +
-        lom("title", m_book.title) + "</lom:general>";
-    const ExportCredit& credit = m_book.credit;
-    if (!credit.author.empty())
-      xml +=
-          "<lom:lifeCycle><lom:contribute><lom:role><lom:source>LOMv1.0</lom:source>"
-          "<lom:value>author</lom:value></lom:role><lom:entity>BEGIN:VCARD&#10;VERSION:3.0"
-          "&#10;FN:" +
-          text(credit.author) + "&#10;END:VCARD</lom:entity></lom:contribute></lom:lifeCycle>";
-    if (!credit.copyright.empty())
-      xml += "<lom:rights>" + lom("description", credit.copyright) + "</lom:rights>";
-    return xml + "</lom:lom>\n  </metadata>\n";
+    return "  <metadata>\n    <schema>QTIv2.1 Package</schema>\n"
+           "    <schemaversion>1.0.0</schemaversion>\n    " +
+           lomElement(m_book.title, m_book.language, m_book.credit) + "\n  </metadata>\n";
   }
 
   std::string manifest() const {
