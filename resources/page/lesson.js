@@ -20,10 +20,10 @@ class Lesson extends EventTarget {
       else this.children.set(node.parent, [node]);
     }
     const languages = facts.languages.length ? facts.languages : [facts.language];
-    /** Of names and texts. */
-    this.language = firstOf(navigator.languages, languages) ?? languages[0];
-    /** Of the page's own texts. */
-    this.tongue = firstOf(navigator.languages, tongues) ?? firstOf([this.language], tongues) ?? "en";
+    /** Of names and texts: at first the one that the teacher chose. */
+    this.language = languages.includes(facts.language) ? facts.language : languages[0];
+    /** Of the page's own texts: the same where they are in it. */
+    this.tongue = firstOf([this.language, ...navigator.languages], tongues) ?? "en";
     this.languages = languages;
     /** @type {number[]} structures and groups */
     this.chosen = [];

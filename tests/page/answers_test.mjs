@@ -5,8 +5,8 @@ import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import test from "node:test";
-import { runInNewContext } from "node:vm";
-import { here, pageFolder } from "./assemble.mjs";
+import { runInNewContext, Script } from "node:vm";
+import { here, pageFolder, pageScripts, reporterScripts } from "./assemble.mjs";
 import { hashed } from "./lesson.mjs";
 
 const scripts = ["words.js", "answers.js"].map((name) => readFileSync(join(pageFolder, name), "utf8")).join("\n");
@@ -72,4 +72,12 @@ test("judging takes no longer than a blink", () => {
   const began = performance.now();
   judged("musculus extensor digitorum longus", { answers: ["0".repeat(16)], others: [], salt: "s" });
   assert.ok(performance.now() - began < 1500, `${performance.now() - began} ms`);
+});
+
+test("all scripts fit into one function: no name is taken twice", () => {
+  const engine = join(here, "..", "..", "render", "web", "engine.js");
+  const files = [engine, ...reporterScripts(), ...pageScripts()];
+  const text = files.map((file) => readFileSync(file, "utf8")).join("\n");
+  assert.doesNotThrow(() => new Script(`(() => { "use strict";\n${text}\n})`));
+  assert.doesNotMatch(text, /<\/script|<!--|innerHTML|insertAdjacentHTML|document\.write|\beval\(|localStorage|sessionStorage|indexedDB|document\.cookie/i);
 });

@@ -31,7 +31,6 @@ test("no WebAssembly, no decompression, no canvas", async () => {
   const address = pages.write();
   for (const [before, query, wanted, locale] of [
     [() => delete window.WebAssembly, "", /cannot turn the scene.*WebAssembly is switched off/, "en"],
-    [() => delete window.WebAssembly, "", /kan de scène niet draaien.*WebAssembly staat uit/, "nl"],
     [() => delete window.DecompressionStream, "", /too old to unpack/, "en"],
     [undefined, "?no-drawing", /neither WebGL 2 nor Canvas 2D/, "en"]]) {
     const page = await pages.visit(address + query, { before, locale, whole: false });
