@@ -47,8 +47,10 @@ testing=(
   # programs that check what is installed, man pages and completions, and the Debian package
   lintian desktop-file-utils appstream shared-mime-info libglib2.0-bin libxml2-utils
   man-db groff mandoc zsh fish
+  # a browser that opens the students' page
+  chromium
 )
-# Khronos's glTF validator needs npm; an npm installed from elsewhere is kept.
+# Khronos's glTF validator and the students' page's tests need npm; an npm installed from elsewhere is kept.
 command -v npm >/dev/null || testing+=(nodejs npm)
 
 case "${1:-}" in

@@ -10,6 +10,7 @@
 #include "app/cli/files/interruption.h"
 #include "app/cli/files/targets.h"
 #include "app/cli/flags/film_flags.h"
+#include "app/cli/flags/package_flags.h"
 #include "app/cli/flags/page_flags.h"
 #include "app/cli/flags/picture_options.h"
 #include "app/cli/flags/typed_options.h"
@@ -34,6 +35,7 @@ struct ExportFlags {
   PictureFlags picture;
   PageFlags page;
   FilmFlags film;
+  PackageFlags package;
   TypedOptions options;  ///< of single kinds, and the credit
   /// Holds a target for each of the formats that are wanted.
   std::map<std::string, std::string> targets;
@@ -298,6 +300,8 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   ExportFlags flags = typed;
   if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
     return complain(film.error(), Exit::wrongUse);
+  if (const Status package = addPackageTarget(typed.package, flags.targets); !package.ok())
+    return complain(package.error(), Exit::wrongUse);
   Result<ParsedExport> wish = parseExport(flags);
   if (!wish.ok())
     return complain(wish.error(), Exit::wrongUse);
@@ -382,6 +386,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   declareLabels(command, flags.picture.labels);
   addSectionOptions(command, flags.picture.sections);
   declareFilm(command, flags.film);
+  declarePackage(command, flags.package);
   for (const render::ExportOption* option : render::creditOptions())
     flags.options.declare(command, *option);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
@@ -399,6 +404,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
       "  sline export pelvis.sline --tiff figure1.tiff --bw --bits 1 --dpi 600\n"
       "  sline export pelvis.sline --pptx lesson.pptx --self-test\n"
       "  sline export pelvis.sline --pdf lesson.pdf --anki lesson.apkg --views all\n"
+      "  sline export pelvis.sline --package moodle -o pelvis.xml --language de\n"
       "  sline export pelvis.sline --svg pelvis.svg --view anterior --size-mm 180x120\n"
       "  sline export abdomen/ --svg abdomen.svg --gamma 3 --background transparent");
 }

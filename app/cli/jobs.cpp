@@ -8,6 +8,7 @@
 #include "app/cli/command.h"
 #include "app/cli/files/targets.h"
 #include "app/cli/flags/film_flags.h"
+#include "app/cli/flags/package_flags.h"
 #include "app/cli/jobs/job_list.h"
 #include "model/base/letters.h"
 #include "model/disk/paths_below.h"
@@ -89,7 +90,7 @@ class ExportCommand {
 
 bool isTarget(const std::string& flag) {
   const auto formats = render::exportFormats();
-  return flag == "video" ||
+  return flag == "video" || flag == "output" ||
          std::any_of(formats.begin(), formats.end(),
                      [&flag](const render::ExportFormat& each) { return flag == each.id; });
 }
@@ -169,6 +170,7 @@ class JobPlanner {
                    .remedy = "Give it an input: a scene, mesh or folder"};
     m_named.clear();
     m_film.file.reset();
+    m_package = {};
     for (const JobField& field : job.fields)
       if (const Status added = add(field, planned); !added.ok())
         return added.error();
@@ -188,6 +190,8 @@ class JobPlanner {
   Status checkNames(const PlannedJob& planned) {
     if (const Status film = addFilmTarget(m_film, m_named); !film.ok())
       return film;
+    if (const Status package = addPackageTarget(m_package, m_named); !package.ok())
+      return package;
     std::vector<std::string> read = planned.inputs;
     read.push_back(m_list);
     return checkTargets(exportTargets(m_named), read);
@@ -211,6 +215,8 @@ class JobPlanner {
     }
     if (isTarget(field.flag))
       return addTarget(field, planned);
+    if (field.flag == "package" && field.values.size() == 1)
+      m_package.kind = field.values.front();
     const std::string flag = "--" + field.flag;
     if (option->get_items_expected_max() == 0) {
       const Result<bool> said = isSwitchedOn(field);
@@ -256,6 +262,8 @@ class JobPlanner {
     planned.flags.push_back("--" + field.flag + "=" + target.string());
     if (field.flag == "video")
       m_film.file = target.string();
+    else if (field.flag == "output")
+      m_package.file = target.string();
     else
       m_named[field.flag] = target.string();
     return Unit{};
@@ -284,6 +292,7 @@ class JobPlanner {
   std::map<std::filesystem::path, std::string> m_seen;
   std::map<std::string, std::string> m_named;  ///< the targets of the job being checked
   FilmFlags m_film;                            ///< the --video of that job
+  PackageFlags m_package;                      ///< its --package
 };
 
 bool allTargetsExist(const PlannedJob& planned) {

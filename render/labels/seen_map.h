@@ -38,6 +38,17 @@ struct SeenCover {
   float share = 0.0f;  ///< of what would be seen of the one behind if the other were away, 0 … 1
 };
 
+/// Which cells of a picture show something.
+struct SeenArea {
+  SeenGrid grid;
+  std::vector<bool> cells;  ///< row by row
+
+  bool at(int x, int y) const {
+    return x >= 0 && y >= 0 && x < grid.columns && y < grid.rows &&
+           cells[std::size_t(y) * std::size_t(grid.columns) + std::size_t(x)];
+  }
+};
+
 class SeenMap {
  public:
   /// Draws the visible structures as the screen shows them. What takes long to make of their meshes
@@ -65,6 +76,9 @@ class SeenMap {
   std::vector<SeenShare> shares() const;
   /// Returns which structure hides a part of which other, the largest parts first.
   std::vector<SeenCover> covers() const;
+  /// Returns where one sees any of the structures rather than others: the one whose colour is
+  /// strongest there, whatever lines pass before it; without any colour the nearest.
+  SeenArea areaOf(std::span<const model::NodeId> structures) const;
   /// Tells whether the structure is not what one sees at that place of its surface.
   bool hides(model::NodeId structure, const glm::vec3& p) const;
 

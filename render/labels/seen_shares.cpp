@@ -72,4 +72,29 @@ std::vector<SeenCover> SeenMap::covers() const {
   return all;
 }
 
+SeenArea SeenMap::areaOf(std::span<const model::NodeId> structures) const {
+  std::vector<bool> wanted(m_layers.size(), false);
+  for (const model::NodeId id : structures)
+    if (const auto found = m_index.find(id); found != m_index.end())
+      wanted[found->second] = true;
+  SeenArea area{.grid = m_grid, .cells = {}};
+  area.cells.resize(std::size_t(m_grid.columns) * std::size_t(m_grid.rows), false);
+  for (int y = 0; y < m_grid.rows; ++y)
+    for (int x = 0; x < m_grid.columns; ++x) {
+      const Fragment* owner = nullptr;
+      float most = leastShown;
+      for (const Fragment& one : fragments(x, y)) {
+        if (!m_layers[one.layer].covers(x, y))
+          continue;
+        if (!owner || one.colour > most) {
+          owner = &one;
+          most = std::max(most, one.colour);
+        }
+      }
+      area.cells[std::size_t(y) * std::size_t(m_grid.columns) + std::size_t(x)] =
+          owner && wanted[owner->layer];
+    }
+  return area;
+}
+
 }  // namespace sline::render

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/anki/card_painter.h"
 
-#include <QImage>
 #include <QPainterPath>
 #include <algorithm>
 #include <cstring>
-#include <functional>
 
 #include "render/export/encoding/png_image.h"
 
@@ -49,7 +47,15 @@ void paintMark(QPainter& painter, const LabelBox& box, const LabelStyle& style) 
                    ink);
 }
 
-/// Paints on the picture in millimetres of the page.
+QImage clearPicture(const ExportOrder& order) {
+  const glm::ivec2 size = cardPixels(order.page);
+  QImage picture(size.x, size.y, QImage::Format_RGBA8888_Premultiplied);
+  picture.fill(Qt::transparent);
+  return picture;
+}
+
+}  // namespace
+
 Result<std::string> paintedPng(const ExportOrder& order, QImage canvas,
                                const std::function<void(QPainter&)>& paint) {
   {
@@ -66,15 +72,6 @@ Result<std::string> paintedPng(const ExportOrder& order, QImage canvas,
     std::memcpy(&image.rgba[row * std::size_t(y)], drawn.constScanLine(y), row);
   return pngOf(image, order.credit);
 }
-
-QImage clearPicture(const ExportOrder& order) {
-  const glm::ivec2 size = cardPixels(order.page);
-  QImage picture(size.x, size.y, QImage::Format_RGBA8888_Premultiplied);
-  picture.fill(Qt::transparent);
-  return picture;
-}
-
-}  // namespace
 
 glm::ivec2 cardPixels(const ExportPage& page) {
   const glm::ivec2 size = pixelsOf(page);
@@ -110,8 +107,8 @@ Result<std::string> CardPainter::labels(const LabelPlate& plate) const {
                     [&plate](QPainter& painter) { paintLabels(painter, plate); });
 }
 
-Result<std::string> CardPainter::question(const LabelPlate& plate,
-                                          const std::set<model::AnnotationId>& asked) const {
+void paintQuestion(QPainter& painter, const LabelPlate& plate,
+                   const std::set<model::AnnotationId>& asked, float pageWidthMm) {
   LabelPlate silent = plate;
   std::vector<LabelBox> marks;
   for (std::size_t i = 0; i < silent.labels.size(); ++i) {
@@ -122,12 +119,17 @@ Result<std::string> CardPainter::question(const LabelPlate& plate,
     silent.texts[i].lines.clear();
     if (label.item.kind == model::AnnotationKind::callout)
       label.item.kind = model::AnnotationKind::label;  // without a box of its text's size
-    marks.push_back(boxFor(*placed, label.item.places.front(), plate.style, m_order.page.sizeMm.x));
+    marks.push_back(boxFor(*placed, label.item.places.front(), plate.style, pageWidthMm));
   }
+  paintLabels(painter, silent);
+  for (const LabelBox& mark : marks)
+    paintMark(painter, mark, silent.style);
+}
+
+Result<std::string> CardPainter::question(const LabelPlate& plate,
+                                          const std::set<model::AnnotationId>& asked) const {
   return paintedPng(m_order, clearPicture(m_order), [&](QPainter& painter) {
-    paintLabels(painter, silent);
-    for (const LabelBox& mark : marks)
-      paintMark(painter, mark, silent.style);
+    paintQuestion(painter, plate, asked, m_order.page.sizeMm.x);
   });
 }
 

@@ -13,6 +13,8 @@
 #include "render/export/order/common_options.h"
 #include "render/export/order/drawing_notes.h"
 #include "render/export/order/view_orders.h"
+#include "render/export/packages/package_file.h"
+#include "render/export/packages/package_options.h"
 #include "render/export/pdf/pdf_file.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pixels/pixel_files.h"
@@ -257,6 +259,46 @@ constexpr std::array formats{
         .names = true,
         .options = ankiOptions,
         .write = writeAnki,
+        .foreseen = noNotes},
+    ExportFormat{
+        .id = "moodle",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Moodle questions"),
+        .help = QT_TRANSLATE_NOOP(
+            "sline::render::ExportFormat",
+            "Questions with pictures, made of the labels, as XML for a question bank: markers to "
+            "be put in place, names to be typed or chosen"),
+        .extension = "xml",
+        .oneView = false,
+        .names = true,
+        .forLearning = true,
+        .options = questionOptions,
+        .write = writeMoodle,
+        .foreseen = noNotes},
+    ExportFormat{
+        .id = "qti",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "QTI questions"),
+        .help = QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                                  "The same for other question banks and examination systems, as a "
+                                  "package of QTI 2.1"),
+        .extension = "zip",
+        .oneView = false,
+        .names = true,
+        .forLearning = true,
+        .options = questionOptions,
+        .write = writeQti,
+        .foreseen = noNotes},
+    ExportFormat{
+        .id = "h5p",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "H5P questions"),
+        .help = QT_TRANSLATE_NOOP(
+            "sline::render::ExportFormat",
+            "The same as content for H5P, to be played where its content types are installed"),
+        .extension = "h5p",
+        .oneView = false,
+        .names = true,
+        .forLearning = true,
+        .options = questionOptions,
+        .write = writeH5p,
         .foreseen = noNotes},
 };
 

@@ -27,6 +27,7 @@ struct ExportFormat {
   PageUse page = PageUse::pixels;
   bool oneView = true;  ///< shows the scene from one place; others hold it whole, or all its views
   bool names = false;   ///< holds names of structures in addition to what is seen
+  bool forLearning = false;           ///< is for learning systems: `--package` has it, too
   OptionList (*options)() = nullptr;  ///< its own, besides those that all pictures have
   /// Writes the whole file or, with an error, nothing. It runs on any thread and makes the OpenGL
   /// context that it needs.

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/packages/accepted_names.h"
+
+#include <QString>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "model/anatomy/anatomical_names.h"
+#include "model/scene/markup.h"
+#include "render/export/encoding/xml_text.h"
+
+namespace sline::render {
+
+namespace {
+
+/// The longest name that anybody types, characters.
+constexpr qsizetype longestName = 120;
+
+/// Gathers names, each once.
+class NameList {
+ public:
+  void add(const std::string& text) {
+    const std::string name = plainLine(text);
+    const QString read = QString::fromStdString(name);
+    if (name.empty() || read.size() > longestName || comparedName(name).empty())
+      return;
+    for (const std::string& form : {name, withoutAccents(name), transcribed(read)})
+      if (m_known.insert(QString::fromStdString(form).toCaseFolded()).second)
+        m_names.push_back(form);
+  }
+  std::vector<std::string> take() { return std::move(m_names); }
+
+ private:
+  /// Returns it as German is written without its letters.
+  static std::string transcribed(QString text) {
+    static const std::array<std::pair<QChar, QLatin1String>, 7> letters{
+        {{QChar(0xE4), QLatin1String("ae")},
+         {QChar(0xF6), QLatin1String("oe")},
+         {QChar(0xFC), QLatin1String("ue")},
+         {QChar(0xC4), QLatin1String("Ae")},
+         {QChar(0xD6), QLatin1String("Oe")},
+         {QChar(0xDC), QLatin1String("Ue")},
+         {QChar(0xDF), QLatin1String("ss")}}};
+    for (const auto& [letter, two] : letters)
+      text.replace(letter, two);
+    return text.toStdString();
+  }
+
+  std::set<QString> m_known;
+  std::vector<std::string> m_names;
+};
+
+}  // namespace
+
+std::string withoutAccents(const std::string& text) {
+  static const std::array<std::pair<QChar, QLatin1String>, 7> letters{
+      {{QChar(0xDF), QLatin1String("ss")},
+       {QChar(0xE6), QLatin1String("ae")},
+       {QChar(0xC6), QLatin1String("Ae")},
+       {QChar(0x153), QLatin1String("oe")},
+       {QChar(0x152), QLatin1String("Oe")},
+       {QChar(0xF8), QLatin1String("o")},
+       {QChar(0xD8), QLatin1String("O")}}};
+  QString bare;
+  for (const QChar c : QString::fromStdString(text).normalized(QString::NormalizationForm_KD))
+    if (!c.isMark())
+      bare += c;
+  for (const auto& [letter, plain] : letters)
+    bare.replace(letter, plain);
+  return bare.toStdString();
+}
+
+std::string comparedName(const std::string& text) {
+  QString compared;
+  for (const QChar c :
+       QString::fromStdString(text).normalized(QString::NormalizationForm_KD).toLower())
+    if (c.isLetterOrNumber() || c.isSurrogate())
+      compared += c;
+  return compared.toStdString();
+}
+
+std::vector<std::string> acceptedNames(const model::Scene& scene, const model::Question& question) {
+  static const model::AnatomicalNames anatomy;
+  NameList names;
+  names.add(question.words);
+  std::vector<std::string> known;
+  for (const model::Annotation& annotation : scene.annotations()) {
+    if (std::find(question.labels.begin(), question.labels.end(), annotation.id) ==
+        question.labels.end())
+      continue;
+    known.push_back(model::plainText(annotation.kind, annotation.text));
+    for (const auto& [language, text] : annotation.texts)
+      known.push_back(model::plainText(annotation.kind, text));
+  }
+  for (const std::string& name : known)
+    names.add(name);
+  for (const std::string& name : known)
+    for (const std::string& word : anatomy.searchWords(plainLine(name)))
+      names.add(word);
+  return names.take();
+}
+
+void dropAmbiguous(std::vector<std::vector<std::string>*> lists) {
+  std::map<std::string, int> uses;
+  for (const std::vector<std::string>* list : lists) {
+    std::set<std::string> own;
+    for (const std::string& name : *list)
+      if (own.insert(comparedName(name)).second)
+        ++uses[comparedName(name)];
+  }
+  for (std::vector<std::string>* list : lists)
+    if (!list->empty())
+      list->erase(
+          std::remove_if(list->begin() + 1, list->end(),
+                         [&](const std::string& name) { return uses[comparedName(name)] > 1; }),
+          list->end());
+}
+
+}  // namespace sline::render

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/packages/picture_questions.h"
+
+#include <QImage>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "model/scene/label_words.h"
+#include "render/export/anki/anki_deck.h"
+#include "render/export/anki/card_painter.h"
+#include "render/export/description/alt_text.h"
+#include "render/export/order/test_options.h"
+#include "render/export/order/view_orders.h"
+#include "render/export/packages/accepted_names.h"
+#include "render/export/packages/package_options.h"
+#include "render/export/packages/package_words.h"
+#include "render/export/plate/figure_plate.h"
+#include "render/lettering/typesetting.h"
+#include "render/picture/headless/headless_picture.h"
+
+namespace sline::render {
+
+namespace {
+
+/// Pixels: wide enough for any page of a learning system.
+constexpr glm::ivec2 largePicture{800, 600};
+/// Pixels: Moodle shrinks larger pictures under markers, but not the zones on them.
+constexpr glm::ivec2 markerPicture{600, 400};
+constexpr std::size_t otherChoices = 3;
+
+QImage imageOf(const Image& drawn) {
+  return QImage(drawn.rgba.data(), drawn.width, drawn.height, qsizetype(4) * drawn.width,
+                QImage::Format_RGBA8888)
+      .convertToFormat(QImage::Format_RGBA8888_Premultiplied);
+}
+
+Result<QuestionPicture> pictureOf(Result<std::string> png, const glm::ivec2& size) {
+  if (!png.ok())
+    return png.error();
+  return QuestionPicture{"sline-" + hexOf(fingerprintOf(*png)) + ".png", std::move(*png), size};
+}
+
+/// Returns the size of the page's shape that fits into that many pixels.
+glm::ivec2 fittedSize(const glm::vec2& pageMm, const glm::ivec2& most) {
+  const float scale = std::min(float(most.x) / pageMm.x, float(most.y) / pageMm.y);
+  return glm::max(glm::ivec2(pageMm * scale), glm::ivec2(16));
+}
+
+/// Returns the order as it is drawn for questions: nothing written in it names anything.
+ExportOrder forQuestions(const ExportOrder& order, const std::vector<model::Question>& questions) {
+  ExportOrder asked = forPhones(askedAlone(order, questions));
+  asked.labels.mode = LabelMode::on;
+  asked.words = {};
+  asked.marks.viewName = false;
+  asked.marks.words = false;
+  asked.marks.sectionState = false;
+  asked.legend = LegendList::none;
+  if (order.altText != "off")
+    asked.altText.clear();  // it may name what is asked for
+  return asked;
+}
+
+/// Makes the questions of one view.
+class SheetMaker {
+ public:
+  SheetMaker(const ExportOrder& order, HeadlessPicture& painter, model::MeshTrees& trees)
+      : m_questions(questionsOf(order)),
+        m_order(forQuestions(order, m_questions)),
+        m_painter(painter),
+        m_trees(trees) {}
+
+  /// Returns a sheet without things where nothing that can be asked for is in the picture.
+  Result<QuestionSheet> make(const std::string& title, const ExportProgress& progress) {
+    QuestionSheet sheet{.title = title};
+    const FigurePlate plate = figurePlate(m_order, m_trees);
+    for (ExportNote note : plate.notes) {
+      if (note.kind == ExportNote::Kind::labelsWithoutRoom)
+        note.kind = ExportNote::Kind::cardsWithoutRoom;
+      progress.note(std::move(note));
+    }
+    if (plate.labels->layout.labels.empty())
+      return sheet;
+    if (Status drawn = drawGrounds(sheet, plate.marks); !drawn.ok())
+      return drawn.error();
+    if (Status numbered = addNumbers(sheet, plate.marks); !numbered.ok())
+      return numbered.error();
+    if (Status added = addThings(sheet, plate); !added.ok())
+      return added.error();
+    addOthers(sheet);
+    return sheet;
+  }
+
+ private:
+  Result<Image> drawn(const glm::ivec2& size) const {
+    return m_painter->render(
+        m_order.scene, m_order.camera,
+        {.width = size.x, .height = size.y, .environment = m_order.environment},
+        samplesAtOnce(size));
+  }
+
+  Status drawGrounds(QuestionSheet& sheet, const Marks& marks) {
+    ExportOrder silent = m_order;
+    silent.labels.mode = LabelMode::numbers;
+    const AltText said = altTextOf(silent);
+    sheet.shows = said.text;
+    m_order.credit = fileCredit(silent, said);
+    for (const auto& [most, picture] :
+         {std::pair{largePicture, &sheet.ground}, std::pair{markerPicture, &sheet.small}}) {
+      const glm::ivec2 size = fittedSize(m_order.page.sizeMm, most);
+      const Result<Image> bare = drawn(size);
+      if (!bare.ok())
+        return bare.error();
+      if (picture == &sheet.ground)
+        m_ground = imageOf(*bare);
+      Result<QuestionPicture> made =
+          pictureOf(paintedPng(m_order, imageOf(*bare),
+                               [&marks](QPainter& painter) { paintMarks(painter, marks); }),
+                    size);
+      if (!made.ok())
+        return made.error();
+      *picture = std::move(*made);
+    }
+    return Unit{};
+  }
+
+  Status addNumbers(QuestionSheet& sheet, const Marks& marks) {
+    ExportOrder order = m_order;
+    order.labels.mode = LabelMode::numbers;
+    const FigurePlate plate = figurePlate(order, m_trees);
+    for (const ShownLabel& label : plate.labels->labels)
+      if (plate.labels->layout.find(label.item.id))
+        m_numbers[label.item.id] = label.number;
+    Result<QuestionPicture> made = pictureOf(paintedPng(order, m_ground,
+                                                        [&](QPainter& painter) {
+                                                          paintMarks(painter, marks);
+                                                          paintLabels(painter, *plate.labels);
+                                                        }),
+                                             sheet.ground.size);
+    if (!made.ok())
+      return made.error();
+    sheet.numbered = std::move(*made);
+    return Unit{};
+  }
+
+  Status addThings(QuestionSheet& sheet, const FigurePlate& plate) {
+    const SeenMap seen(m_order.scene, Screen(m_order.camera, m_order.page.sizeMm), &m_trees);
+    for (const model::Question& question : m_questions) {
+      SheetThing thing{.words = plainWords(question)};
+      const model::AnnotationId* shown = nullptr;
+      for (const model::AnnotationId& id : question.labels) {
+        const PlacedLabel* placed = plate.labels->layout.find(id);
+        if (placed && !placed->hidden && !shown)
+          shown = &id;
+        if (const auto number = m_numbers.find(id); number != m_numbers.end())
+          thing.numbers.push_back(number->second);
+      }
+      if (!shown || thing.words.empty())
+        continue;
+      std::sort(thing.numbers.begin(), thing.numbers.end());
+      thing.id = std::to_string(shown->value);
+      thing.accepted = acceptedNames(m_order.scene, question);
+      thing.zone = zoneOf(seen.areaOf(question.structures), m_order.page.sizeMm);
+      Result<QuestionPicture> marked = markedPicture(plate, *shown, sheet.ground.size);
+      if (!marked.ok())
+        return marked.error();
+      thing.marked = std::move(*marked);
+      m_places.push_back(placeOf(plate, *shown));
+      m_groups.push_back(groupOf(question));
+      sheet.things.push_back(std::move(thing));
+    }
+    std::vector<std::vector<std::string>*> lists;
+    for (SheetThing& thing : sheet.things)
+      lists.push_back(&thing.accepted);
+    dropAmbiguous(lists);
+    return Unit{};
+  }
+
+  static std::string plainWords(const model::Question& question) {
+    std::string words = question.words;
+    std::replace(words.begin(), words.end(), '\n', ' ');
+    return words;
+  }
+
+  Result<QuestionPicture> markedPicture(const FigurePlate& plate, model::AnnotationId id,
+                                        const glm::ivec2& size) const {
+    const LabelPlate alone = onlyThose(*plate.labels, {id});
+    return pictureOf(paintedPng(m_order, m_ground,
+                                [&](QPainter& painter) {
+                                  paintMarks(painter, plate.marks);
+                                  paintQuestion(painter, alone, {id}, m_order.page.sizeMm.x);
+                                }),
+                     size);
+  }
+
+  static glm::vec2 placeOf(const FigurePlate& plate, model::AnnotationId id) {
+    for (const ShownLabel& label : plate.labels->labels)
+      if (label.item.id == id)
+        return label.item.places.front();
+    return {};
+  }
+
+  model::NodeId groupOf(const model::Question& question) const {
+    const model::Node* node =
+        question.structures.empty() ? nullptr : m_order.scene.find(question.structures.front());
+    return node ? node->parent : model::rootId;
+  }
+
+  /// Chooses with what each may be confused: what is near it, rather in its own group.
+  void addOthers(QuestionSheet& sheet) const {
+    for (std::size_t i = 0; i < sheet.things.size(); ++i) {
+      std::vector<std::pair<float, std::size_t>> ranked;
+      for (std::size_t j = 0; j < sheet.things.size(); ++j) {
+        if (comparedName(sheet.things[i].words) == comparedName(sheet.things[j].words))
+          continue;
+        const float away = glm::distance(m_places[i], m_places[j]) / m_order.page.sizeMm.y;
+        ranked.emplace_back(away + (m_groups[i] == m_groups[j] ? 0.0f : 0.4f), j);
+      }
+      std::stable_sort(ranked.begin(), ranked.end());
+      for (std::size_t k = 0; k < std::min(otherChoices, ranked.size()); ++k)
+        sheet.things[i].others.push_back(ranked[k].second);
+      std::sort(sheet.things[i].others.begin(), sheet.things[i].others.end());
+    }
+  }
+
+  std::vector<model::Question> m_questions;
+  ExportOrder m_order;
+  HeadlessPicture& m_painter;
+  model::MeshTrees& m_trees;
+  QImage m_ground;
+  std::map<model::AnnotationId, int> m_numbers;
+  std::vector<glm::vec2> m_places;  ///< of the things
+  std::vector<model::NodeId> m_groups;
+};
+
+QuestionBook emptyBook(const ExportOrder& order) {
+  QuestionBook book;
+  book.language = model::firstLanguage(order.labels.language);
+  if (book.language.empty())
+    book.language = "en";
+  book.title = !order.viewName.empty() && !wantsAllViews(order)
+                   ? order.viewName
+                   : packageWords(book.language).questions;
+  book.credit = fileCredit(order, {});
+  return book;
+}
+
+}  // namespace
+
+Result<QuestionBook> pictureQuestions(const ExportOrder& order, const ExportProgress& progress) {
+  if (!hasQuestions(order.of<PackageOptions>()))
+    return Error{.reason = "no kind of question is wanted",
+                 .remedy = "Choose what is asked: where something is, or its name"};
+  if (progress && !progress(0.0, "preparing surfaces"))
+    return givenUp({});
+  const auto typesetting = Typesetting::create();
+  if (!typesetting.ok())
+    return typesetting.error();
+  Result<HeadlessPicture> painter = HeadlessPicture::create();
+  if (!painter.ok())
+    return painter.error();
+  QuestionBook book = emptyBook(order);
+  model::MeshTrees trees;
+  std::vector<std::pair<std::string, ExportOrder>> views;
+  if (!wantsAllViews(order))
+    views.emplace_back(book.title, order);
+  else
+    for (const model::View& view : order.scene.views())
+      views.emplace_back(titleOfView(view, book.language), orderOfView(order, view));
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (progress && !progress(0.9 * double(i) / double(views.size()), "drawing questions"))
+      return givenUp({});
+    Result<QuestionSheet> sheet =
+        SheetMaker(views[i].second, *painter, trees).make(views[i].first, progress);
+    if (!sheet.ok())
+      return sheet.error();
+    for (SheetThing& thing : sheet->things)
+      thing.id = "v" + std::to_string(i + 1) + "-" + thing.id;
+    if (!sheet->things.empty())
+      book.sheets.push_back(std::move(*sheet));
+  }
+  if (book.sheets.empty())
+    return Error{.reason = "the picture has no labels to ask for",
+                 .remedy = "Label structures, or choose a view that shows some"};
+  return book;
+}
+
+std::size_t questionsAtMost(const ExportOrder& order) {
+  const auto& wanted = order.of<PackageOptions>();
+  const std::size_t each =
+      std::size_t(wanted.find) + std::size_t(wanted.name) + std::size_t(wanted.choose);
+  if (!wantsAllViews(order))
+    return each * questionsOf(order).size();
+  std::size_t questions = 0;
+  for (const model::View& view : order.scene.views())
+    questions += each * questionsOf(orderOfView(order, view)).size();
+  return questions;
+}
+
+std::string numberText(const SheetThing& thing) {
+  std::string text;
+  for (const int number : thing.numbers)
+    text += (text.empty() ? "" : ", ") + std::to_string(number);
+  return text;
+}
+
+}  // namespace sline::render

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The drawing, as the page sees it: render/web/engine.js is one, tests/page/fake_engine.js another.
+// Lengths are CSS pixels from the picture's upper left corner. The engine knows no texts.
+
+interface EngineOptions {
+  /** The WebAssembly program. */
+  program: Uint8Array;
+  canvas: HTMLCanvasElement;
+  /**
+   * Labels are drawn into it, in the classes `label` (a group with data-id), `label-text`, `leader`,
+   * `hidden` (a leader to what is hidden), `dot` and `badge`.
+   */
+  overlay: SVGSVGElement;
+}
+
+/** Opaque; may go through JSON. */
+interface CameraState {
+  [field: string]: number;
+}
+
+/** Where a label stands: its box is left, top, width and height. */
+interface Placed {
+  id: number;
+  box: [number, number, number, number];
+  hidden: boolean;
+  number: number;
+}
+
+interface LabelMode {
+  show: boolean;
+  /** Absent: those that the view shows. */
+  only?: number[];
+  numbers?: boolean;
+  /** By label, its paragraphs. */
+  texts: { [id: number]: string[] };
+}
+
+type Direction = "anterior" | "posterior" | "left" | "right" | "superior" | "inferior";
+
+declare class Engine {
+  /** Rejects with an Error where there is neither WebGL 2 nor Canvas 2D. */
+  static start(options: EngineOptions): Promise<Engine>;
+  readonly means: "webgl" | "canvas";
+  /** Takes an unpacked scene. */
+  load(scene: Uint8Array, context?: Uint8Array): void;
+  /** Adds the structures that came later. */
+  addContext(scene: Uint8Array): void;
+  /** `ratio` is device pixels per CSS pixel. */
+  size(width: number, height: number, ratio: number): void;
+
+  orbit(dx: number, dy: number): void;
+  pan(dx: number, dy: number): void;
+  roll(degrees: number): void;
+  /** Keeps what is under x, y. */
+  zoom(factor: number, x: number, y: number): void;
+  /** All of the scene when empty. */
+  fit(ids: number[]): void;
+  direction(name: Direction): void;
+  camera(): CameraState;
+  setCamera(camera: CameraState): void;
+  /** Views count from 1; share is that of the flight from where it began, 1 is there. */
+  goTo(view: number, share: number): void;
+  /** The side that faces the reader: "A", "L", … */
+  facing(): string;
+
+  setGamma(ids: number[], gamma: number): void;
+  gamma(id: number): number;
+  setVisible(ids: number[], visible: boolean): void;
+  visible(id: number): boolean;
+  resetLook(): void;
+  /** Outlines them in the picture. */
+  select(ids: number[]): void;
+
+  labels(mode: LabelMode): void;
+
+  /** Draws at once; `moving` asks for speed rather than for everything. */
+  draw(moving: boolean): { labels: Placed[]; milliseconds: number; complete: boolean };
+  /** What is seen there; 0 for nothing. */
+  pick(x: number, y: number): { structure: number; label: number };
+  free(): void;
+}

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page on screens of every size, on paper, in the dark, from right to left, and as axe-core sees it.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { modules, Pages, until } from "./browser.mjs";
+
+let pages;
+before(async () => (pages = await Pages.open()));
+after(() => pages.close());
+
+const axe = readFileSync(modules.resolve("axe-core/axe.min.js"), "utf8");
+
+/** What axe-core thinks serious of the page as it is. */
+async function serious(page) {
+  // A script of the browser's tools is not bound by the page's policy.
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => window.axe.run(document));
+  return violations.filter(({ impact }) => impact === "serious" || impact === "critical")
+    .map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join("; ")}`);
+}
+
+const sizes = [[320, 568, true], [390, 844, true], [568, 320, true], [844, 390, true], [768, 1024, true], [1024, 768, false],
+               [1440, 900, false], [2560, 1440, false]];
+
+/** Opens a panel if it is not open. */
+async function openPanel(page, name) {
+  const button = page.locator(".panel-nav").getByRole("button", { name });
+  if (await button.getAttribute("aria-expanded") === "false") await button.click();
+}
+
+test("the drawing keeps its room, nothing runs out of the window, targets are large enough", async () => {
+  const address = pages.write();
+  for (const direction of ["ltr", "rtl"])
+    for (const [width, height, touch] of sizes) {
+      const page = await pages.visit(`${address}#structure=left-common-iliac-artery`, { width, height, touch });
+      await page.evaluate((dir) => (document.documentElement.dir = dir), direction);
+      for (const panel of ["Structures", "Tour", "Quiz"]) {
+        await openPanel(page, panel);
+        const what = `${width}×${height} ${direction} ${panel}`;
+        const found = await page.evaluate(() => {
+          const stage = document.getElementById("stage").getBoundingClientRect();
+          const out = [...document.querySelectorAll("#app *")].filter((one) => {
+            const box = one.getBoundingClientRect();
+            return box.width > 1 && box.height > 1 && !one.closest(".overlay, .unseen, .skip") && getComputedStyle(one).visibility === "visible" &&
+                   (box.left < -1 || box.right > innerWidth + 1);
+          }).map((one) => `${one.className} ${one.textContent.slice(0, 30)}`);
+          const small = [...document.querySelectorAll("#app button, #app select, #app input")].filter((one) => {
+            const box = one.getBoundingClientRect();
+            return box.width > 0 && (box.width < 24 || box.height < 24);
+          }).map((one) => `${one.className} ${one.getBoundingClientRect().width}×${one.getBoundingClientRect().height}`);
+          return { scrolls: document.documentElement.scrollWidth > innerWidth, out, small, stage: [stage.width, stage.height] };
+        });
+        assert.deepEqual([found.scrolls, found.out, found.small], [false, [], []], what);
+        assert.ok(found.stage[0] >= Math.min(300, width * 0.5) && found.stage[1] >= Math.min(180, height * 0.3),
+                  `${what}: ${found.stage}`);
+      }
+      await page.done();
+    }
+});
+
+test("axe-core finds nothing serious", async () => {
+  const address = pages.write();
+  for (const [width, height, colorScheme] of [[1440, 900, "light"], [1440, 900, "dark"], [390, 844, "light"], [320, 568, "dark"]]) {
+    const page = await pages.visit(`${address}#view=1&structure=urinary-bladder`, { width, height, colorScheme });
+    const found = {};
+    for (const panel of ["Structures", "Tour"]) {
+      await openPanel(page, panel);
+      found[panel] = await serious(page);
+    }
+    await page.getByRole("button", { name: "About this page" }).click();
+    found.about = await serious(page);
+    await page.keyboard.press("Escape");
+    await openPanel(page, "Quiz");
+    await page.getByRole("button", { name: "Begin", exact: true }).click();
+    for (let i = 0; i < 6; ++i) {
+      found[`question ${i}`] = await serious(page);
+      await page.getByRole("button", { name: "I do not know" }).click();
+      if (i === 0) found.verdict = await serious(page);
+      await page.locator("#quiz .on").click();
+    }
+    found.score = await serious(page);
+    assert.deepEqual(Object.values(found).flat(), [], `${width}×${height} ${colorScheme} ${JSON.stringify(found)}`);
+    await page.done();
+  }
+});
+
+test("without motion a view is there at once", async () => {
+  const page = await pages.show({}, { reducedMotion: "reduce" });
+  await page.calls();
+  await page.getByRole("button", { name: "Begin the tour" }).click();
+  assert.deepEqual(await page.calls(), ["view 1 1"]);
+  await page.done();
+});
+
+test("what is printed: picture, title, text, key and credits", async () => {
+  const page = await pages.show({}, { hash: "#view=2" });
+  await page.locator(".label-select").selectOption("numbers");
+  await until(() => page.locator(".overlay .badge").count(), 9);
+  await page.emulateMedia({ media: "print" });
+  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  assert.equal(await page.locator("#app").isVisible(), false);
+  const words = await page.locator("#printed").innerText();
+  for (const wanted of ["The female pelvis", "Where ureter and artery cross", "A stone lodges here.", "Abdominal aorta", "Balls made for tests"])
+    assert.ok(words.includes(wanted), wanted);
+  assert.equal(await page.locator("#printed .badge").count(), 9);
+  const inked = await page.evaluate(() => {
+    const canvas = document.querySelector("#printed canvas");
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    return data.some((value, i) => i % 4 === 0 && value < 128);
+  });
+  assert.ok(inked);
+  assert.ok(await page.evaluate(() => document.querySelector("#printed canvas").width > 2 * document.querySelector(".stage canvas").width),
+            "paper shows more than a screen");
+  assert.ok((await page.pdf({ preferCSSPageSize: false })).length > 5000);
+  await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
+  assert.equal(await page.locator("#printed > *").count(), 0);
+  await page.done();
+});
+
+test("a window of another size is filled at once", async () => {
+  const page = await pages.show();
+  await page.setViewportSize({ width: 600, height: 900 });
+  await until(() => page.evaluate(() => {
+    const canvas = document.querySelector(".stage canvas");
+    return [canvas.width === Math.round(canvas.clientWidth * devicePixelRatio), document.querySelectorAll(".panel:not([hidden])").length];
+  }), [true, 1], "and the panels that have no room are closed");
+  await page.setViewportSize({ width: 1400, height: 900 });
+  await page.locator(".panel-nav").getByRole("button", { name: "Structures" }).click();
+  assert.equal(await page.locator(".panel:visible").count(), 2);
+  await page.done();
+});

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pages that the program has made, with the real engine: with WebGL by software, and with none. run.sh
+// names them in PAGE_MADE, separated by colons.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { join } from "node:path";
+import { here } from "./assemble.mjs";
+import { modules } from "./browser.mjs";
+
+const { chromium } = modules("playwright-core");
+const axe = readFileSync(modules.resolve("axe-core/axe.min.js"), "utf8");
+const made = (process.env.PAGE_MADE ?? "").split(":").filter((file) => file);
+const skip = made.length === 0 && "no page was made";
+/** Whether the engine draws without WebGL, too; else still pictures have to do. */
+const drawsAnywhere = /means = .*"canvas"/.test(readFileSync(join(here, "..", "..", "render", "web", "engine.js"), "utf8"));
+const drivers = { webgl: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+                  canvas: ["--disable-3d-apis"] };
+const browsers = {};
+
+before(async () => {
+  if (skip) return;
+  for (const [means, args] of Object.entries(drivers))
+    browsers[means] = await chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", ...args] });
+});
+after(() => Promise.all(Object.values(browsers).map((browser) => browser.close())));
+
+const factsOf = (file) => JSON.parse(/id="facts">([^]*?)<\/script>/.exec(readFileSync(file, "utf8"))[1]);
+
+/** Opens a page and waits for the whole scene; errors fail the test at `page.done`. */
+async function open(file, { means = "webgl", hash = "", width = 1280, height = 800, touch = false } = {}) {
+  const context = await browsers[means].newContext({ viewport: { width, height }, hasTouch: touch, isMobile: touch, locale: "en" });
+  const page = await context.newPage();
+  const complaints = [];
+  page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
+  page.on("pageerror", (error) => complaints.push(String(error)));
+  await page.goto(`file://${file}${hash}`);
+  await page.waitForFunction(() => document.body.classList.contains("complete") || !document.getElementById("stills").hidden,
+                             undefined, { timeout: 60000 });
+  page.still = means === "canvas" && !drawsAnywhere;
+  assert.equal(await page.locator("#stills .notice[role=alert]").count(), page.still ? 1 : 0, `${file} with ${means}`);
+  page.done = async () => {
+    await context.close();
+    assert.deepEqual(complaints, []);
+  };
+  return page;
+}
+
+/** A picture as few numbers: how much ink there is in each of 16 × 16 fields. */
+const fields = (page) => page.evaluate(async () => {
+  // The picture at rest.
+  await new Promise((passed) => setTimeout(passed, 1200));
+  const canvas = document.querySelector(".stage canvas");
+  const small = document.createElement("canvas");
+  small.width = small.height = 16;
+  const pen = small.getContext("2d");
+  pen.imageSmoothingQuality = "high";
+  pen.drawImage(canvas, 0, 0, 16, 16);
+  return [...pen.getImageData(0, 0, 16, 16).data].filter((_, i) => i % 4 !== 3);
+});
+
+const differ = (a, b) => a.filter((value, i) => Math.abs(value - b[i]) > 4).length;
+
+/** Clicks here and there until something is chosen; returns its name. */
+async function chosenByClick(page) {
+  const box = await page.locator("#stage").boundingBox();
+  for (const [x, y] of [[0.5, 0.5], [0.5, 0.6], [0.45, 0.55], [0.55, 0.45], [0.4, 0.4], [0.6, 0.6], [0.5, 0.35]]) {
+    await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
+    if (await page.locator("#card").isVisible()) return page.locator("#card h2").innerText();
+    await page.waitForTimeout(400);
+  }
+  return undefined;
+}
+
+for (const means of Object.keys(drivers))
+  test(`made pages with ${means}: turned, chosen, dressed, labelled`, { skip }, async () => {
+    for (const file of made) {
+      const page = await open(file, { means });
+      if (page.still) {
+        assert.ok(await page.locator("#stills figure img").count() > 0);
+        await page.done();
+        continue;
+      }
+      const first = await fields(page);
+      assert.ok(differ(first, first.map(() => first[0])) > 20, "there is a picture");
+      const box = await page.locator("#stage").boundingBox();
+      await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+      await page.mouse.down();
+      await page.mouse.move(box.x + box.width / 2 + 120, box.y + box.height / 2, { steps: 6 });
+      await page.mouse.up();
+      assert.ok(differ(first, await fields(page)) > 20, "it turns");
+      await page.getByRole("button", { name: "Seen from the front" }).click();
+      await page.getByRole("button", { name: "Show all" }).click();
+      const front = await fields(page);
+      const name = await chosenByClick(page);
+      assert.ok(name, "something can be chosen");
+      await page.getByRole("button", { name: "Only this" }).click();
+      assert.ok(differ(front, await fields(page)) > 10, "one alone");
+      await page.locator("#card").getByRole("button", { name: "As at first" }).click();
+      await page.locator("#card .gamma").fill("0");
+      await page.locator("#card .gamma").fill("5");
+      await page.keyboard.press("Escape");
+      if (factsOf(file).labels.length) {
+        assert.ok(await page.locator(".overlay .label").count() > 0, "labels stand in the picture");
+        await page.locator(".label-select").selectOption("numbers");
+        await page.locator(".overlay .badge").first().waitFor({ state: "attached" });
+      }
+      await page.done();
+    }
+  });
+
+test("made pages: search in every language, deep links, tour", { skip }, async () => {
+  for (const file of made) {
+    const facts = factsOf(file);
+    const node = facts.nodes.find((one) => !one.group && one.visible);
+    const page = await open(file);
+    for (const name of Object.values(node.names)) {
+      await page.locator(".filter").fill(name);
+      assert.equal(await page.locator(`li[data-id='${node.id}']`).isVisible(), true, name);
+    }
+    await page.keyboard.press("Escape");
+    await page.locator("#stage").focus();
+    for (const [i] of facts.views.entries()) {
+      await page.keyboard.press("PageDown");
+      assert.match(page.url(), new RegExp(`#view=${i + 1}`));
+    }
+    await page.done();
+    const name = (node.names.en ?? Object.values(node.names)[0]).toLowerCase().replace(/[^\p{L}\p{N}]+/gu, "-");
+    const linked = await open(file, { hash: `#structure=${encodeURIComponent(name)}` });
+    assert.equal(await linked.locator("#card").isVisible(), true, name);
+    await linked.done();
+  }
+});
+
+test("made pages: typed names are known, in every language", { skip }, async () => {
+  for (const file of made) {
+    const { quiz } = factsOf(file);
+    const question = quiz.questions.find(({ kind }) => kind === "name");
+    if (!question?.words) continue;
+    for (const name of new Set(Object.values(question.words))) {
+      const page = await open(file);
+      await page.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
+      const round = page.locator(".round select");
+      if (await round.count()) await round.selectOption({ index: await round.locator("option").count() - 1 });
+      await page.getByRole("button", { name: "Begin", exact: true }).click();
+      while (!await page.locator(".typed").isVisible()) {
+        await page.getByRole("button", { name: "I do not know" }).click();
+        await page.locator("#quiz .on").click();
+      }
+      await page.locator(".typed").fill(name);
+      await page.keyboard.press("Enter");
+      assert.equal(await page.locator(".verdict-word").innerText(), "Right.", name);
+      await page.done();
+    }
+  }
+});
+
+test("made pages: axe-core finds nothing serious, on a desk and on telephones", { skip }, async () => {
+  for (const file of made)
+    for (const [width, height, touch] of [[1440, 900, false], [390, 844, true], [320, 568, true]]) {
+      const page = await open(file, { width, height, touch, hash: "#view=1" });
+      await page.evaluate(axe);
+      const { violations } = await page.evaluate(() => window.axe.run(document));
+      assert.deepEqual(violations.filter(({ impact }) => ["serious", "critical"].includes(impact)).map(({ id }) => id), []);
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > innerWidth), false);
+      await page.done();
+    }
+});

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# run.sh BUILD_DIR [TEST…]: checks the types of the students' page and works it in headless Chromium,
+# with an engine that draws balls. What npm brings goes into BUILD_DIR. Ends with 77 (skipped) if Node.js,
+# npm or Chromium is absent or npm cannot fetch, unless SLINE_NOTHING_ABSENT is set.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+build=${1:-$here/../../build/release}
+shift || true
+
+absent() {
+  echo "$1" >&2
+  [ -z "${SLINE_NOTHING_ABSENT:-}" ] && exit 77
+  exit 1
+}
+for tool in node npm chromium; do
+  command -v "$tool" >/dev/null || absent "$tool is not installed"
+done
+
+work=$build/page_tests
+mkdir -p "$work"
+if ! cmp -s "$here/package-lock.json" "$work/installed"; then
+  cp "$here/package.json" "$here/package-lock.json" "$work"
+  (cd "$work" && npm ci --no-audit --no-fund --ignore-scripts >npm.log 2>&1) || absent "npm cannot fetch: $(tail -3 "$work/npm.log")"
+  cp "$here/package-lock.json" "$work/installed"
+fi
+export PAGE_MODULES=$work/node_modules
+
+# All scripts of the page share one scope: they are checked together, and engines for being what they use.
+for project in $(node "$here/types.mjs" "$work/types"); do
+  "$work/node_modules/.bin/tsc" -p "$project"
+done
+
+tests=("$@")
+[ ${#tests[@]} -eq 0 ] && tests=("$here"/*_test.mjs)
+node --test --test-reporter=spec "${tests[@]}"

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene in the page: turned, chosen from, dressed; by mouse, fingers and keys.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Pages, until } from "./browser.mjs";
+
+let pages;
+before(async () => (pages = await Pages.open()));
+after(() => pages.close());
+
+test("the focus is drawn first, then the context", async () => {
+  const page = await pages.show();
+  assert.deepEqual(await page.calls(), ["context"]);
+  assert.equal(await page.evaluate(() => window.engine.scene.balls.length), 11);
+  assert.equal(await page.locator("#stills").isVisible(), false);
+  assert.equal(await page.locator(".first-picture").count(), 0);
+  assert.ok(await page.evaluate(() => window.crossOriginIsolated === false && document.getElementById("scene").textContent === ""));
+  await page.done();
+});
+
+test("the mouse turns, moves and zooms", async () => {
+  const page = await pages.show();
+  await page.calls();
+  await page.mouse.move(640, 400);
+  await page.mouse.down();
+  await page.mouse.move(700, 420, { steps: 4 });
+  await page.mouse.up();
+  let calls = await page.calls();
+  assert.ok(calls.length >= 3 && calls.every((call) => call === "orbit"), calls.join());
+  assert.deepEqual(await page.selected(), [], "a drag chooses nothing");
+  await page.keyboard.down("Shift");
+  await page.mouse.down();
+  await page.mouse.move(600, 380, { steps: 3 });
+  await page.mouse.up();
+  await page.keyboard.up("Shift");
+  calls = await page.calls();
+  assert.ok(calls.length >= 2 && calls.every((call) => call === "pan"), calls.join());
+  const spot = { x: 600, y: 350 };
+  const before = await page.evaluate(() => window.engine.eye.scale);
+  await page.mouse.move(spot.x, spot.y);
+  await page.mouse.wheel(0, -200);
+  await until(() => page.evaluate((old) => window.engine.eye.scale > old, before), true);
+  await page.done();
+});
+
+test("a click chooses, shows name, Latin and note; beside the scene nothing is chosen", async () => {
+  const page = await pages.show();
+  await page.clickOn(6);
+  await until(page.selected, [6]);
+  const card = page.locator("#card");
+  assert.equal(await card.locator("h2").innerText(), "Urinary bladder");
+  assert.equal(await card.locator(".latin").innerText(), "Vesica urinaria");
+  assert.match(await card.locator(".note").innerText(), /300 to 500 ml/);
+  assert.equal(await page.locator("li[data-id='6']").getAttribute("aria-selected"), "true");
+  assert.match(page.url(), /#structure=urinary-bladder$/);
+  const box = await page.locator("#stage").boundingBox();
+  await page.mouse.click(box.x + 5, box.y + 5);
+  await until(page.selected, []);
+  assert.equal(await card.isVisible(), false);
+  await page.done();
+});
+
+test("twice brings into the picture, a resting mouse is told the name", async () => {
+  const page = await pages.show();
+  const { x, y } = await page.spot(15);
+  await page.mouse.move(x, y - 75);
+  await page.locator(".hint").waitFor({ state: "visible" });
+  assert.equal(await page.locator(".hint").innerText(), "Rectum");
+  await page.mouse.dblclick(x, y - 75);
+  await until(async () => (await page.calls()).includes("fit 15"), true);
+  await page.done();
+});
+
+test("Γ: the card's slider, a row's, a group's", async () => {
+  const page = await pages.show({}, { hash: "#structure=rectum" });
+  await page.locator("#card .gamma").fill("1");
+  assert.equal(await page.gamma(15), 1);
+  assert.equal(await page.locator("#card .stage-name").innerText(), "contours");
+  assert.match(await page.locator("#card .gamma").getAttribute("aria-valuetext"), /^1.0, contours$/);
+  await page.locator("li[data-id='6'] > .row .gamma").fill("5");
+  assert.equal(await page.gamma(6), 5);
+  await page.locator("li[data-id='10'] > .row .gamma").fill("0.5");
+  assert.deepEqual([await page.gamma(11), await page.gamma(12), await page.gamma(13)], [0.5, 0.5, 0.5]);
+  assert.equal(await page.locator("li[data-id='12'] > .row .gamma").inputValue(), "0.5");
+  await page.locator("#card").getByRole("button", { name: "As at first" }).click();
+  assert.equal(await page.gamma(11), 3);
+  await page.done();
+});
+
+test("eyes show and hide; a group whose part is hidden is mixed; one alone", async () => {
+  const page = await pages.show({}, { hash: "#structure=rectum" });
+  const eye = (id) => page.locator(`li[data-id='${id}'] > .row .eye`);
+  await eye(7).click();
+  assert.equal(await page.visible(7), false);
+  assert.equal(await eye(5).getAttribute("aria-pressed"), "mixed");
+  await eye(5).click();
+  assert.deepEqual([await page.visible(6), await page.visible(7)], [false, false]);
+  await eye(5).click();
+  assert.deepEqual([await page.visible(6), await page.visible(7)], [true, true]);
+  await page.getByRole("button", { name: "Only this" }).click();
+  assert.deepEqual([await page.visible(15), await page.visible(6), await page.visible(2)], [true, false, false]);
+  await page.done();
+});
+
+test("the filter finds names of every language", async () => {
+  const page = await pages.show();
+  const shown = () => page.locator("li.structure:visible .row-name").allInnerTexts();
+  for (const [typed, wanted] of [["harnblase", ["Urinary bladder"]], ["URETER", ["Left ureter", "Right ureter"]],
+                                 ["hüft", ["Right hip bone", "Left hip bone"]], ["huft", ["Right hip bone", "Left hip bone"]],
+                                 ["vasa", ["Abdominal aorta", "Left common iliac artery", "Left external iliac artery"]],
+                                 ["qqq", []]]) {
+    await page.locator(".filter").fill(typed);
+    assert.deepEqual(await shown(), wanted, typed);
+  }
+  assert.equal(await page.locator(".none-found").isVisible(), true);
+  assert.equal(await page.locator("#live").innerText(), "Nothing of that name");
+  await page.locator(".filter").fill("mastdarm");
+  await page.keyboard.press("Enter");
+  await until(page.selected, [15]);
+  await page.done();
+});
+
+test("groups fold, by mouse and keys", async () => {
+  const page = await pages.show();
+  await page.locator("li[data-id='5'] > .row .fold").click();
+  assert.equal(await page.locator("li[data-id='6']").isVisible(), false);
+  assert.equal(await page.locator("li[data-id='5']").getAttribute("aria-expanded"), "false");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await page.locator("li[data-id='6']").isVisible(), true);
+  await page.keyboard.press("ArrowLeft");
+  assert.equal(await page.locator("li[data-id='6']").isVisible(), false);
+  await page.clickOn(6);
+  await until(() => page.locator("li[data-id='6']").isVisible(), true, "what is chosen is shown in the tree");
+  await page.done();
+});
+
+test("by keys alone", async () => {
+  const page = await pages.show();
+  const focused = () => page.evaluate(() => document.activeElement?.getAttribute("data-id") ?? document.activeElement?.id ?? "");
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
+  assert.equal(await focused(), "stage", "the first stop leads to the drawing");
+  await page.calls();
+  for (const key of ["ArrowLeft", "Shift+ArrowUp", "+", "-", ",", "p", "Home"]) await page.keyboard.press(key);
+  assert.deepEqual(await page.calls(), ["orbit", "pan", "zoom", "zoom", "roll", "posterior", "fit "]);
+  await page.keyboard.press("/");
+  await page.keyboard.press("ArrowDown");
+  assert.equal(await focused(), "1");
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  await until(page.selected, [2]);
+  await page.keyboard.press("Space");
+  assert.equal(await page.visible(2), false);
+  await page.keyboard.press("Space");
+  await page.keyboard.press("+");
+  assert.equal(await page.gamma(2), 1.25);
+  await page.keyboard.type("rec");
+  assert.equal(await focused(), "15");
+  await page.keyboard.press("Home");
+  await page.keyboard.press("ArrowUp");
+  assert.equal(await page.evaluate(() => document.activeElement.className), "filter");
+  await page.locator("#stage").focus();
+  await page.keyboard.press("]");
+  assert.equal(await page.gamma(2), 1.5);
+  await page.keyboard.press("Escape");
+  await until(page.selected, []);
+  await page.done();
+});
+
+test("every control can be reached by Tab, and says what it is", async () => {
+  const page = await pages.show({}, { hash: "#structure=rectum" });
+  const stops = new Set();
+  for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press("Tab");
+    stops.add(await page.evaluate(() => {
+      const at = document.activeElement;
+      return at === document.body ? "" : at.getAttribute("aria-label") || at.innerText || at.getAttribute("aria-labelledby") || `?${at.outerHTML}`;
+    }));
+  }
+  for (const wanted of ["Language", "About this page", "Structures", "Tour", "Quiz", "The female pelvis", "Seen from the front",
+                        "Show all", "Nearer", "Labels", "Find a structure", "Rectum", "Only this", "Detail Γ", "Begin the tour"])
+    assert.ok(stops.has(wanted), `${wanted} in ${[...stops].join(" | ")}`);
+  assert.ok(![...stops].some((stop) => stop.startsWith("?")), [...stops].join());
+  await page.done();
+});
+
+test("sides and labels have controls", async () => {
+  const page = await pages.show();
+  await page.getByRole("button", { name: "Seen from the left" }).click();
+  await until(() => page.locator(".from[aria-pressed='true']").allInnerTexts(), ["L"]);
+  assert.equal(await page.locator(".overlay .label-text").count(), 9);
+  await page.locator(".label-select").selectOption("numbers");
+  await until(() => page.locator(".overlay .badge").count(), 9);
+  await until(() => page.locator("li[data-id='6'] .row-number").innerText(), "1");
+  await page.locator(".label-select").selectOption("none");
+  await until(() => page.locator(".overlay .label").count(), 0);
+  await page.done();
+});
+
+/** Touches by fingers as the browser gets them from a screen. */
+async function touches(page, steps) {
+  const session = await page.context().newCDPSession(page);
+  let before = 0;
+  for (const points of steps) {
+    const type = points.length > before ? "touchStart" : points.length === before && before > 0 ? "touchMove" : "touchEnd";
+    await session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+    before = points.length;
+  }
+}
+
+test("one finger turns, two zoom and move, a tap chooses", async () => {
+  const page = await pages.show({}, { width: 390, height: 844, touch: true });
+  await page.calls();
+  await touches(page, [[[200, 200]], [[220, 205]], [[250, 210]], []]);
+  let calls = await page.calls();
+  assert.ok(calls.length > 0 && calls.every((call) => call === "orbit"), calls.join());
+  await touches(page, [[[150, 200]], [[150, 200], [250, 200]], [[120, 200], [280, 200]], [[100, 200], [300, 200]], []]);
+  calls = await page.calls();
+  assert.ok(calls.includes("zoom") && calls.includes("pan") && !calls.includes("orbit"), calls.join());
+  assert.ok(await page.evaluate(() => window.engine.eye.scale > 1.5));
+  await page.getByRole("button", { name: "Show all" }).tap();
+  await page.locator(".side-select").selectOption("anterior");
+  const { x, y } = await page.spot(6);
+  await page.touchscreen.tap(x, y);
+  await until(page.selected, [6]);
+  await page.waitForTimeout(400);
+  await page.locator("#card").getByRole("button", { name: "Close" }).tap();
+  await page.calls();
+  const again = await page.spot(6);
+  await page.touchscreen.tap(again.x, again.y);
+  await page.touchscreen.tap(again.x, again.y);
+  await until(async () => (await page.calls()).at(-1), "fit 6", "the card's room does not change what is meant");
+  assert.equal(await page.evaluate(() => window.scrollY), 0);
+  await page.done();
+});

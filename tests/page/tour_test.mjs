@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tour, links in its texts and into the page, languages, and texts that would be programs.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Pages, until } from "./browser.mjs";
+import { hostile } from "./lesson.mjs";
+
+let pages;
+before(async () => (pages = await Pages.open()));
+after(() => pages.close());
+
+const title = (page) => page.locator(".view-text h2").innerText();
+
+test("button, contents and keys lead through the views", async () => {
+  const page = await pages.show();
+  await page.getByRole("button", { name: "Begin the tour" }).click();
+  assert.equal(await title(page), "The bladder from in front");
+  await until(async () => (await page.calls()).includes("view 1 1"), true, "the flight lands");
+  await page.locator(".steps").getByRole("button", { name: "Next" }).click();
+  assert.equal(await title(page), "Where ureter and artery cross");
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "Next", "focus stays on the button");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await title(page), "Into the true pelvis");
+  assert.match(await page.locator("#live").innerText(), /^3 of 3 Into the true pelvis$/);
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("PageUp");
+  assert.equal(await title(page), "Where ureter and artery cross");
+  await page.locator(".contents button").nth(2).click();
+  assert.equal(await title(page), "Into the true pelvis");
+  await until(() => page.evaluate(() => window.engine.view), 3);
+  assert.match(page.url(), /#view=3$/);
+  assert.match(await page.locator("#scene-words").textContent(), /^Into the true pelvis: the bladder/);
+  await page.done();
+});
+
+test("on the drawing arrows turn, and Page Down goes on", async () => {
+  const page = await pages.show();
+  await page.locator("#stage").focus();
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await page.locator(".view-text").count(), 0);
+  await page.keyboard.press("PageDown");
+  assert.equal(await title(page), "The bladder from in front");
+  await page.done();
+});
+
+test("a view is there with its look; a hand on the scene ends the flight", async () => {
+  const page = await pages.show({}, { hash: "#view=2" });
+  assert.ok((await page.calls()).includes("view 2 1"));
+  assert.equal(await page.gamma(15), 0.4);
+  assert.equal(await page.locator("li[data-id='15'] > .row .gamma").inputValue(), "0.4");
+  await page.keyboard.press("PageDown");
+  await page.mouse.move(640, 400);
+  await page.mouse.down();
+  await page.mouse.move(660, 400, { steps: 3 });
+  await page.mouse.up();
+  const camera = await page.evaluate(() => JSON.stringify(window.engine.eye));
+  await page.waitForTimeout(500);
+  assert.equal(await page.evaluate(() => JSON.stringify(window.engine.eye)), camera);
+  assert.equal(await page.gamma(15), 2.4, "the look is that of the view all the same");
+  await page.done();
+});
+
+test("names in texts light structures up, views' names go there", async () => {
+  const page = await pages.show({}, { hash: "#view=1" });
+  await page.getByRole("link", { name: "urinary bladder" }).click();
+  await until(page.selected, [6]);
+  assert.match(page.url(), /#view=1&structure=urinary-bladder$/);
+  await page.getByRole("link", { name: "view from behind" }).click();
+  assert.equal(await title(page), "Where ureter and artery cross");
+  assert.equal(await page.locator(".view-text li").count(), 2);
+  assert.equal(await page.locator(".view-text li strong").innerText(), "At hysterectomy it is in danger.");
+  await page.getByRole("link", { name: "left ureter" }).click();
+  await until(page.selected, [7]);
+  await page.done();
+});
+
+test("deep links", async () => {
+  const address = pages.write();
+  for (const [hash, view, chosen] of [["#view=3", 3, []], ["#structure=left-ureter", 0, [7]], ["#structure=Linker%20Harnleiter", 0, [7]],
+                                      ["#structure=7,8", 0, [7, 8]], ["#view=1&structure=vesica-urinaria", 1, [6]],
+                                      ["#structure=vessels", 0, [11, 12, 13]], ["#view=99&structure=nobody", 0, []],
+                                      ["#view=-1", 0, []], ["#%E0%A4%A", 0, []], ["#view=1e0", 1, []]]) {
+    const page = await pages.visit(address + hash);
+    assert.equal(await page.evaluate(() => window.engine.view), view, hash);
+    await until(page.selected, chosen, hash);
+    await page.done();
+  }
+  const page = await pages.visit(address);
+  await page.evaluate(() => (location.hash = "#view=2&structure=rectum&language=de"));
+  await until(page.selected, [15]);
+  assert.equal(await title(page), "Kreuzung von Harnleiter und Arterie");
+  await page.done();
+});
+
+test("languages: names and the page's own texts", async () => {
+  const page = await pages.show({}, { hash: "#structure=rectum" });
+  for (const [language, structures, rectum] of [["de", "Strukturen", "Mastdarm"], ["nl", "Structuren", "Endeldarm"],
+                                                ["nb", "Strukturer", "Endetarm"], ["la", "Strukturer", "Rectum"],
+                                                ["en", "Structures", "Rectum"]]) {
+    await page.locator(".language").selectOption(language);
+    assert.equal(await page.locator(".panel-button span").first().innerText(), structures);
+    assert.equal(await page.locator("#card h2").innerText(), rectum);
+    assert.equal(await page.locator("#card h2").getAttribute("lang"), language);
+    await until(() => page.locator(".overlay .label[data-id='6']").textContent(), rectum);
+  }
+  await page.done();
+});
+
+test("the teacher's language comes first; the page's own texts are in it or in the browser's", async () => {
+  for (const [language, locale, words, name] of [["de", "en", "Strukturen", "Mastdarm"], ["nb", "de", "Strukturer", "Endetarm"],
+                                                 ["la", "nl", "Structuren", "Rectum"], ["la", "nn-NO", "Strukturer", "Rectum"],
+                                                 ["la", "fr", "Structures", "Rectum"], ["en", "de", "Structures", "Rectum"]]) {
+    const page = await pages.visit(pages.write({}, (parts) => {
+      parts.facts.language = language;
+      return parts;
+    }), { locale });
+    assert.equal(await page.locator(".panel-button span").first().innerText(), words, `${language} ${locale}`);
+    assert.equal(await page.locator("li[data-id='15'] .row-name").innerText(), name);
+    await page.done();
+  }
+  const page = await pages.show({ languages: ["en"] });
+  assert.equal(await page.locator(".language").count(), 0);
+  await page.done();
+});
+
+test("all texts are in four languages and name the same places", async () => {
+  const { readFileSync } = await import("node:fs");
+  const { join } = await import("node:path");
+  const { runInNewContext } = await import("node:vm");
+  const { pageFolder, pageScripts } = await import("./assemble.mjs");
+  const table = runInNewContext(`${readFileSync(join(pageFolder, "texts.js"), "utf8")}\ntextTable`);
+  const used = pageScripts().map((file) => readFileSync(file, "utf8")).join("\n");
+  for (const [key, row] of Object.entries(table)) {
+    assert.equal(row.length, 4, key);
+    const marks = (words) => [...words.matchAll(/\{\d\}|\|/g)].map(String).sort().join();
+    for (const words of row) {
+      assert.ok(words.trim(), key);
+      assert.equal(marks(words), marks(row[0]), key);
+    }
+    assert.ok(used.includes(`"${key.replace(/(stage|label)(\d|Names|Numbers|None)$/, "$1")}"`), `${key} is used`);
+  }
+  for (const [, key] of used.matchAll(/\bsay\("(\w+)"[,)]/g)) assert.ok(table[key], `${key} is in the table`);
+});
+
+test("texts stay text", async () => {
+  const address = pages.write({ title: hostile }, (parts) => {
+    parts.facts.nodes[1].names = { en: hostile };
+    parts.facts.views[0].title = { en: hostile };
+    parts.facts.views[0].words = { en: [[{ text: hostile, bold: true }, { text: "javascript:window.hacked=1", view: 2 }]] };
+    parts.facts.views[0].alt = { en: hostile };
+    parts.facts.labels[0].words = { en: [[{ text: hostile }]] };
+    parts.facts.credits = [hostile];
+    parts.facts.nodes[1].colour = "red; background: url(https://example.org)";
+    return parts;
+  });
+  const page = await pages.visit(`${address}#view=1&structure=2`);
+  await page.getByRole("button", { name: "About this page" }).click();
+  assert.equal(await page.locator(".about h2").innerText(), hostile);
+  assert.equal(await page.locator("#card h2").innerText(), hostile);
+  assert.equal(await title(page), hostile);
+  await page.locator(".about").getByRole("button", { name: "Close" }).click();
+  await page.locator("li[data-id='15'] .row-name").click();
+  assert.equal(await page.locator("#card .note").innerText(), hostile);
+  assert.equal(await page.evaluate(() => window.hacked), undefined);
+  assert.equal(await page.locator("#app img").count(), 0);
+  await page.done();
+});
