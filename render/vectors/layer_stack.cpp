@@ -23,6 +23,18 @@ bool nearerFirst(const SeenFill& a, const SeenFill& b) {
   return liesBefore(a.depth, a.layer, b.depth, b.layer);
 }
 
+// Outlines are looked for on two rings around a pixel.
+constexpr std::size_t ringDirections = 12;
+
+std::array<glm::vec2, 2 * ringDirections> ringWays() {
+  std::array<glm::vec2, 2 * ringDirections> ways;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const float angle = 6.2831853f * float(k) / float(ringDirections);
+    ways[k] = {std::cos(angle), std::sin(angle)};
+  }
+  return ways;
+}
+
 }  // namespace
 
 LayerStack::LayerStack(std::span<const DepthLayer> layers, glm::vec2 size)
@@ -32,9 +44,12 @@ LayerStack::LayerStack(std::span<const DepthLayer> layers, glm::vec2 size)
       m_columns(int(size.x) / tileSide + 1),
       m_rows(int(size.y) / tileSide + 1),
       m_tiles(std::size_t(m_columns) * std::size_t(m_rows)) {
+  m_blocks.resize(layers.size());
   for (std::size_t i = 0; i < layers.size(); ++i) {
     if (layers[i].halo > 0.0f)
       m_haloed.push_back(i);
+    if (layers[i].halo > 0.0f || layers[i].ink > 0.0f)
+      m_blocks[i] = blocksOf(layers[i]);
     const PixelRect& area = layers[i].area;
     if (!layers[i].filled() || area.empty())
       continue;
@@ -81,17 +96,52 @@ Veil LayerStack::before(const glm::vec2& pixel, float depth, std::size_t own) co
   return {glm::vec3(sum), 1.0f - sum.a};
 }
 
+LayerStack::Blocks LayerStack::blocksOf(const DepthLayer& layer) {
+  Blocks blocks{.columns = layer.area.width / blockSide + 1,
+                .rows = layer.area.height / blockSide + 1,
+                .nearest = {}};
+  blocks.nearest.assign(std::size_t(blocks.columns) * std::size_t(blocks.rows), 1.0f);
+  for (int y = 0; y < layer.area.height; ++y) {
+    const float* depths = layer.depths.data() + std::size_t(y) * std::size_t(layer.area.width);
+    float* row = blocks.nearest.data() + std::size_t(y / blockSide) * std::size_t(blocks.columns);
+    for (int x = 0; x < layer.area.width; ++x)
+      row[x / blockSide] = std::min(row[x / blockSide], depths[x]);
+  }
+  return blocks;
+}
+
+bool LayerStack::mayBeNear(std::size_t layer, const glm::vec2& pixel, float depth,
+                           float radius) const {
+  const Blocks& blocks = m_blocks[layer];
+  const PixelRect& area = m_layers[layer].area;
+  const auto block = [](float at, int from) {
+    return int(std::floor((at - float(from)) / float(blockSide)));
+  };
+  // One pixel more, as places between pixels belong to one of them.
+  const float reach = radius + 1.0f;
+  const int left = std::max(block(pixel.x - reach, area.x), 0);
+  const int right = std::min(block(pixel.x + reach, area.x), blocks.columns - 1);
+  const int low = std::max(block(pixel.y - reach, area.y), 0);
+  const int high = std::min(block(pixel.y + reach, area.y), blocks.rows - 1);
+  for (int y = low; y <= high; ++y)
+    for (int x = left; x <= right; ++x) {
+      const float nearest =
+          blocks.nearest[std::size_t(y) * std::size_t(blocks.columns) + std::size_t(x)];
+      if (nearest < 1.0f && nearest <= depth)
+        return true;
+    }
+  return false;
+}
+
 bool LayerStack::ringed(std::size_t layer, const glm::vec2& pixel, float depth, std::size_t own,
                         float radius) const {
-  // Outlines are looked for on two rings around the pixel.
-  constexpr int directions = 12;
+  static const std::array<glm::vec2, 2 * ringDirections> ways = ringWays();
   const DepthLayer& other = m_layers[layer];
-  if (layer == own || other.depthAt(pixel) < 1.0f)
+  if (layer == own || !mayBeNear(layer, pixel, depth, radius) || other.depthAt(pixel) < 1.0f)
     return false;
-  for (int k = 0; k < 2 * directions; ++k) {
-    const float angle = 6.2831853f * float(k) / float(directions);
-    const float far = radius * (k < directions ? 1.0f : 0.5f);
-    const float there = other.depthAt(pixel + far * glm::vec2(std::cos(angle), std::sin(angle)));
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const float far = radius * (k < ringDirections ? 1.0f : 0.5f);
+    const float there = other.depthAt(pixel + far * ways[k]);
     if (there < 1.0f && liesBefore(there, layer, depth, own))
       return true;
   }

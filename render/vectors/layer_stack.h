@@ -53,7 +53,20 @@ class LayerStack {
   bool ringed(std::size_t layer, const glm::vec2& pixel, float depth, std::size_t own,
               float radius) const;
 
+  /// The nearest depth in each block of a layer's pixels, so that most of them need not be looked
+  /// at. Blocks count from the layer's corner.
+  struct Blocks {
+    int columns = 0;
+    int rows = 0;
+    std::vector<float> nearest;
+  };
+  static constexpr int blockSide = 16;
+  static Blocks blocksOf(const DepthLayer& layer);
+  /// Tells whether the layer may have something at that depth or nearer within the radius.
+  bool mayBeNear(std::size_t layer, const glm::vec2& pixel, float depth, float radius) const;
+
   std::span<const DepthLayer> m_layers;
+  std::vector<Blocks> m_blocks;  ///< of the layers that have a halo or ink
   int m_width = 0;
   int m_height = 0;
   int m_columns = 0;

@@ -25,6 +25,7 @@ if ! cmp -s "$here/package-lock.json" "$work/installed"; then
   cp "$here/package-lock.json" "$work/installed"
 fi
 export PAGE_MODULES=$work/node_modules
+export PAGE_PROGRAMS=$build/bin
 
 # All scripts of the page share one scope: they are checked together, and engines for being what they use.
 for project in $(node "$here/types.mjs" "$work/types"); do
