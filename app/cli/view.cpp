@@ -11,8 +11,8 @@
 #include "app/cli/view_words.h"
 #include "model/edit/views.h"
 #include "model/scene/markup.h"
-#include "model/scene_file/camera_json.h"
 #include "model/scene_file/scene_file.h"
+#include "model/scene_json/camera_json.h"
 
 namespace sline::cli {
 

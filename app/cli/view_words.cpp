@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/cli/files/language_tag.h"
-#include "model/scene_file/json_value.h"
+#include "model/scene_json/json_value.h"
 
 namespace sline::cli {
 

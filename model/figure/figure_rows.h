@@ -5,7 +5,7 @@
 #include <span>
 
 #include "model/figure/figure.h"
-#include "model/scene_file/json_value.h"
+#include "model/scene_json/json_value.h"
 
 namespace sline::model {
 

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "model/scene_file/journal_records.h"
-#include "model/scene_file/scene_json.h"
-#include "model/scene_file/scene_reader.h"
 #include "model/scene_file/text_delta.h"
+#include "model/scene_json/scene_json.h"
+#include "model/scene_json/scene_reader.h"
 
 namespace sline::model {
 

@@ -10,8 +10,8 @@
 #include "model/scene_file/mesh_codec.h"
 #include "model/scene_file/paint_codec.h"
 #include "model/scene_file/scan_codec.h"
-#include "model/scene_file/scene_json.h"
-#include "model/scene_file/scene_migration.h"
+#include "model/scene_json/scene_json.h"
+#include "model/scene_json/scene_migration.h"
 
 namespace sline::model {
 

@@ -5,6 +5,8 @@
 
 #ifdef __EMSCRIPTEN__
 #include <GLES3/gl3.h>
+// OpenGL ES has no such textures, and nobody asks for them there (PictureOptions::deep).
+#define GL_RGBA16 GL_RGBA8
 #else
 #include <epoxy/gl.h>
 #endif

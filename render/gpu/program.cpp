@@ -76,15 +76,16 @@ Status Program::compile(const ShaderSource& source, bool vertex) {
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
   glAttachShader(m_handle, shader);
-  glDeleteShader(shader);  // lives on while attached
   GLint ok = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-  if (ok)
-    return Unit{};
   GLint length = 0;
   glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
   std::string log(std::size_t(std::max(length, 1)), '\0');
-  glGetShaderInfoLog(shader, length, &length, log.data());
+  if (!ok)
+    glGetShaderInfoLog(shader, length, &length, log.data());
+  glDeleteShader(shader);  // lives on while attached; browsers forget its number at once
+  if (ok)
+    return Unit{};
   log.resize(std::size_t(std::max(length, 0)));
   std::string numbers;
   for (std::size_t i = 0; i < source.files.size(); ++i)
@@ -137,7 +138,7 @@ Status Program::matchUniforms(const ProgramRecipe& recipe) {
   for (const Uniform& uniform : recipe.uniforms) {
     const std::string name(uniform.name);
     const int location = glGetUniformLocation(m_handle, name.c_str());
-    if (location < 0)
+    if (location < 0 && !uniform.idle)
       return fault(uniform.name, "the pass declares it, but the shaders do not use it");
     m_slots.push_back({name, uniform.type, location, isTexture(uniform.type) ? unit : 0});
     if (isTexture(uniform.type))

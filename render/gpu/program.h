@@ -19,6 +19,9 @@ enum class UniformType { real, vec2, vec3, vec4, mat4, integer, ivec2, ivec4, te
 struct Uniform {
   std::string_view name;
   UniformType type = UniformType::real;
+  /// Nothing that is drawn depends on it, as other programs share its shader: some drivers leave it
+  /// out, others do not.
+  bool idle = false;
 };
 
 /// Describes a program completely; a pass declares its uniforms here and nowhere else.

@@ -44,6 +44,12 @@ Result<std::unique_ptr<Target>> Target::create(const TargetTextures& textures,
   return target;
 }
 
+std::unique_ptr<Target> Target::display(TextureSize size) {
+  std::unique_ptr<Target> target(new Target);
+  target->m_size = size;
+  return target;
+}
+
 Target::~Target() {
   if (m_handle != 0)
     glDeleteFramebuffers(1, &m_handle);

@@ -22,6 +22,8 @@ class Target {
   /// Creates the target. The error says which driver refused which combination of formats.
   static Result<std::unique_ptr<Target>> create(const TargetTextures& textures,
                                                 std::string_view name);
+  /// Returns the context's own framebuffer of that size, as a browser's canvas has it.
+  static std::unique_ptr<Target> display(TextureSize size);
   ~Target();
   Target(const Target&) = delete;
   Target& operator=(const Target&) = delete;

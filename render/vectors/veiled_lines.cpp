@@ -28,7 +28,7 @@ std::vector<VeiledLines> veiledLines(const VectorDrawing& drawing) {
 std::span<const VectorShape> plainShapes(const VectorLines& lines) {
   const auto first = std::find_if(lines.shapes.begin(), lines.shapes.end(),
                                   [](const VectorShape& shape) { return shape.light >= 1.0f; });
-  return {first, lines.shapes.end()};
+  return std::span(lines.shapes).subspan(std::size_t(first - lines.shapes.begin()));
 }
 
 }  // namespace sline::render

@@ -5,8 +5,8 @@
 set -euo pipefail
 cd "$1"
 command -v clang++ >/dev/null || { echo "clang++ is not installed"; exit 77; }
-rooms=(model/anatomy model/base model/geometry model/fairing model/scalars model/scene render/raster render/lines render/strokes render/labels render/gpu render/passes
-  render/picture render/vectors)
+# render/web itself is for Emscripten alone.
+mapfile -t rooms < <(grep -oE '(model|render)/[a-z_]+' render/web/rooms.cmake | grep -v '^render/web$')
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 export scratch

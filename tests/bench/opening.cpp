@@ -10,9 +10,9 @@
 
 #include "model/focus/twins.h"
 #include "model/look/opening_look.h"
-#include "model/scene_file/camera_json.h"
 #include "model/scene_file/fingerprint.h"
-#include "model/scene_file/style_json.h"
+#include "model/scene_json/camera_json.h"
+#include "model/scene_json/style_json.h"
 #include "tests/bench/measure.h"
 
 namespace sline::bench {

@@ -10,12 +10,12 @@
 #include <iostream>
 #include <map>
 
+#include "model/scene/camera_moves.h"
 #include "tests/bench/measure.h"
 #include "tests/gui/window_fixture.h"
 #include "widgets/gamma/brush_tool.h"
 #include "widgets/gamma/gamma_slider.h"
 #include "widgets/sections/section_handles.h"
-#include "widgets/viewport/tools/navigation.h"
 #include "widgets/viewport/tools/points.h"
 
 using namespace sline;
@@ -94,7 +94,7 @@ void dragInPicture(test::WindowFixture& f, const char* what, QPoint from, glm::v
     gaps.push_back(double(clock.nsecsElapsed()) * 1e-6);
     clock.start();
     drawing.push_back(f.viewport().lastMilliseconds());
-    const widgets::Fineness& last = f.viewport().lastFineness();
+    const render::Fineness& last = f.viewport().lastFineness();
     ++fineness[{last.scale, last.surfaceStep}];
   });
   test::sendMouse(f.viewport(), QEvent::MouseButtonPress, from);
@@ -147,7 +147,7 @@ QPointF nearestOf(test::WindowFixture& f, model::NodeId id) {
         return glm::distance(camera.eye, a) < glm::distance(camera.eye, b);
       });
   const glm::vec2 size(float(f.viewport().width()), float(f.viewport().height()));
-  return widgets::point(widgets::pixelOf(camera, nearest, size).value_or(0.5f * size));
+  return widgets::point(model::pixelOf(camera, nearest, size).value_or(0.5f * size));
 }
 
 /// Paints on a structure with a wide brush, after the brush has hovered there.

@@ -19,8 +19,8 @@
 #include "model/scene_file/mesh_codec.h"
 #include "model/scene_file/scan_codec.h"
 #include "model/scene_file/scene_file.h"
-#include "model/scene_file/scene_json.h"
-#include "model/scene_file/scene_migration.h"
+#include "model/scene_json/scene_json.h"
+#include "model/scene_json/scene_migration.h"
 #include "tests/fuzz/input_folder.h"
 
 namespace sline::fuzz {

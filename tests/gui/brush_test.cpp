@@ -9,13 +9,13 @@
 #include <array>
 
 #include "model/edit/locks.h"
+#include "model/scene/camera_moves.h"
 #include "model/scene_file/scene_file.h"
 #include "tests/gui/gamma_fixture.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "widgets/gamma/brush_tool.h"
-#include "widgets/viewport/tools/navigation.h"
 #include "widgets/viewport/tools/points.h"
 
 using namespace sline;
@@ -41,8 +41,8 @@ struct BrushFixture : GammaPanelFixture {
   /// Returns the pixel of the structure's middle, as seen from the front.
   QPointF middle() {
     const QSizeF size = viewport().size();
-    const auto pixel = widgets::pixelOf(viewport().camera(), node().mesh->bounds().centre(),
-                                        {float(size.width()), float(size.height())});
+    const auto pixel = model::pixelOf(viewport().camera(), node().mesh->bounds().centre(),
+                                      {float(size.width()), float(size.height())});
     return widgets::point(*pixel);
   }
   void stroke(const QPointF& from, const QPointF& to, Qt::KeyboardModifiers keys = {}) {
@@ -171,9 +171,9 @@ void BrushTest::clicksChooseOthers() {
   BrushFixture f;
   const model::NodeId other = f.named("left kidney");
   const QSizeF size = f.viewport().size();
-  const auto at = widgets::pixelOf(f.viewport().camera(),
-                                   f.session.scene().find(other)->mesh->bounds().centre(),
-                                   {float(size.width()), float(size.height())});
+  const auto at =
+      model::pixelOf(f.viewport().camera(), f.session.scene().find(other)->mesh->bounds().centre(),
+                     {float(size.width()), float(size.height())});
   QTest::mouseClick(&f.viewport(), Qt::LeftButton, {}, widgets::point(*at).toPoint());
   QTRY_VERIFY(f.session.selection() == widgets::NodeIds{other});
   QVERIFY(f.tool().active());

@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 #include <QSet>
 
+#include "model/scene/camera_moves.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/formats/export_formats.h"
 #include "render/export/motion/film_options.h"
@@ -12,7 +13,6 @@
 #include "tests/gui/file_contents.h"
 #include "tests/support/suite.h"
 #include "widgets/export/export_files.h"
-#include "widgets/viewport/tools/navigation.h"
 
 namespace sline::test {
 
@@ -144,7 +144,7 @@ class ExportDialogTest : public QObject {
       const render::ExportOrder ready = widgets::readyOrder(file);
       float most = 0.0f;
       for (const glm::vec3& p : model::visiblePoints(ready.scene)) {
-        const auto place = widgets::pixelOf(ready.camera, p, ready.page.sizeMm);
+        const auto place = model::pixelOf(ready.camera, p, ready.page.sizeMm);
         most = std::max(most, std::abs(2.0f * place->x / ready.page.sizeMm.x - 1.0f));
       }
       return most;

@@ -7,11 +7,11 @@
 #include <glm/geometric.hpp>
 
 #include "model/edit/look.h"
+#include "model/scene/camera_moves.h"
 #include "tests/gui/gamma_fixture.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
 #include "widgets/focus/near_tool.h"
-#include "widgets/viewport/tools/navigation.h"
 #include "widgets/viewport/tools/points.h"
 
 using namespace sline;
@@ -29,7 +29,7 @@ struct NearFixture : GammaPanelFixture {
   QPointF pixel(const glm::vec3& p) {
     const QSizeF size = viewport().size();
     return widgets::point(
-        *widgets::pixelOf(viewport().camera(), p, {float(size.width()), float(size.height())}));
+        *model::pixelOf(viewport().camera(), p, {float(size.width()), float(size.height())}));
   }
   glm::vec3 middle(const char* name) {
     return session.scene().find(named(name))->mesh->bounds().centre();

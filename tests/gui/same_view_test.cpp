@@ -107,7 +107,7 @@ class SameViewTest : public QObject {
     for (const model::NodeId id : {f.liver, f.bladder})
       for (const glm::vec3& p : f.session.scene().find(id)->mesh->positions()) {
         const glm::vec2 size(f.viewport().width(), f.viewport().height());
-        const auto pixel = widgets::pixelOf(f.viewport().camera(), p, size);
+        const auto pixel = model::pixelOf(f.viewport().camera(), p, size);
         QVERIFY(pixel.has_value());
         const glm::vec2 aside = glm::abs(2.0f * *pixel / size - 1.0f);
         most = std::max({most, aside.x, aside.y});

@@ -26,12 +26,12 @@ constexpr double unitsOfNotch = 120.0;
 constexpr int leastSide = 110;
 constexpr int margin = 4;
 
-std::optional<CameraDrag::Kind> dragOf(const QMouseEvent& event) {
+std::optional<model::CameraDrag::Kind> dragOf(const QMouseEvent& event) {
   if (event.button() == Qt::MiddleButton ||
       (event.button() == Qt::LeftButton && event.modifiers().testFlag(Qt::ShiftModifier)))
-    return CameraDrag::Kind::pan;
+    return model::CameraDrag::Kind::pan;
   if (event.button() == Qt::LeftButton)
-    return CameraDrag::Kind::orbit;
+    return model::CameraDrag::Kind::orbit;
   return std::nullopt;
 }
 
@@ -92,7 +92,7 @@ void ComparisonPicture::paintEvent(QPaintEvent*) {
 
 void ComparisonPicture::mousePressEvent(QMouseEvent* event) {
   if (const auto kind = dragOf(*event))
-    m_drag.emplace(CameraDrag::Start{
+    m_drag.emplace(model::CameraDrag::Start{
         .kind = *kind, .pixel = within(event->position()), .camera = m_camera, .pivot = m_pivot});
 }
 

@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "model/scene/camera_moves.h"
 #include "model/scene/style.h"
-#include "widgets/viewport/tools/navigation.h"
 
 namespace sline::widgets {
 
@@ -51,7 +51,7 @@ class ComparisonPicture : public QWidget {
   int m_side = 16;
   model::Camera m_camera;
   glm::vec3 m_pivot{0.0f};
-  std::optional<CameraDrag> m_drag;
+  std::optional<model::CameraDrag> m_drag;
 };
 
 class ComparisonColumn : public QWidget {

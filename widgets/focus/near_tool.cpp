@@ -9,8 +9,8 @@
 
 #include "model/disk/process.h"
 #include "model/geometry/sight.h"
+#include "model/scene/camera_moves.h"
 #include "model/scene/visible_structures.h"
-#include "widgets/viewport/tools/navigation.h"
 
 namespace sline::widgets {
 

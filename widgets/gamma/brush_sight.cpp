@@ -13,7 +13,7 @@
 #include "model/geometry/normals.h"
 #include "model/geometry/sight.h"
 #include "model/geometry/topology.h"
-#include "widgets/viewport/tools/navigation.h"
+#include "model/scene/camera_moves.h"
 
 namespace sline::widgets {
 

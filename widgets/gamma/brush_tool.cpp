@@ -7,9 +7,9 @@
 
 #include "model/edit/painting.h"
 #include "model/geometry/sight.h"
+#include "model/scene/camera_moves.h"
 #include "model/scene/resolved_styles.h"
 #include "widgets/text/tr.h"
-#include "widgets/viewport/tools/navigation.h"
 
 namespace sline::widgets {
 

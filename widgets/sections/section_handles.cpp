@@ -8,8 +8,8 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "model/scene/camera_moves.h"
 #include "render/lettering/scale_length.h"
-#include "widgets/viewport/tools/navigation.h"
 
 namespace sline::widgets {
 

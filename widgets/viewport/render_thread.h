@@ -18,9 +18,9 @@
 
 #include "model/base/result.h"
 #include "render/gpu/handoff.h"
+#include "render/picture/motion_quality.h"
 #include "render/picture/picture.h"
 #include "widgets/annotations/in_picture/label_sheet.h"
-#include "widgets/viewport/motion_quality.h"
 
 class QOpenGLContext;
 
@@ -31,7 +31,7 @@ struct PictureRequest {
   model::Scene scene;
   model::Camera camera;
   render::PictureSettings settings;
-  Fineness fineness;    ///< as in the settings; the picture is shown at the window's size
+  render::Fineness fineness;  ///< as in the settings; the picture is shown at the window's size
   bool moving = false;  ///< camera or section are moving; else they rest, and their picture is
                         ///< abandoned when they move on
   LabelWish labels;
@@ -83,8 +83,8 @@ Result<std::unique_ptr<PicturePainter>> makePicturePainter();
 struct PictureReport {
   std::uint64_t number = 0;
   double milliseconds = 0.0;
-  Fineness fineness;    ///< as requested
-  bool moving = false;  ///< as requested
+  render::Fineness fineness;  ///< as requested
+  bool moving = false;        ///< as requested
   model::Camera camera;
   int layersDrawn = 0;     ///< the others were as in the picture before
   bool makeshift = false;  ///< lacks something, as it was drawn in a hurry

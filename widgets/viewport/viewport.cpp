@@ -6,7 +6,7 @@
 #include <QOpenGLContext>
 #include <utility>
 
-#include "widgets/viewport/framing.h"
+#include "model/scene/framing.h"
 #include "widgets/viewport/tools/points.h"
 
 namespace sline::widgets {

@@ -11,9 +11,9 @@
 
 #include "model/edit/blend.h"
 #include "model/scene/camera_flight.h"
+#include "render/picture/motion_quality.h"
 #include "widgets/annotations/in_picture/picture_labels.h"
 #include "widgets/session/session.h"
-#include "widgets/viewport/motion_quality.h"
 #include "widgets/viewport/picture_marks.h"
 #include "widgets/viewport/picture_outlines.h"
 #include "widgets/viewport/render_thread.h"
@@ -99,7 +99,7 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   const QString& driver() const { return m_driver; }
   /// Returns the time that the last picture took to draw, and how fine it was.
   double lastMilliseconds() const { return m_last.milliseconds; }
-  const Fineness& lastFineness() const { return m_last.fineness; }
+  const render::Fineness& lastFineness() const { return m_last.fineness; }
   /// Returns how many of its layers had to be drawn; the others were kept.
   int lastLayersDrawn() const { return m_last.layersDrawn; }
   /// Asks for small pictures by the same renderer, whenever the picture itself is done; `previewed`
@@ -115,7 +115,7 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void pivotChosen(const QString& structure);
   /// Asks for a menu of what can be done with the structure that is seen there, or with the picture
   /// where there is none.
-  void menuWanted(const QPoint& onScreen, const sline::widgets::Picks& picks);
+  void menuWanted(const QPoint& onScreen, const sline::render::Picks& picks);
   void previewed(sline::widgets::PreviewsOf asker, int id, const QImage& image);
   void failed(const sline::Error& error);
 
@@ -154,7 +154,7 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void documentChange(const Document& before, const Document& now);
   Pointer pointer(const QPointF& at, Qt::MouseButton button, Qt::KeyboardModifiers keys) const;
   void click(const QPointF& at, ClickFor purpose);
-  void clicked(const Picks& picks, const QPoint& at, ClickFor purpose);
+  void clicked(const render::Picks& picks, const QPoint& at, ClickFor purpose);
   Picker::Question question(const QPointF& at) const;
   void select(const BoxTool::Box& box);
   void point(std::optional<model::NodeId> id);
@@ -216,13 +216,13 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   QTimer m_flightTick;
   bool m_flights = false;
 
-  MotionQuality m_quality;
+  render::MotionQuality m_quality;
   bool m_cutting = false;  ///< a section is what moves
   QTimer m_rest;
   bool m_moving = false;
   bool m_arrived = false;     ///< at the end of a flight, before its last picture has come
   std::uint64_t m_asked = 0;  ///< the newest request
-  Fineness m_askedFineness;
+  render::Fineness m_askedFineness;
   std::uint64_t m_took = 0;   ///< the newest that was drawn
   std::uint64_t m_shown = 0;  ///< on screen
   PictureReport m_last;

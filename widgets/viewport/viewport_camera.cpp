@@ -2,8 +2,8 @@
 // Moves the camera, at once or in flights.
 #include <utility>
 
+#include "model/scene/framing.h"
 #include "model/scene/visible_structures.h"
-#include "widgets/viewport/framing.h"
 #include "widgets/viewport/viewport.h"
 
 namespace sline::widgets {

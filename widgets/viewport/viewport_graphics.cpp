@@ -110,7 +110,7 @@ void Viewport::refresh(model::Scene scene) {
     return;
   // A moving section keeps to the fineness of the camera's moves, because another draws everything
   // anew.
-  m_askedFineness = m_moving ? m_quality.fineness() : Fineness{};
+  m_askedFineness = m_moving ? m_quality.fineness() : render::Fineness{};
   const render::gpu::TextureSize size = pixels();
   PictureRequest request{.number = ++m_asked,
                          .scene = std::move(scene),

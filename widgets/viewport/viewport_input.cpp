@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "widgets/viewport/framing.h"
+#include "model/scene/framing.h"
 #include "widgets/viewport/viewport.h"
 
 #include "widgets/viewport/tools/points.h"
@@ -47,7 +47,7 @@ Pointer Viewport::pointer(const QPointF& at, Qt::MouseButton button,
 }
 
 Picker::Question Viewport::question(const QPointF& at) const {
-  return {.scene = shownScene(), .rays = sightsAround(m_camera, vec(at), size2())};
+  return {.scene = shownScene(), .rays = render::sightsAround(m_camera, vec(at), size2())};
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
@@ -248,17 +248,17 @@ void Viewport::askAt(const QPointF& at, Picker::Answer answer) {
 }
 
 void Viewport::click(const QPointF& at, ClickFor purpose) {
-  m_picker.ask(question(at), [this, at = at.toPoint(), purpose](const Picks& picks) {
+  m_picker.ask(question(at), [this, at = at.toPoint(), purpose](const render::Picks& picks) {
     clicked(picks, at, purpose);
   });
 }
 
-void Viewport::clicked(const Picks& picks, const QPoint& at, ClickFor purpose) {
-  std::optional<Pick> pick = picks.seen;
+void Viewport::clicked(const render::Picks& picks, const QPoint& at, ClickFor purpose) {
+  std::optional<render::Pick> pick = picks.seen;
   if (purpose == ClickFor::deeper)
-    pick = nextDeeper(picks.all, m_session.selection());
+    pick = render::nextDeeper(picks.all, m_session.selection());
   else if (purpose == ClickFor::nearer)
-    pick = nextDeeper({picks.all.rbegin(), picks.all.rend()}, m_session.selection());
+    pick = render::nextDeeper({picks.all.rbegin(), picks.all.rend()}, m_session.selection());
   const model::Node* node = pick ? m_session.scene().find(pick->id) : nullptr;
   if (m_instead && purpose != ClickFor::pivot)
     return;
@@ -301,11 +301,11 @@ void Viewport::drawBox() {
 void Viewport::select(const BoxTool::Box& box) {
   showCursor();
   const QRectF area(box.area);
-  const PickIndex::Box asked{.camera = m_camera,
-                             .size = size2(),
-                             .low = vec(area.topLeft()),
-                             .high = vec(area.bottomRight()),
-                             .touching = box.touching};
+  const render::PickIndex::Box asked{.camera = m_camera,
+                                     .size = size2(),
+                                     .low = vec(area.topLeft()),
+                                     .high = vec(area.bottomRight()),
+                                     .touching = box.touching};
   m_picker.askBox(m_session.scene(), asked, [this, adding = box.adding](const NodeIds& found) {
     NodeIds ids = adding ? m_session.selection() : NodeIds();
     ids.insert(ids.end(), found.begin(), found.end());
@@ -326,7 +326,7 @@ void Viewport::point(std::optional<model::NodeId> id) {
 void Viewport::wantName() {
   if (!m_namesWanted || m_button != Qt::NoButton || m_moving || !underMouse())
     return;
-  m_picker.askLatest(question(m_mouse), [this](const Picks& picks) {
+  m_picker.askLatest(question(m_mouse), [this](const render::Picks& picks) {
     const model::Node* node = picks.seen ? m_session.scene().find(picks.seen->id) : nullptr;
     point(node ? std::optional(node->id) : std::nullopt);
     if (node)

@@ -44,10 +44,11 @@ void PresentedQuiz::click(const QPointF& at) {
     return;
   if (m_quiz->done() || m_quiz->answered())
     return goOn();
-  m_viewport.askAt(at, [this, asked = m_quiz->at()](const Picks& picks) { answer(asked, picks); });
+  m_viewport.askAt(
+      at, [this, asked = m_quiz->at()](const render::Picks& picks) { answer(asked, picks); });
 }
 
-void PresentedQuiz::answer(std::size_t asked, const Picks& picks) {
+void PresentedQuiz::answer(std::size_t asked, const render::Picks& picks) {
   // The answer may come when another question is asked, or none.
   if (!m_quiz || m_quiz->done() || m_quiz->at() != asked || m_quiz->answered() || !picks.seen)
     return;

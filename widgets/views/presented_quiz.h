@@ -36,7 +36,7 @@ class PresentedQuiz : public QObject {
 
  private:
   void ask();
-  void answer(std::size_t asked, const Picks& picks);
+  void answer(std::size_t asked, const render::Picks& picks);
   void say(const QString& text);
 
   Session& m_session;

@@ -47,7 +47,7 @@ void PictureMenu::addHeading(QMenu& menu) {
   menu.addSeparator();
 }
 
-void PictureMenu::addStructure(QMenu& menu, const Pick& pick) {
+void PictureMenu::addStructure(QMenu& menu, const render::Pick& pick) {
   menu.addActions(m_menus[QStringLiteral("structureMenu")].actions());
   menu.addSeparator();
   for (QAction* action : m_menus[QStringLiteral("labelMenu")].actions())
@@ -63,10 +63,10 @@ void PictureMenu::addStructure(QMenu& menu, const Pick& pick) {
                  [this, place = pick.position] { m_viewport.setPivot(place); });
 }
 
-void PictureMenu::addDepths(QMenu& menu, const std::vector<Pick>& all) {
+void PictureMenu::addDepths(QMenu& menu, const std::vector<render::Pick>& all) {
   QMenu* here = menu.addMenu(tr("Select Here"));
   here->setObjectName(QStringLiteral("selectHere"));
-  for (const Pick& pick : all) {
+  for (const render::Pick& pick : all) {
     const model::Node* node = m_session.scene().find(pick.id);
     if (!node)
       continue;
@@ -78,8 +78,8 @@ void PictureMenu::addDepths(QMenu& menu, const std::vector<Pick>& all) {
   connect(here, &QMenu::aboutToHide, this, [this] { m_viewport.light(std::nullopt); });
 }
 
-void PictureMenu::popUp(const QPoint& onScreen, const Picks& picks) {
-  const std::optional<Pick> pick =
+void PictureMenu::popUp(const QPoint& onScreen, const render::Picks& picks) {
+  const std::optional<render::Pick> pick =
       picks.seen && m_session.scene().find(picks.seen->id) ? picks.seen : std::nullopt;
   const NodeIds& selected = m_session.selection();
   if (pick && std::find(selected.begin(), selected.end(), pick->id) == selected.end())

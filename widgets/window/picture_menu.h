@@ -4,9 +4,9 @@
 #include <QObject>
 #include <QPoint>
 
+#include "render/picking/pick_index.h"
 #include "widgets/session/session.h"
 #include "widgets/shell/menu_table.h"
-#include "widgets/viewport/tools/pick_index.h"
 
 class QMenu;
 
@@ -25,13 +25,13 @@ class PictureMenu : public QObject {
               const WindowMenus& menus, QObject* parent);
 
  private:
-  void popUp(const QPoint& onScreen, const Picks& picks);
+  void popUp(const QPoint& onScreen, const render::Picks& picks);
   /// Adds all that is there from front to back, to choose from; each shows in the picture while the
   /// mouse is on its entry.
-  void addDepths(QMenu& menu, const std::vector<Pick>& all);
+  void addDepths(QMenu& menu, const std::vector<render::Pick>& all);
   /// Adds the name of what is selected.
   void addHeading(QMenu& menu);
-  void addStructure(QMenu& menu, const Pick& pick);
+  void addStructure(QMenu& menu, const render::Pick& pick);
 
   Session& m_session;
   Viewport& m_viewport;

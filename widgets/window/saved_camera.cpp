@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "model/scene_file/camera_json.h"
+#include "model/scene_json/camera_json.h"
 
 namespace sline::widgets {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "model/disk/whole_file.h"
-#include "model/scene_file/camera_json.h"
+#include "model/scene_json/camera_json.h"
 
 namespace sline::cli {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/geometry/mesh.h"
-#include "model/scene_file/json_value.h"
+#include "model/scene_json/json_value.h"
 
 namespace sline::cli {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/edit/credits.h"
-#include "model/scene_file/json_value.h"
+#include "model/scene_json/json_value.h"
 
 namespace sline::model {
 

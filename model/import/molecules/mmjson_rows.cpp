@@ -9,7 +9,7 @@
 #include "model/import/molecules/molecules.h"
 #include "model/import/source/packed_bytes.h"
 #include "model/import/source/text_cursor.h"
-#include "model/scene_file/json_value.h"
+#include "model/scene_json/json_value.h"
 
 namespace sline::model {
 

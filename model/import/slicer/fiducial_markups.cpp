@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "model/import/slicer/fiducial_files.h"
-#include "model/scene_file/json_value.h"
+#include "model/scene_json/json_value.h"
 
 namespace sline::model {
 

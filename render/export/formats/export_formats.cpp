@@ -22,6 +22,8 @@
 #include "render/export/pixels/pixel_weight.h"
 #include "render/export/slides/slide_options.h"
 #include "render/export/slides/slides_file.h"
+#include "render/export/students/students_file.h"
+#include "render/export/students/students_options.h"
 #include "render/export/svg/svg_file.h"
 
 namespace sline::render {
@@ -189,6 +191,34 @@ constexpr std::array formats{
         .options = slideOptions,
         .write = writeSlides,
         .foreseen = drawingNotes},
+    ExportFormat{
+        .id = "page",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "For students (HTML page)"),
+        .help = QT_TRANSLATE_NOOP(
+            "sline::render::ExportFormat",
+            "One file for any browser, also offline and on telephones: the scene to turn, with its "
+            "tree, labels, saved views as a tour, and a quiz"),
+        .extension = "html",
+        .otherExtension = "htm",
+        .page = PageUse::none,
+        .oneView = false,
+        .names = true,
+        .options = studentsOptions,
+        .write = writeStudentsPage,
+        .foreseen = studentsNotes},
+    ExportFormat{
+        .id = "page-folder",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "For students (web site)"),
+        .help = QT_TRANSLATE_NOOP(
+            "sline::render::ExportFormat",
+            "The same page as a new folder of files for a web server, most of which are the same "
+            "for every scene; browsers do not open it from a disk"),
+        .page = PageUse::none,
+        .oneView = false,
+        .names = true,
+        .options = studentsOptions,
+        .write = writeStudentsFolder,
+        .foreseen = studentsNotes},
     ExportFormat{.id = "glb",
                  .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "GLB surfaces (glTF)"),
                  .help = QT_TRANSLATE_NOOP(
@@ -297,9 +327,49 @@ constexpr std::array formats{
         .oneView = false,
         .names = true,
         .forLearning = true,
-        .options = questionOptions,
+        .options = questionSetOptions,
         .write = writeH5p,
         .foreseen = noNotes},
+    ExportFormat{
+        .id = "scorm12",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "SCORM 1.2 package"),
+        .help = QT_TRANSLATE_NOOP(
+            "sline::render::ExportFormat",
+            "The page for students in a package that tells a learning system each answer and the "
+            "score, by the standard that most systems know"),
+        .extension = "zip",
+        .page = PageUse::none,
+        .oneView = false,
+        .names = true,
+        .forLearning = true,
+        .options = pagePackageOptions,
+        .write = writeScorm12,
+        .foreseen = studentsNotes},
+    ExportFormat{.id = "scorm2004",
+                 .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "SCORM 2004 package"),
+                 .help = QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                                           "The same by SCORM 2004, 4th edition"),
+                 .extension = "zip",
+                 .page = PageUse::none,
+                 .oneView = false,
+                 .names = true,
+                 .forLearning = true,
+                 .options = pagePackageOptions,
+                 .write = writeScorm2004,
+                 .foreseen = studentsNotes},
+    ExportFormat{
+        .id = "cmi5",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "cmi5 package"),
+        .help = QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                                  "The same by cmi5, for systems with a learning record store"),
+        .extension = "zip",
+        .page = PageUse::none,
+        .oneView = false,
+        .names = true,
+        .forLearning = true,
+        .options = pagePackageOptions,
+        .write = writeCmi5,
+        .foreseen = studentsNotes},
 };
 
 }  // namespace

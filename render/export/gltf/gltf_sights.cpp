@@ -11,7 +11,7 @@
 #include "model/base/colour_text.h"
 #include "model/scene/markup.h"
 #include "model/scene/style_fields.h"
-#include "model/scene_file/style_json.h"
+#include "model/scene_json/style_json.h"
 
 namespace sline::render {
 

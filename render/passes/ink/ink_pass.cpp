@@ -40,12 +40,12 @@ gpu::ProgramRecipe inkRecipe(InkKind kind) {
   }
   recipe.uniforms.push_back({"sights", UniformType::intTexture});
   recipe.uniforms.push_back({"first", UniformType::integer});
+  recipe.uniforms.push_back({"projection", UniformType::vec4, !isOutline(kind)});
   if (kind == InkKind::surfaceLines)
     return recipe;
   if (isOutline(kind)) {
     recipe.name = kind == InkKind::contours ? "contours" : "hidden outlines";
     recipe.fragmentFile = "contour.frag.glsl";
-    recipe.uniforms.push_back({"projection", UniformType::vec4});
     recipe.uniforms.push_back({"channel", UniformType::vec2});
   } else if (kind == InkKind::halos) {
     recipe.name = "halos";
@@ -234,6 +234,7 @@ void InkPass::drawRun(gpu::Device& device, const InkTargets& targets,
   if (!trims) {
     program.set("sights", *m_sights);
     program.set("first", int(run.first));
+    program.set("projection", draw.projection);
   }
   if (draw.kind != InkKind::surfaceLines) {
     program.set("surfaceDepth", surfaceDepth);
@@ -242,7 +243,6 @@ void InkPass::drawRun(gpu::Device& device, const InkTargets& targets,
                 glm::ivec4(draw.slot.x, draw.slot.y, draw.slot.right() - 1, draw.slot.top() - 1));
   }
   if (isOutline(draw.kind)) {
-    program.set("projection", draw.projection);
     program.set("channel", draw.kind == InkKind::contours ? glm::vec2(1.0f, 0.0f)
                                                           : glm::vec2(0.0f, hiddenCoverage));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/scene_file/camera_json.h"
+#include "model/scene_json/camera_json.h"
 
 #include <QTest>
 

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "model/disk/whole_file.h"
-#include "model/scene_file/json_value.h"
-#include "model/scene_file/scene_json.h"
+#include "model/scene_json/json_value.h"
+#include "model/scene_json/scene_json.h"
 #include "tests/model/scene_file/sample_scene.h"
 #include "tests/support/suite.h"
 

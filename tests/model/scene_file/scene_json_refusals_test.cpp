@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests what a scene's JSON is refused for, and that the reason says where.
-#include "model/scene_file/scene_json.h"
+#include "model/scene_json/scene_json.h"
 
 #include <QtTest>
 #include <functional>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests a scene's JSON: all comes back, in the order described, and what is newer is kept.
-#include "model/scene_file/scene_json.h"
+#include "model/scene_json/scene_json.h"
 
 #include <QtTest>
 #include <clocale>
 #include <cmath>
 #include <random>
 
-#include "model/scene_file/scene_migration.h"
+#include "model/scene_json/scene_migration.h"
 #include "tests/model/scene_file/sample_scene.h"
 #include "tests/model/scene_file/scene_texts.h"
 #include "tests/support/suite.h"

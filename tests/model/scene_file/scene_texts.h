@@ -2,7 +2,7 @@
 // Returns a scene's JSON and what it refers to by name.
 #pragma once
 
-#include "model/scene_file/scene_json.h"
+#include "model/scene_json/scene_json.h"
 
 namespace sline::test {
 

@@ -3,9 +3,9 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
+#include "model/scene/camera_moves.h"
 #include "tests/support/suite.h"
 #include "widgets/sections/section_handles.h"
-#include "widgets/viewport/tools/navigation.h"
 
 using namespace sline;
 using namespace sline::widgets;

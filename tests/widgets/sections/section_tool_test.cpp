@@ -5,10 +5,10 @@
 #include <glm/geometric.hpp>
 
 #include "model/edit/sections.h"
+#include "model/scene/camera_moves.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "widgets/sections/section_tool.h"
-#include "widgets/viewport/tools/navigation.h"
 
 using namespace sline;
 using namespace sline::widgets;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/scene_file/fingerprint.h"
-#include "model/scene_file/scene_json.h"
+#include "model/scene_json/scene_json.h"
 
 namespace sline::test {
 

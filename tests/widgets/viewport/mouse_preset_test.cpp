@@ -27,7 +27,7 @@ class MousePresetTest : public QObject {
     QTest::addColumn<int>("button");
     QTest::addColumn<int>("keys");
     QTest::addColumn<int>("kind");  // -1: nothing
-    using enum CameraDrag::Kind;
+    using enum model::CameraDrag::Kind;
     const auto row = [](const char* name, MousePreset preset, Qt::MouseButton button, int keys,
                         int kind) {
       QTest::newRow(name) << int(preset) << int(button) << keys << kind;
@@ -88,7 +88,7 @@ class MousePresetTest : public QObject {
     for (const MousePresetName& name : mousePresetNames()) {
       QCOMPARE(mousePresetNamed(QLatin1String(name.id)), name.preset);
       std::set<std::pair<int, int>> hands;
-      std::set<CameraDrag::Kind> kinds;
+      std::set<model::CameraDrag::Kind> kinds;
       for (const MouseRow& row : presetRows(name.preset)) {
         QVERIFY(hands.insert({int(row.button), int(row.keys)}).second);
         kinds.insert(row.kind);

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "model/scene/camera_moves.h"
 #include "render/lettering/orientation_letters.h"
 #include "tests/support/suite.h"
 #include "widgets/viewport/orientation_cube.h"
-#include "widgets/viewport/tools/navigation.h"
 
 using namespace sline;
 using namespace sline::widgets;

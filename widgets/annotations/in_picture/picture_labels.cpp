@@ -6,13 +6,13 @@
 #include <array>
 
 #include "model/edit/annotations.h"
+#include "model/scene/camera_moves.h"
 #include "render/lettering/fitted_sides.h"
 #include "render/lettering/label_style.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/annotations/in_picture/presented_letters.h"
 #include "widgets/annotations/label_preferences.h"
 #include "widgets/session/names_by_language.h"
-#include "widgets/viewport/tools/navigation.h"
 #include "widgets/viewport/tools/points.h"
 
 namespace sline::widgets {
@@ -48,7 +48,7 @@ PictureLabels::PictureLabels(Context place)
             Picker::Question question = m_place.question({double(pixel.x), double(pixel.y)});
             question.anchored = true;
             m_place.picker.ask(std::move(question),
-                               [answer](const Picks& picks) { answer(picks.anchor); });
+                               [answer](const render::Picks& picks) { answer(picks.anchor); });
           },
           this)),
       m_editor(new LabelEditor(&m_place.picture)) {
@@ -166,11 +166,12 @@ bool PictureLabels::click(const QPointF& at) {
     return false;
   Picker::Question question = m_place.question(at);
   question.anchored = true;
-  m_place.picker.ask(std::move(question), [this, at](const Picks& picks) { clicked(picks, at); });
+  m_place.picker.ask(std::move(question),
+                     [this, at](const render::Picks& picks) { clicked(picks, at); });
   return true;
 }
 
-void PictureLabels::clicked(const Picks& picks, const QPointF& at) {
+void PictureLabels::clicked(const render::Picks& picks, const QPointF& at) {
   if (!m_making)
     return;
   if (!picks.anchor) {

@@ -96,7 +96,7 @@ class PictureLabels : public QObject {
   void made(sline::model::AnnotationId id);
 
  private:
-  void clicked(const Picks& picks, const QPointF& at);
+  void clicked(const render::Picks& picks, const QPointF& at);
   void begin(model::Annotation annotation, const QString& offered, const QPointF& at);
   void accept(const QString& text);
   void add(const model::Annotation& annotation);

@@ -8,7 +8,7 @@ bool CameraTool::press(const Pointer& pointer) {
   if (!kind)
     return false;
   m_before = m_view.camera();
-  m_drag.emplace(CameraDrag::Start{
+  m_drag.emplace(model::CameraDrag::Start{
       .kind = *kind, .pixel = pointer.pixel, .camera = m_before, .pivot = m_view.pivot()});
   return true;
 }

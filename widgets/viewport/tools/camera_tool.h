@@ -23,7 +23,7 @@ class CameraTool : public Tool {
  private:
   ViewControl& m_view;
   MousePreset m_preset = MousePreset::sline;
-  std::optional<CameraDrag> m_drag;
+  std::optional<model::CameraDrag> m_drag;
   model::Camera m_before;
 };
 

@@ -12,7 +12,7 @@ namespace sline::widgets {
 
 namespace {
 
-using Kind = CameraDrag::Kind;
+using Kind = model::CameraDrag::Kind;
 
 constexpr std::array slineRows{
     MouseRow{Qt::LeftButton, Qt::NoModifier, Kind::orbit},
@@ -105,8 +105,8 @@ std::span<const MouseRow> presetRows(MousePreset preset) {
   }
 }
 
-std::optional<CameraDrag::Kind> dragOf(MousePreset preset, Qt::MouseButton button,
-                                       Qt::KeyboardModifiers keys) {
+std::optional<model::CameraDrag::Kind> dragOf(MousePreset preset, Qt::MouseButton button,
+                                              Qt::KeyboardModifiers keys) {
   // Modifiers for the number pad or a group switch are ignored here.
   const Qt::KeyboardModifiers counted =
       keys & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);

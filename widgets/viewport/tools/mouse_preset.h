@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "widgets/viewport/tools/navigation.h"
+#include "model/scene/camera_moves.h"
 
 namespace sline::widgets {
 
@@ -19,12 +19,12 @@ enum class MousePreset { sline, slicer, blender };
 struct MouseRow {
   Qt::MouseButton button = Qt::LeftButton;
   Qt::KeyboardModifiers keys;
-  CameraDrag::Kind kind = CameraDrag::Kind::orbit;
+  model::CameraDrag::Kind kind = model::CameraDrag::Kind::orbit;
 };
 std::span<const MouseRow> presetRows(MousePreset preset);
 /// Returns the kind of drag; absent where such a drag does nothing.
-std::optional<CameraDrag::Kind> dragOf(MousePreset preset, Qt::MouseButton button,
-                                       Qt::KeyboardModifiers keys);
+std::optional<model::CameraDrag::Kind> dragOf(MousePreset preset, Qt::MouseButton button,
+                                              Qt::KeyboardModifiers keys);
 
 struct MousePresetName {
   MousePreset preset = MousePreset::sline;

@@ -1,37 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/viewport/tools/picker.h"
 
-#include <array>
 #include <glm/geometric.hpp>
 
 #include "model/geometry/nearest_point.h"
-#include "widgets/viewport/tools/navigation.h"
+#include "model/scene/camera_moves.h"
 
 namespace sline::widgets {
 
-std::vector<model::Ray> sightsAround(const model::Camera& camera, const glm::vec2& pixel,
-                                     const glm::vec2& size) {
-  constexpr float reach = 4.0f;  // pixels: as near as a hand comes to a line
-  constexpr float diagonal = 0.70710678f * reach;
-  constexpr std::array<std::array<float, 2>, 9> steps{{{0, 0},
-                                                       {reach, 0},
-                                                       {diagonal, diagonal},
-                                                       {0, reach},
-                                                       {-diagonal, diagonal},
-                                                       {-reach, 0},
-                                                       {-diagonal, -diagonal},
-                                                       {0, -reach},
-                                                       {diagonal, -diagonal}}};
-  std::vector<model::Ray> rays;
-  for (const auto& [x, y] : steps)
-    rays.push_back(sightThrough(camera, pixel + glm::vec2(x, y), size));
-  return rays;
-}
-
 namespace {
 
-Picks lookUp(PickIndex& index, const Picker::Question& question) {
-  Picks picks = index.pick(question.scene, question.rays);
+render::Picks lookUp(render::PickIndex& index, const Picker::Question& question) {
+  render::Picks picks = index.pick(question.scene, question.rays);
   if (!question.anchored || !picks.seen)
     return picks;
   constexpr float far = 0.015f;  // a share of the structure's size
@@ -63,12 +43,12 @@ void Picker::ask(Question question, Answer answer) {
   // The first pick of a mesh sorts its triangles, which takes longer than a frame.
   m_threads.start(
       [this, index = m_index, question = std::move(question), answer = std::move(answer)] {
-        Picks picks = lookUp(*index, question);
+        render::Picks picks = lookUp(*index, question);
         QMetaObject::invokeMethod(this, [picks = std::move(picks), answer] { answer(picks); });
       });
 }
 
-void Picker::askBox(model::Scene scene, const PickIndex::Box& box,
+void Picker::askBox(model::Scene scene, const render::PickIndex::Box& box,
                     std::function<void(const std::vector<model::NodeId>&)> answer) {
   m_threads.start(
       [this, index = m_index, scene = std::move(scene), box, answer = std::move(answer)] {
@@ -83,7 +63,7 @@ void Picker::askLatest(Question question, Answer answer) {
                    answer = std::move(answer)] {
     if (*latest != number)
       return;
-    Picks picks = lookUp(*index, question);
+    render::Picks picks = lookUp(*index, question);
     QMetaObject::invokeMethod(this, [picks = std::move(picks), latest, number, answer] {
       if (*latest == number)
         answer(picks);

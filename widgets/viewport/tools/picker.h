@@ -7,13 +7,9 @@
 #include <functional>
 #include <memory>
 
-#include "widgets/viewport/tools/pick_index.h"
+#include "render/picking/pick_index.h"
 
 namespace sline::widgets {
-
-/// Returns rays through the pixel at which the user points and around it, within which lines count.
-std::vector<model::Ray> sightsAround(const model::Camera& camera, const glm::vec2& pixel,
-                                     const glm::vec2& size);
 
 /// Looks up what lies under the mouse in the background; answers come on the caller's thread.
 class Picker : public QObject {
@@ -27,20 +23,20 @@ class Picker : public QObject {
     std::vector<model::Ray> rays;
     bool anchored = false;  ///< Picks::anchor is wanted
   };
-  using Answer = std::function<void(const Picks&)>;
+  using Answer = std::function<void(const render::Picks&)>;
   /// Asks a question; each is answered, in the order of asking.
   void ask(Question question, Answer answer);
   /// Asks a question that is answered unless another of these, or `forget`, comes first; for names
   /// under the mouse.
   void askLatest(Question question, Answer answer);
   /// Asks which structures are seen in a box.
-  void askBox(model::Scene scene, const PickIndex::Box& box,
+  void askBox(model::Scene scene, const render::PickIndex::Box& box,
               std::function<void(const std::vector<model::NodeId>&)> answer);
   /// Drops the answer to `askLatest`, which is no longer wanted.
   void forget() { ++*m_latest; }
 
  private:
-  std::shared_ptr<PickIndex> m_index = std::make_shared<PickIndex>();
+  std::shared_ptr<render::PickIndex> m_index = std::make_shared<render::PickIndex>();
   std::shared_ptr<std::atomic<int>> m_latest = std::make_shared<std::atomic<int>>(0);
   QThreadPool m_threads;
 };

@@ -13,7 +13,7 @@
 #include "model/import/volumes/volume_readers.h"
 #include "model/import/volumes/volume_surfaces.h"
 #include "model/scene_file/scene_file.h"
-#include "model/scene_file/scene_json.h"
+#include "model/scene_json/scene_json.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/model/import/volumes/scan_phantoms.h"
 #include "tests/model/import/volumes/written_brain.h"

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: Apache-2.0
+// The drawing of the students' page: hands what the page asks for to the program (exports.cpp), and
+// draws the labels that it lays out. A script, not a module: createEngineModule, which Emscripten
+// makes, stands before it, the page's own scripts behind it (resources/page/engine.d.ts).
+
+/**
+ * @typedef {object} EngineModule what Emscripten makes of the program
+ * @property {Uint8Array} HEAPU8
+ * @property {Float32Array} HEAPF32
+ * @property {Float64Array} HEAPF64
+ * @property {{ createContext(canvas: HTMLCanvasElement, attributes: object): number, makeContextCurrent(context: number): boolean }} GL
+ * @property {(place: number) => string} UTF8ToString
+ * @property {(bytes: number) => number} _malloc
+ * @property {(place: number) => void} _free
+ */
+
+/**
+ * A text broken into lines, and the room it needs with its padding, in CSS pixels.
+ * @typedef {{ lines: string[], width: number, height: number }} SetText
+ */
+
+const engineSides = ["anterior", "posterior", "left", "right", "superior", "inferior"];
+const engineLetters = ["A", "P", "L", "R", "S", "I"];
+const svgSpace = "http://www.w3.org/2000/svg";
+/** Lengths of labels, in CSS pixels. */
+const labelSize = { text: 14, line: 18, padding: 3, badge: 11, dot: 2 };
+
+class Engine {
+  /** @param {EngineOptions} options @returns {Promise<Engine>} */
+  static async start(options) {
+    const create = /** @type {(settings: object) => Promise<any>} */ (
+      /** @type {any} */ (globalThis).createEngineModule ?? createEngineModule);
+    const module = await create({ wasmBinary: options.program });
+    return new Engine(module, options);
+  }
+
+  /** @param {any} module @param {EngineOptions} options */
+  constructor(module, options) {
+    this.module = module;
+    this.canvas = options.canvas;
+    this.overlay = options.overlay;
+    /** @type {"webgl" | "canvas"} */
+    this.means = "webgl";
+    this.width = 1;
+    this.height = 1;
+    this.ratio = 1;
+    /** @type {LabelMode} */
+    this.mode = { show: false, texts: {} };
+    /** @type {Map<number, SetText>} */
+    this.setTexts = new Map();
+    /** @type {CanvasRenderingContext2D | null} */
+    this.measure = document.createElement("canvas").getContext("2d");
+    module._slineOpen();
+    const context = module.GL.createContext(this.canvas, {
+      alpha: false, antialias: false, depth: false, stencil: false, majorVersion: 2,
+      premultipliedAlpha: true, preserveDrawingBuffer: true,
+    });
+    if (!context || !module.GL.makeContextCurrent(context))
+      throw new Error("WebGL 2 is not available");
+    this.check(module._slineOpenPicture());
+  }
+
+  /** @param {number | boolean} fine throws what went wrong */
+  check(fine) {
+    if (!fine)
+      throw new Error(this.module.UTF8ToString(this.module._slineError()));
+  }
+
+  /** @param {Uint8Array} scene @param {Uint8Array} [context] */
+  load(scene, context) {
+    this.take(scene);
+    if (context)
+      this.take(context);
+  }
+
+  /** @param {Uint8Array} scene */
+  addContext(scene) {
+    this.take(scene);
+  }
+
+  /** @param {Uint8Array} bytes */
+  take(bytes) {
+    const place = this.module._malloc(bytes.length);
+    if (!place)
+      throw new Error("The memory of this page does not hold the scene");
+    this.module.HEAPU8.set(bytes, place);
+    const fine = this.module._slineTake(place, bytes.length);
+    this.module._free(place);
+    this.check(fine);
+  }
+
+  /**
+   * Calls a function with numbers in memory.
+   * @template T
+   * @param {number[]} numbers @param {(place: number) => T} call @returns {T}
+   */
+  withNumbers(numbers, call) {
+    const place = this.module._malloc(8 * Math.max(numbers.length, 1));
+    this.module.HEAPF64.set(numbers, place / 8);
+    const result = call(place);
+    this.module._free(place);
+    return result;
+  }
+
+  /** @param {number} width @param {number} height @param {number} ratio */
+  size(width, height, ratio) {
+    if (width !== this.width)
+      this.setTexts.clear();
+    this.width = Math.max(1, width);
+    this.height = Math.max(1, height);
+    this.ratio = ratio;
+    this.module._slineSize(Math.round(this.width * ratio), Math.round(this.height * ratio), ratio);
+    this.overlay.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
+    this.tellLabels();
+  }
+
+  /** @param {number} dx @param {number} dy */
+  orbit(dx, dy) {
+    this.module._slineOrbit(dx, dy);
+  }
+
+  /** @param {number} dx @param {number} dy */
+  pan(dx, dy) {
+    this.module._slinePan(dx, dy);
+  }
+
+  /** @param {number} degrees clockwise */
+  roll(degrees) {
+    this.module._slineRoll(degrees);
+  }
+
+  /** @param {number} factor @param {number} x @param {number} y */
+  zoom(factor, x, y) {
+    this.module._slineZoom(factor, x, y);
+  }
+
+  /** @param {number[]} ids */
+  fit(ids) {
+    this.withNumbers(ids, (place) => this.module._slineFit(place, ids.length));
+  }
+
+  /** @param {Direction} name */
+  direction(name) {
+    this.module._slineLook(Math.max(0, engineSides.indexOf(name)));
+  }
+
+  facing() {
+    return engineLetters[this.module._slineSide()] ?? "";
+  }
+
+  /** @returns {CameraState} */
+  camera() {
+    const at = this.module._slineCamera() / 4;
+    /** @type {CameraState} */
+    const camera = {};
+    for (let i = 0; i < 12; ++i)
+      camera[`c${i}`] = this.module.HEAPF32[at + i];
+    return camera;
+  }
+
+  /** @param {CameraState} camera */
+  setCamera(camera) {
+    const place = this.module._malloc(48);
+    for (let i = 0; i < 12; ++i)
+      this.module.HEAPF32[place / 4 + i] = camera[`c${i}`] ?? 0;
+    this.module._slineSetCamera(place);
+    this.module._free(place);
+  }
+
+  /** @param {number} view from 1 @param {number} share */
+  goTo(view, share) {
+    this.module._slineGoTo(view - 1, share);
+  }
+
+  /** @param {number[]} ids @param {number} gamma */
+  setGamma(ids, gamma) {
+    this.withNumbers(ids, (place) => this.module._slineSetGamma(place, ids.length, gamma));
+  }
+
+  /** @param {number} id @returns {number} */
+  gamma(id) {
+    return this.module._slineGamma(id);
+  }
+
+  /** @param {number[]} ids @param {boolean} visible */
+  setVisible(ids, visible) {
+    this.withNumbers(ids, (place) => this.module._slineSetVisible(place, ids.length, visible));
+  }
+
+  /** @param {number} id @returns {boolean} */
+  visible(id) {
+    return Boolean(this.module._slineVisible(id));
+  }
+
+  resetLook() {
+    this.module._slineResetLook();
+  }
+
+  /** @param {number[]} ids */
+  select(ids) {
+    this.withNumbers(ids, (place) => this.module._slineSelect(place, ids.length));
+  }
+
+  /** @param {LabelMode} mode */
+  labels(mode) {
+    this.mode = mode;
+    this.setTexts.clear();
+    this.tellLabels();
+  }
+
+  /** The labels that may be shown. */
+  labelIds() {
+    return this.mode.show ? (this.mode.only ?? Object.keys(this.mode.texts).map(Number)) : [];
+  }
+
+  tellLabels() {
+    const rows = [];
+    const ids = this.labelIds();
+    for (const id of ids) {
+      const text = this.textOf(id);
+      rows.push(id, text.width, text.height);
+    }
+    this.withNumbers(rows, (place) => this.module._slineSetLabels(place, ids.length));
+  }
+
+  /** @param {number} id @returns {SetText} */
+  textOf(id) {
+    const known = this.setTexts.get(id);
+    if (known)
+      return known;
+    const made = this.mode.numbers
+      ? { lines: [String(this.labelIds().indexOf(id) + 1)], width: 2 * labelSize.badge, height: 2 * labelSize.badge }
+      : this.broken(this.mode.texts[id] ?? []);
+    this.setTexts.set(id, made);
+    return made;
+  }
+
+  /** Breaks paragraphs between words. @param {string[]} paragraphs @returns {SetText} */
+  broken(paragraphs) {
+    const widest = Math.min(220, Math.max(84, 0.28 * this.width));
+    const lines = [];
+    for (const paragraph of paragraphs) {
+      let line = "";
+      for (const word of paragraph.split(/\s+/)) {
+        const longer = line ? `${line} ${word}` : word;
+        if (line && this.widthOf(longer) > widest) {
+          lines.push(line);
+          line = word;
+        } else {
+          line = longer;
+        }
+      }
+      lines.push(line);
+    }
+    const width = Math.max(0, ...lines.map((line) => this.widthOf(line)));
+    return {
+      lines,
+      width: width + 2 * labelSize.padding,
+      height: lines.length * labelSize.line + labelSize.padding,
+    };
+  }
+
+  /** @param {string} line */
+  widthOf(line) {
+    if (!this.measure)
+      return 0.55 * labelSize.text * line.length;
+    this.measure.font = `${labelSize.text}px ${getComputedStyle(this.overlay).fontFamily || "sans-serif"}`;
+    return this.measure.measureText(line).width;
+  }
+
+  /** @param {boolean} moving */
+  draw(moving) {
+    const began = performance.now();
+    const ratio = this.ratio * this.module._slineScale(moving);
+    const width = Math.max(1, Math.round(this.width * ratio));
+    const height = Math.max(1, Math.round(this.height * ratio));
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
+    this.module._slineSize(width, height, ratio);
+    const state = this.module._slineDraw(moving);
+    this.check(state >= 0);
+    const labels = this.drawLabels(moving);
+    return { labels, milliseconds: performance.now() - began, complete: state === 1 };
+  }
+
+  /** @param {boolean} moving @returns {Placed[]} */
+  drawLabels(moving) {
+    const first = this.module._slineLabels(moving) / 4;
+    const numbers = this.module.HEAPF32;
+    const end = first + numbers[first];
+    const placed = [];
+    const groups = [];
+    for (let at = first + 1; at < end;) {
+      const [id, hidden, side, left, top, right, bottom, places, points] = numbers.subarray(at, at + 9);
+      at += 9;
+      const pairs = [];
+      for (let i = 0; i < places + points; ++i, at += 2)
+        pairs.push([numbers[at], numbers[at + 1]]);
+      const label = {
+        id,
+        box: /** @type {[number, number, number, number]} */ ([left, top, right - left, bottom - top]),
+        hidden: hidden === 1,
+        number: this.labelIds().indexOf(id) + 1,
+      };
+      placed.push(label);
+      groups.push(this.labelGroup(label, side, pairs.slice(0, places), pairs.slice(places)));
+    }
+    this.overlay.replaceChildren(...groups);
+    return placed;
+  }
+
+  /**
+   * @param {Placed} label @param {number} side
+   * @param {number[][]} places @param {number[][]} leader
+   */
+  labelGroup(label, side, places, leader) {
+    const group = document.createElementNS(svgSpace, "g");
+    group.setAttribute("class", "label");
+    group.dataset.id = String(label.id);
+    /** @param {string} name @param {string} kind @param {{[key: string]: string | number}} values */
+    const add = (name, kind, values) => {
+      const shape = document.createElementNS(svgSpace, name);
+      shape.setAttribute("class", kind);
+      for (const [key, value] of Object.entries(values))
+        shape.setAttribute(key, String(value));
+      group.append(shape);
+      return shape;
+    };
+    const line = leader.length > 1 ? leader : places.length > 1 ? places : [];
+    if (line.length > 1)
+      add("path", label.hidden ? "leader hidden" : "leader", { d: `M${line.map((p) => p.join(" ")).join("L")}` });
+    for (const [x, y] of places)
+      add("circle", label.hidden ? "dot hidden" : "dot", { cx: x, cy: y, r: labelSize.dot });
+    const [left, top, width, height] = label.box;
+    if (this.mode.numbers)
+      add("circle", "badge", { cx: left + width / 2, cy: top + height / 2, r: labelSize.badge });
+    this.addText(group, label, side, places);
+    return group;
+  }
+
+  /** @param {SVGElement} group @param {Placed} label @param {number} side @param {number[][]} places */
+  addText(group, label, side, places) {
+    const { lines } = this.textOf(label.id);
+    const [left, top, width, height] = label.box;
+    const toLeft = side === 0 || (side >= 2 && left + width / 2 < (places[0]?.[0] ?? 0));
+    const anchor = this.mode.numbers ? "middle" : toLeft ? "end" : "start";
+    const x = anchor === "middle" ? left + width / 2
+      : anchor === "end" ? left + width - labelSize.padding : left + labelSize.padding;
+    const first = top + height / 2 - (lines.length - 1) * labelSize.line / 2 + 0.35 * labelSize.text;
+    lines.forEach((line, i) => {
+      const text = document.createElementNS(svgSpace, "text");
+      text.setAttribute("class", "label-text");
+      text.setAttribute("x", String(x));
+      text.setAttribute("y", String(first + i * labelSize.line));
+      text.setAttribute("text-anchor", anchor);
+      text.setAttribute("font-size", String(labelSize.text));
+      text.textContent = line;
+      group.append(text);
+    });
+  }
+
+  /** @param {number} x @param {number} y */
+  pick(x, y) {
+    const at = this.module._slinePick(x, y) / 8;
+    return { structure: this.module.HEAPF64[at], label: this.module.HEAPF64[at + 1] };
+  }
+
+  free() {
+    this.overlay.replaceChildren();
+    this.module._slineOpen();
+  }
+}

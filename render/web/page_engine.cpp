@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/web/page_engine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "model/edit/look.h"
+#include "model/edit/views.h"
+#include "model/edit/visibility.h"
+#include "model/scene/camera_flight.h"
+#include "model/scene/camera_moves.h"
+#include "model/scene/framing.h"
+#include "render/labels/anchors.h"
+#include "render/labels/obstacles.h"
+
+namespace sline::render::web {
+
+namespace {
+
+constexpr float degreesPerPixel = 0.4f;
+
+std::vector<glm::vec3> cornersOf(const model::Box& box) {
+  const auto corners = box.corners();
+  return {corners.begin(), corners.end()};
+}
+
+/// The line around what is selected.
+Outline selectionOutline(std::vector<model::NodeId> structures, float ratio) {
+  std::sort(structures.begin(), structures.end());
+  Outline outline{.structures = std::move(structures), .ink = {37, 99, 235}};
+  outline.width *= ratio;
+  outline.casingWidth *= ratio;
+  return outline;
+}
+
+}  // namespace
+
+Status PageEngine::take(std::string_view part) {
+  if (Status taken = m_unpacked.take(part); !taken)
+    return taken;
+  show();
+  if (!m_hasCamera) {
+    const auto overview = model::savedOverview(m_shown);
+    const model::Camera first = !m_shown.views().empty() ? m_shown.views().front().camera
+                                : overview
+                                    ? *overview
+                                    : model::anatomicalCamera(model::AnatomicalView::anterior,
+                                                              m_shown.visibleBounds(), 4.0f / 3.0f);
+    if (!m_shown.views().empty())
+      goTo(0, 0.0);
+    setCamera(model::withSides(first, aspect(), {}));
+  }
+  return Unit{};
+}
+
+void PageEngine::setSize(const PageSize& size) {
+  m_size = {std::max(size.width, 1), std::max(size.height, 1), std::max(size.ratio, 0.1f)};
+}
+
+glm::vec2 PageEngine::pageSize() const {
+  return glm::vec2(m_size.width, m_size.height) / m_size.ratio;
+}
+
+glm::vec3 PageEngine::pivot() const {
+  const model::Box bounds = m_shown.visibleBounds();
+  return bounds.empty() ? m_camera.target : bounds.centre();
+}
+
+void PageEngine::orbit(const glm::vec2& pixels) {
+  setCamera(
+      model::orbited(m_camera, pivot(), degreesPerPixel * pixels.x, degreesPerPixel * pixels.y));
+}
+
+void PageEngine::pan(const glm::vec2& pixels) {
+  setCamera(model::panned(m_camera, pivot(), pixels, pageSize().y));
+}
+
+void PageEngine::roll(float degrees) {
+  setCamera(model::rolled(m_camera, degrees));
+}
+
+void PageEngine::zoom(float factor, const glm::vec2& at) {
+  const model::Camera nearer =
+      model::zoomed(m_camera, model::pointAtDepthOf(m_camera, pivot(), at, pageSize()), factor);
+  if (model::withinReach(nearer, pivot(), m_shown))
+    setCamera(nearer);
+}
+
+void PageEngine::fit(std::span<const model::NodeId> ids) {
+  const model::Box bounds =
+      ids.empty() ? m_shown.visibleBounds() : model::visibleBounds(m_shown, ids);
+  if (!bounds.empty())
+    setCamera(model::fitted(m_camera, cornersOf(bounds), aspect()));
+}
+
+void PageEngine::look(model::AnatomicalView from) {
+  setCamera(model::anatomicalCamera(from, m_shown.visibleBounds(), aspect()));
+}
+
+void PageEngine::setCamera(const model::Camera& camera) {
+  if (model::cameraFault(camera))
+    return;
+  m_camera = camera;
+  m_hasCamera = true;
+}
+
+void PageEngine::goTo(std::size_t view, double share) {
+  const std::vector<model::View>& views = m_unpacked.scene().views();
+  if (view >= views.size())
+    return;
+  if (share <= 0.0) {
+    m_flightFrom = m_camera;
+    m_view = view;
+    m_gammas.clear();
+    m_visible.clear();
+    show();
+    return;
+  }
+  const model::Camera to = model::withSides(views[view].camera, aspect(), {});
+  setCamera(model::CameraFlight(m_flightFrom, to).at(std::min(share, 1.0)));
+}
+
+void PageEngine::setGamma(std::span<const model::NodeId> ids, float gamma) {
+  const float valid = Gamma::clamped(gamma).value();
+  for (const model::NodeId id : ids)
+    for (const model::NodeId below : m_unpacked.scene().structuresBelow(id))
+      m_gammas[below] = valid;
+  show();
+}
+
+float PageEngine::gamma(model::NodeId id) const {
+  return m_shown.find(id) ? m_shown.resolve(id).gamma.value() : 0.0f;
+}
+
+void PageEngine::setVisible(std::span<const model::NodeId> ids, bool visible) {
+  for (const model::NodeId id : ids)
+    m_visible[id] = visible;
+  model::Edited edited = visible ? model::withShown(m_shown, ids) : model::withHidden(m_shown, ids);
+  if (edited.changed)
+    m_shown = std::move(edited.scene);
+}
+
+bool PageEngine::visible(model::NodeId id) const {
+  return model::visibilityOf(m_shown, id) != model::Visibility::none;
+}
+
+void PageEngine::resetLook() {
+  m_gammas.clear();
+  m_visible.clear();
+  show();
+}
+
+void PageEngine::show() {
+  m_shown = m_unpacked.scene();
+  if (m_view && *m_view < m_shown.views().size())
+    m_shown = model::withViewApplied(m_shown, m_shown.views()[*m_view]).scene;
+  for (const auto& [id, gamma] : m_gammas) {
+    model::Style look;
+    look.gamma = Gamma::clamped(gamma);
+    m_shown = model::withLook(m_shown, {&id, 1}, look).scene;
+  }
+  for (const auto& [id, visible] : m_visible)
+    m_shown = (visible ? model::withShown(m_shown, {&id, 1}) : model::withHidden(m_shown, {&id, 1}))
+                  .scene;
+}
+
+void PageEngine::setLabels(std::vector<TextRoom> labels) {
+  m_rooms = std::move(labels);
+  m_layout = {};
+}
+
+Status PageEngine::openPicture() {
+  Result<std::unique_ptr<Picture>> made = Picture::create();
+  if (!made.ok())
+    return made.error();
+  m_picture = std::move(*made);
+  return Unit{};
+}
+
+Result<bool> PageEngine::draw(bool moving) {
+  const gpu::TextureSize size{m_size.width, m_size.height};
+  if (!m_canvas || m_canvas->size() != size)
+    m_canvas = gpu::Target::display(size);
+  PictureSettings settings{.width = size.width, .height = size.height};
+  const Fineness fineness = moving ? m_quality.fineness() : Fineness{};
+  settings.surfaceStep = fineness.surfaceStep;
+  settings.hurried = moving;
+  std::vector<Outline> outlines;
+  if (!m_selected.empty())
+    outlines.push_back(selectionOutline(m_selected, m_size.ratio));
+  const auto began = std::chrono::steady_clock::now();
+  const Result<bool> drawn =
+      m_picture->drawInto({.target = *m_canvas, .outlines = outlines}, m_shown, m_camera, settings);
+  if (!drawn.ok())
+    return drawn.error();
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
+  if (moving && m_picture->timings().layersDrawn > 0)
+    m_quality.took(took.count(), fineness);
+  return !m_picture->timings().makeshift && fineness.full();
+}
+
+void PageEngine::layOutLabels(bool moving) {
+  m_items.clear();
+  if (m_rooms.empty()) {
+    m_layout = {};
+    return;
+  }
+  const Screen screen(m_camera, millimetres * pageSize());
+  const bool follows = !m_layout.labels.empty();
+  const LabelsInPicture found =
+      labelsInPicture(m_shown, screen, {}, m_trees, {follows ? &m_layout : nullptr, moving});
+  LabelRequest request{.items = {},
+                       .space = {.size = screen.size()},
+                       .obstacles = obstaclesOf(m_shown, screen),
+                       .towardsEye = model::cameraFrame(m_camera).back,
+                       .moving = moving};
+  for (const ShownLabel& label : found.shown)
+    for (const TextRoom& room : m_rooms)
+      if (room.id == label.item.id) {
+        request.items.push_back(label.item);
+        request.items.back().box = millimetres * room.box;
+      }
+  m_layout = render::layOutLabels(request, follows ? &m_layout : nullptr);
+  m_items = std::move(request.items);
+}
+
+PageEngine::Pick PageEngine::pick(const glm::vec2& at) {
+  Pick found;
+  for (const PlacedLabel& label : m_layout.labels)
+    if (label.box.contains(millimetres * at))
+      found.label = label.id;
+  const std::vector<model::Ray> rays = sightsAround(m_camera, at, pageSize());
+  if (const Picks picks = m_index.pick(m_shown, rays); picks.seen)
+    found.structure = picks.seen->id;
+  return found;
+}
+
+}  // namespace sline::render::web

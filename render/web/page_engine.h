@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shows a scene in a web page: what the page's script asks for, in terms of the same scene, camera
+// and picture as everywhere. It knows no texts and no language; the page has those.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/geometry/mesh_trees.h"
+#include "model/packed_scene/packed_scene.h"
+#include "render/gpu/device.h"
+#include "render/labels/layout.h"
+#include "render/picking/pick_index.h"
+#include "render/picture/motion_quality.h"
+#include "render/picture/picture.h"
+
+namespace sline::render::web {
+
+/// The picture's size: device pixels, of which there are `ratio` for each of the page's pixels.
+struct PageSize {
+  int width = 1;
+  int height = 1;
+  float ratio = 1.0f;
+};
+
+/// How much room a label's text needs, in the page's pixels.
+struct TextRoom {
+  model::AnnotationId id;
+  glm::vec2 box{0.0f};
+};
+
+class PageEngine {
+ public:
+  /// Takes a part of the scene (packed_scene.h); what was changed by hand stays changed.
+  Status take(std::string_view part);
+  /// Tells the picture's size, at least one pixel each way.
+  void setSize(const PageSize& size);
+
+  void orbit(const glm::vec2& pixels);
+  void pan(const glm::vec2& pixels);
+  void roll(float degrees);
+  /// Magnifies around what is seen at a place of the page.
+  void zoom(float factor, const glm::vec2& at);
+  /// Shows these structures whole, or everything where there are none.
+  void fit(std::span<const model::NodeId> ids);
+  void look(model::AnatomicalView from);
+  const model::Camera& camera() const { return m_camera; }
+  void setCamera(const model::Camera& camera);
+  /// Goes to a saved view: 0 begins at the camera as it is, and shows what the view shows; 1 is
+  /// there.
+  void goTo(std::size_t view, double share);
+
+  void setGamma(std::span<const model::NodeId> ids, float gamma);
+  float gamma(model::NodeId id) const;
+  void setVisible(std::span<const model::NodeId> ids, bool visible);
+  bool visible(model::NodeId id) const;
+  void resetLook();
+  void select(std::vector<model::NodeId> ids) { m_selected = std::move(ids); }
+
+  /// Says which labels are shown, and their texts' sizes; those that are not in the list are not.
+  void setLabels(std::vector<TextRoom> labels);
+  /// The labels as the last picture has them; millimetres of which `millimetres` make a pixel of
+  /// the page.
+  const LabelLayout& labels() const { return m_layout; }
+  const std::vector<LabelItem>& labelItems() const { return m_items; }
+
+  /// Makes the picture that needs a current OpenGL ES 3.0 context; where there is none, all but
+  /// `draw` works.
+  Status openPicture();
+  /// The share of the canvas' pixels each way that `draw` should have while the camera moves.
+  float scale(bool moving) const { return moving ? m_quality.fineness().scale : 1.0f; }
+  /// Draws into the context's own framebuffer. While the camera moves, surfaces are as coarse as
+  /// they must be. Returns whether nothing is missing that one drawn at rest has.
+  Result<bool> draw(bool moving);
+  /// Finds labels' places and lays them out for the camera.
+  void layOutLabels(bool moving);
+
+  struct Pick {
+    model::NodeId structure;
+    model::AnnotationId label;
+  };
+  Pick pick(const glm::vec2& at);
+
+  /// What is drawn: the scene with the view's looks and what was changed by hand.
+  const model::Scene& shown() const { return m_shown; }
+  /// One pixel of the page is 1/96 inch.
+  static constexpr float millimetres = 25.4f / 96.0f;
+
+ private:
+  float aspect() const { return float(m_size.width) / float(m_size.height); }
+  glm::vec2 pageSize() const;
+  glm::vec3 pivot() const;
+  void show();
+
+  model::UnpackedScene m_unpacked;
+  std::optional<std::size_t> m_view;  ///< whose looks are shown
+  std::map<model::NodeId, float> m_gammas;
+  std::map<model::NodeId, bool> m_visible;
+  std::vector<model::NodeId> m_selected;
+  model::Scene m_shown;
+  model::Camera m_camera;
+  model::Camera m_flightFrom;
+  bool m_hasCamera = false;
+  PageSize m_size;
+
+  std::unique_ptr<Picture> m_picture;
+  std::unique_ptr<gpu::Target> m_canvas;
+  MotionQuality m_quality;
+
+  PickIndex m_index;
+  model::MeshTrees m_trees;
+  std::vector<TextRoom> m_rooms;
+  std::vector<LabelItem> m_items;
+  LabelLayout m_layout;
+};
+
+}  // namespace sline::render::web
