@@ -1485,6 +1485,54 @@
         <source>Cards that ask for the labels of the picture, or of all saved views: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
         <translation>Kort som spør etter betegnelsene i bildet eller i alle lagrede visninger: en pakke for Anki (.apkg), eller tekst og bilder i en ZIP (.zip) eller en ny mappe</translation>
     </message>
+    <message>
+        <source>Moodle questions</source>
+        <translation>Moodle-spørsmål</translation>
+    </message>
+    <message>
+        <source>Questions with pictures, made of the labels, as XML for a question bank: markers to be put in place, names to be typed or chosen</source>
+        <translation>Spørsmål med bilder, laget av etikettene, som XML til en spørsmålsbank: merker som skal på plass, navn som skrives eller velges</translation>
+    </message>
+    <message>
+        <source>QTI questions</source>
+        <translation>QTI-spørsmål</translation>
+    </message>
+    <message>
+        <source>The same for other question banks and examination systems, as a package of QTI 2.1</source>
+        <translation>Det samme for andre spørsmålsbanker og eksamenssystemer, som pakke av QTI 2.1</translation>
+    </message>
+    <message>
+        <source>H5P questions</source>
+        <translation>H5P-spørsmål</translation>
+    </message>
+    <message>
+        <source>The same as content for H5P, to be played where its content types are installed</source>
+        <translation>Det samme som innhold for H5P, som spilles der innholdstypene er installert</translation>
+    </message>
+    <message>
+        <source>SCORM 1.2 package</source>
+        <translation>SCORM 1.2-pakke</translation>
+    </message>
+    <message>
+        <source>The page for students in a package that tells a learning system each answer and the score, by the standard that most systems know</source>
+        <translation>Siden for studenter i en pakke som melder hvert svar og resultatet til et læringssystem, etter standarden som de fleste kjenner</translation>
+    </message>
+    <message>
+        <source>SCORM 2004 package</source>
+        <translation>SCORM 2004-pakke</translation>
+    </message>
+    <message>
+        <source>The same by SCORM 2004, 4th edition</source>
+        <translation>Det samme etter SCORM 2004, 4. utgave</translation>
+    </message>
+    <message>
+        <source>cmi5 package</source>
+        <translation>cmi5-pakke</translation>
+    </message>
+    <message>
+        <source>The same by cmi5, for systems with a learning record store</source>
+        <translation>Det samme etter cmi5, for systemer med et læringslager (LRS)</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportOption</name>
@@ -1983,6 +2031,14 @@
     <message>
         <source>Where the answers stand, each test&apos;s on a page of its own</source>
         <translation>Hvor svarene står, de til hver test på en egen side</translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation>Bestått fra</translation>
+    </message>
+    <message>
+        <source>The share of right answers that the learning system takes as passed</source>
+        <translation>Andelen riktige svar som læringssystemet regner som bestått</translation>
     </message>
 </context>
 <context>
@@ -4828,6 +4884,13 @@
     <message>
         <source>What is seen is also told in words, for who does not see it.</source>
         <translation>Det som er å se, står der også i ord, for den som ikke ser det.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n questions with pictures.</source>
+        <translation>
+            <numerusform>Høyst %n spørsmål med bilde.</numerusform>
+            <numerusform>Høyst %n spørsmål med bilder.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

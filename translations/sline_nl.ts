@@ -1485,6 +1485,54 @@
         <source>Cards that ask for the labels of the picture, or of all saved views: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
         <translation>Kaarten die naar de benamingen van de afbeelding of van alle bewaarde aanzichten vragen: een pakket voor Anki (.apkg), of tekst en afbeeldingen in een ZIP (.zip) of een nieuwe map</translation>
     </message>
+    <message>
+        <source>Moodle questions</source>
+        <translation>Moodle-vragen</translation>
+    </message>
+    <message>
+        <source>Questions with pictures, made of the labels, as XML for a question bank: markers to be put in place, names to be typed or chosen</source>
+        <translation>Vragen met afbeeldingen, gemaakt van de labels, als XML voor een vragenbank: markeringen die op hun plaats komen, namen om te typen of te kiezen</translation>
+    </message>
+    <message>
+        <source>QTI questions</source>
+        <translation>QTI-vragen</translation>
+    </message>
+    <message>
+        <source>The same for other question banks and examination systems, as a package of QTI 2.1</source>
+        <translation>Hetzelfde voor andere vragenbanken en toetssystemen, als pakket van QTI 2.1</translation>
+    </message>
+    <message>
+        <source>H5P questions</source>
+        <translation>H5P-vragen</translation>
+    </message>
+    <message>
+        <source>The same as content for H5P, to be played where its content types are installed</source>
+        <translation>Hetzelfde als inhoud voor H5P, af te spelen waar de inhoudstypen ervan zijn geïnstalleerd</translation>
+    </message>
+    <message>
+        <source>SCORM 1.2 package</source>
+        <translation>SCORM 1.2-pakket</translation>
+    </message>
+    <message>
+        <source>The page for students in a package that tells a learning system each answer and the score, by the standard that most systems know</source>
+        <translation>De pagina voor studenten in een pakket dat een leeromgeving elk antwoord en de score meldt, volgens de standaard die de meeste kennen</translation>
+    </message>
+    <message>
+        <source>SCORM 2004 package</source>
+        <translation>SCORM 2004-pakket</translation>
+    </message>
+    <message>
+        <source>The same by SCORM 2004, 4th edition</source>
+        <translation>Hetzelfde volgens SCORM 2004, 4e editie</translation>
+    </message>
+    <message>
+        <source>cmi5 package</source>
+        <translation>cmi5-pakket</translation>
+    </message>
+    <message>
+        <source>The same by cmi5, for systems with a learning record store</source>
+        <translation>Hetzelfde volgens cmi5, voor omgevingen met een learning record store</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportOption</name>
@@ -1983,6 +2031,14 @@
     <message>
         <source>Where the answers stand, each test&apos;s on a page of its own</source>
         <translation>Waar de antwoorden staan, die van elke toets op een eigen pagina</translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation>Geslaagd vanaf</translation>
+    </message>
+    <message>
+        <source>The share of right answers that the learning system takes as passed</source>
+        <translation>Het deel goede antwoorden dat de leeromgeving als geslaagd telt</translation>
     </message>
 </context>
 <context>
@@ -4828,6 +4884,13 @@
     <message>
         <source>What is seen is also told in words, for who does not see it.</source>
         <translation>Wat te zien is, staat er ook in woorden in, voor wie het niet ziet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n questions with pictures.</source>
+        <translation>
+            <numerusform>Hoogstens %n vraag met een afbeelding.</numerusform>
+            <numerusform>Hoogstens %n vragen met afbeeldingen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
