@@ -157,6 +157,13 @@
             <numerusform>At most %n cards.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>At most %n questions with pictures.</source>
+        <translation>
+            <numerusform>At most %n question with a picture.</numerusform>
+            <numerusform>At most %n questions with pictures.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::BrushBar</name>

@@ -206,10 +206,11 @@ class JobsCommandTest : public QObject {
     for (const QByteArray& line : runSline({"export", "--help"}).out.split('\n'))
       if (line.startsWith("  --") && (line.contains(" FILE") || line.contains(" FOLDER")))
         flags << QString::fromUtf8(line).trimmed().section(' ', 0, 0);
-    const QStringList targets{"--png",  "--tiff", "--jpeg",       "--exr",    "--webp-picture",
-                              "--jp2",  "--svg",  "--pdf",        "--glb",    "--mp4",
-                              "--webp", "--gif",  "--anki",       "--frames", "--video",
-                              "--pptx", "--page", "--page-folder"};
+    const QStringList targets{"--png",  "--tiff",    "--jpeg",        "--exr",    "--webp-picture",
+                              "--jp2",  "--svg",     "--pdf",         "--glb",    "--mp4",
+                              "--webp", "--gif",     "--anki",        "--frames", "--video",
+                              "--pptx", "--page",    "--page-folder", "--moodle", "--qti",
+                              "--h5p",  "--scorm12", "--scorm2004",   "--cmi5"};
     QStringList known = targets + QStringList{"--camera", "--text"};
     flags.sort();
     known.sort();
@@ -248,6 +249,13 @@ class JobsCommandTest : public QObject {
                                 << QByteArray("--video and --gif");
     QTest::newRow("another kind's ending") << QByteArray("input,mp4\nsample,out/a.gif\n")
                                            << QByteArray("out/a.gif: .gif is the ending");
+    QTest::newRow("a package climbs out")
+        << QByteArray("input,package,output\nsample,moodle,../a.xml\n")
+        << QByteArray("line 2, column output");
+    QTest::newRow("a package without a file") << QByteArray("input,png,package\nsample,a.png,qti\n")
+                                              << QByteArray("--package qti names no file");
+    QTest::newRow("a package's ending") << QByteArray("input,package,output\nsample,moodle,a.zip\n")
+                                        << QByteArray("a.zip: .zip is the ending");
     QTest::newRow("neither yes nor no") << QByteArray("input,svg,bw\nsample,out/a.svg,perhaps\n")
                                         << QByteArray("line 2, column bw");
     QTest::newRow("help is no flag") << QByteArray("input,svg,help\nsample,out/a.svg,yes\n")

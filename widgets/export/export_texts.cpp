@@ -4,10 +4,12 @@
 #include "render/export/anki/anki_file.h"
 #include "render/export/anki/anki_options.h"
 #include "render/export/motion/film_options.h"
+#include "render/export/packages/picture_questions.h"
 #include "render/export/pdf/lesson.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/slides/slide_page.h"
+#include "render/export/students/students_options.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -60,9 +62,12 @@ bool sheetAddsLabels(const ExportDraft& draft) {
           draft.order.of<render::SheetOptions>().kind != render::SheetKind::figure);
 }
 
-/// Says how many cards there will be.
+/// Says how many cards there will be, or questions.
 QString cardText(const ExportDraft& draft, const render::ExportOrder& order) {
-  if (!formatOf(draft.kind)->has(render::cardsOption))
+  const render::ExportFormat& format = *formatOf(draft.kind);
+  if (format.has(render::quizFindOption) && format.page != render::PageUse::none)
+    return tr("At most %n questions with pictures.", nullptr, int(render::questionsAtMost(order)));
+  if (!format.has(render::cardsOption))
     return {};
   const auto cards = int(render::ankiCardsAtMost(order));
   return isLesson(draft, order.scene)

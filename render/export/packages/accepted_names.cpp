@@ -8,9 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "model/anatomy/anatomical_names.h"
-#include "model/scene/markup.h"
 #include "render/export/encoding/xml_text.h"
+#include "render/export/students/answer_hash.h"
 
 namespace sline::render {
 
@@ -25,7 +24,7 @@ class NameList {
   void add(const std::string& text) {
     const std::string name = plainLine(text);
     const QString read = QString::fromStdString(name);
-    if (name.empty() || read.size() > longestName || comparedName(name).empty())
+    if (name.empty() || read.size() > longestName || normalisedAnswer(name).empty())
       return;
     for (const std::string& form : {name, withoutAccents(name), transcribed(read)})
       if (m_known.insert(QString::fromStdString(form).toCaseFolded()).second)
@@ -73,49 +72,28 @@ std::string withoutAccents(const std::string& text) {
   return bare.toStdString();
 }
 
-std::string comparedName(const std::string& text) {
-  QString compared;
-  for (const QChar c :
-       QString::fromStdString(text).normalized(QString::NormalizationForm_KD).toLower())
-    if (c.isLetterOrNumber() || c.isSurrogate())
-      compared += c;
-  return compared.toStdString();
-}
-
-std::vector<std::string> acceptedNames(const model::Scene& scene, const model::Question& question) {
-  static const model::AnatomicalNames anatomy;
+std::vector<std::string> typedNames(const std::string& first,
+                                    const std::vector<std::string>& others) {
   NameList names;
-  names.add(question.words);
-  std::vector<std::string> known;
-  for (const model::Annotation& annotation : scene.annotations()) {
-    if (std::find(question.labels.begin(), question.labels.end(), annotation.id) ==
-        question.labels.end())
-      continue;
-    known.push_back(model::plainText(annotation.kind, annotation.text));
-    for (const auto& [language, text] : annotation.texts)
-      known.push_back(model::plainText(annotation.kind, text));
-  }
-  for (const std::string& name : known)
+  names.add(first);
+  for (const std::string& name : others)
     names.add(name);
-  for (const std::string& name : known)
-    for (const std::string& word : anatomy.searchWords(plainLine(name)))
-      names.add(word);
   return names.take();
 }
 
-void dropAmbiguous(std::vector<std::vector<std::string>*> lists) {
+void dropAmbiguous(const std::vector<std::vector<std::string>*>& lists) {
   std::map<std::string, int> uses;
   for (const std::vector<std::string>* list : lists) {
     std::set<std::string> own;
     for (const std::string& name : *list)
-      if (own.insert(comparedName(name)).second)
-        ++uses[comparedName(name)];
+      if (own.insert(normalisedAnswer(name)).second)
+        ++uses[normalisedAnswer(name)];
   }
   for (std::vector<std::string>* list : lists)
     if (!list->empty())
       list->erase(
           std::remove_if(list->begin() + 1, list->end(),
-                         [&](const std::string& name) { return uses[comparedName(name)] > 1; }),
+                         [&](const std::string& name) { return uses[normalisedAnswer(name)] > 1; }),
           list->end());
 }
 

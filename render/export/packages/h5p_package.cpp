@@ -63,8 +63,8 @@ Json imageFile(const QuestionPicture& picture) {
 
 class Content {
  public:
-  Content(const QuestionBook& book, const PackageOptions& options)
-      : m_book(book), m_options(options), m_words(packageWords(book.language)) {}
+  Content(const QuestionBook& book, const QuestionKinds& kinds)
+      : m_book(book), m_kinds(kinds), m_words(packageWords(book.language)) {}
 
   std::vector<model::ZipMember> members() {
     for (const QuestionSheet& sheet : m_book.sheets)
@@ -83,13 +83,13 @@ class Content {
   }
 
   void addThing(const QuestionSheet& sheet, const SheetThing& thing) {
-    if (m_options.find && isFoundByPlace(thing))
+    if (m_kinds.find && isFoundByPlace(thing))
       m_hotspots.push_back(hotspotQuestion(sheet, thing));
-    else if (m_options.find && hasChoice(thing) && !thing.numbers.empty())
+    else if (m_kinds.find && hasNumberChoice(thing))
       m_questions.push_back(numberChoice(sheet, thing));
-    if (const std::string answers = blankOf(thing); m_options.name && !answers.empty())
+    if (const std::string answers = blankOf(thing); m_kinds.name && !answers.empty())
       m_questions.push_back(blank(sheet, thing, answers));
-    if (m_options.choose && hasChoice(thing))
+    if (m_kinds.choose && hasChoice(thing))
       m_questions.push_back(nameChoice(sheet, thing));
   }
 
@@ -184,8 +184,8 @@ class Content {
 
   Json nameChoice(const QuestionSheet& sheet, const SheetThing& thing) {
     std::vector<std::pair<std::string, bool>> texts{{thing.words, true}};
-    for (const std::size_t other : thing.others)
-      texts.emplace_back(sheet.things[other].words, false);
+    for (const std::string& other : thing.wrong)
+      texts.emplace_back(other, false);
     const std::string id = thing.id + "-choose";
     return choice(id, m_words.chooseIt, media(thing.marked, sheet.shows, id), texts);
   }
@@ -226,7 +226,7 @@ class Content {
   Json assembled() {
     const Json set{{"introPage", {{"showIntroPage", false}}},
                    {"progressType", "dots"},
-                   {"passPercentage", 50},
+                   {"passPercentage", m_book.passing},
                    {"questions", m_questions}};
     if (m_hotspots.empty()) {
       m_main = &questionSet;
@@ -266,7 +266,7 @@ class Content {
   }
 
   const QuestionBook& m_book;
-  const PackageOptions& m_options;
+  const QuestionKinds& m_kinds;
   const PackageWords& m_words;
   std::vector<Json> m_hotspots;
   std::vector<Json> m_questions;
@@ -278,8 +278,8 @@ class Content {
 
 }  // namespace
 
-std::vector<model::ZipMember> h5pPackage(const QuestionBook& book, const PackageOptions& options) {
-  return Content(book, options).members();
+std::vector<model::ZipMember> h5pPackage(const QuestionBook& book, const QuestionKinds& kinds) {
+  return Content(book, kinds).members();
 }
 
 }  // namespace sline::render

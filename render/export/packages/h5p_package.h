@@ -14,6 +14,6 @@ namespace sline::render {
 /// is found by its place is an Image Hotspot Question (1.8), the rest one Question Set (1.20) of
 /// Multiple Choice (1.16) and Fill in the Blanks (1.14), both in a Column (1.16) where there are
 /// both.
-std::vector<model::ZipMember> h5pPackage(const QuestionBook& book, const PackageOptions& options);
+std::vector<model::ZipMember> h5pPackage(const QuestionBook& book, const QuestionKinds& kinds);
 
 }  // namespace sline::render

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/packages/moodle_quiz.h"
 
-#include <QByteArray>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "render/export/encoding/xml_text.h"
 #include "render/export/packages/package_parts.h"
 #include "render/export/packages/package_words.h"
+#include "render/export/students/answer_hash.h"
 
 namespace sline::render {
 
@@ -26,7 +26,7 @@ std::string htmlField(const char* tag, const std::string& html, const std::strin
 
 std::string fileElement(const QuestionPicture& picture, const char* path) {
   return "      <file name=\"" + picture.name + '"' + path + " encoding=\"base64\">" +
-         QByteArray::fromStdString(picture.png).toBase64().toStdString() + "</file>\n";
+         base64(picture.png) + "</file>\n";
 }
 
 /// Returns a question's text with the picture below it.
@@ -58,8 +58,8 @@ std::string polygonOf(const QuestionZone& zone, const glm::ivec2& size) {
 
 class Quiz {
  public:
-  Quiz(const QuestionBook& book, const PackageOptions& options)
-      : m_book(book), m_options(options), m_words(packageWords(book.language)) {}
+  Quiz(const QuestionBook& book, const QuestionKinds& kinds)
+      : m_book(book), m_kinds(kinds), m_words(packageWords(book.language)) {}
 
   std::string xml() {
     m_xml = std::string(xmlHead) + "<quiz>\n";
@@ -93,13 +93,13 @@ class Quiz {
   }
 
   void addThing(const QuestionSheet& sheet, const SheetThing& thing) {
-    if (m_options.find && isFoundByPlace(thing))
+    if (m_kinds.find && isFoundByPlace(thing))
       addMarker(sheet, thing);
-    else if (m_options.find && hasChoice(thing) && !thing.numbers.empty())
+    else if (m_kinds.find && hasNumberChoice(thing))
       addNumberChoice(sheet, thing);
-    if (m_options.name)
+    if (m_kinds.name)
       addShortAnswer(sheet, thing);
-    if (m_options.choose && hasChoice(thing))
+    if (m_kinds.choose && hasChoice(thing))
       addChoice(sheet, thing);
   }
 
@@ -181,21 +181,21 @@ class Quiz {
     grade(thing);
     beginChoices(true);
     answer(asHtml(thing.words), true);
-    for (const std::size_t other : thing.others)
-      answer(asHtml(sheet.things[other].words), false);
+    for (const std::string& other : thing.wrong)
+      answer(asHtml(other), false);
     m_xml += "  </question>\n";
   }
 
   const QuestionBook& m_book;
-  const PackageOptions& m_options;
+  const QuestionKinds& m_kinds;
   const PackageWords& m_words;
   std::string m_xml;
 };
 
 }  // namespace
 
-std::string moodleQuiz(const QuestionBook& book, const PackageOptions& options) {
-  return Quiz(book, options).xml();
+std::string moodleQuiz(const QuestionBook& book, const QuestionKinds& kinds) {
+  return Quiz(book, kinds).xml();
 }
 
 }  // namespace sline::render

@@ -16,4 +16,12 @@ Status writeQti(const ExportOrder& order, const std::filesystem::path& target,
 Status writeH5p(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress);
 
+/// Writes the students' page as a package that tells its answers by that standard.
+Status writeScorm12(const ExportOrder& order, const std::filesystem::path& target,
+                    const ExportProgress& progress);
+Status writeScorm2004(const ExportOrder& order, const std::filesystem::path& target,
+                      const ExportProgress& progress);
+Status writeCmi5(const ExportOrder& order, const std::filesystem::path& target,
+                 const ExportProgress& progress);
+
 }  // namespace sline::render

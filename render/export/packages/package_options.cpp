@@ -3,52 +3,55 @@
 
 #include <QtGlobal>
 #include <array>
+#include <vector>
 
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
+#include "render/export/students/students_options.h"
 
 namespace sline::render {
 
 namespace {
 
-constexpr ExportOption find{
-    .id = "questionsFind",
-    .flag = "--find-questions,!--no-find-questions",
-    .help = "Questions name something and ask where it is in the picture",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Where is it?"),
+constexpr ExportOption passing{
+    .id = "passing",
+    .flag = "--pass",
+    .value = "PERCENT",
+    .help = "How many of the answers must be right to pass",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Passed from"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
-                             "Questions that name something and ask where it is in the picture"),
-    .field = boundTo([](auto& o) -> auto& { return o.template of<PackageOptions>().find; })};
-
-constexpr ExportOption name{
-    .id = "questionsName",
-    .flag = "--name-questions,!--no-name-questions",
-    .help = "Questions mark a place and ask for its name, in any language that is known",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What is it called?"),
-    .tip = QT_TRANSLATE_NOOP(
-        "sline::render::ExportOption",
-        "Questions that mark a place and ask for its name: in any language that is known"),
-    .field = boundTo([](auto& o) -> auto& { return o.template of<PackageOptions>().name; })};
-
-constexpr ExportOption choose{
-    .id = "questionsChoose",
-    .flag = "--choose-questions,!--no-choose-questions",
-    .help = "Questions mark a place and give names to choose from",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Which of these is it?"),
-    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
-                             "Questions that mark a place and give names to choose from"),
-    .field = boundTo([](auto& o) -> auto& { return o.template of<PackageOptions>().choose; })};
+                             "The share of right answers that the learning system takes as passed"),
+    .kind = NumberOption{.low = 0.0, .high = 100.0, .decimals = 0, .step = 5.0, .unit = "%"},
+    .field = boundTo([](auto& o) -> auto& { return o.template of<PackageOptions>().passing; })};
 
 }  // namespace
 
+QuestionKinds questionKinds(const ExportOrder& order) {
+  const auto& options = order.of<StudentsOptions>();
+  return {options.find, options.name, options.choose};
+}
+
 OptionList questionOptions() {
-  static constexpr std::array all{&viewsOption, &find,        &name,
-                                  &choose,      &askedOption, &askedNamesOption};
+  static constexpr std::array all{&viewsOption,      &quizFindOption, &quizNameOption,
+                                  &quizChooseOption, &askedOption,    &askedNamesOption};
   return all;
 }
 
-bool hasQuestions(const PackageOptions& options) {
-  return options.find || options.name || options.choose;
+OptionList questionSetOptions() {
+  static constexpr std::array all{&viewsOption,      &quizFindOption, &quizNameOption,
+                                  &quizChooseOption, &askedOption,    &askedNamesOption,
+                                  &passing};
+  return all;
+}
+
+OptionList pagePackageOptions() {
+  static const std::vector<const ExportOption*> all = [] {
+    const OptionList page = studentsOptions();
+    std::vector<const ExportOption*> options(page.begin(), page.end());
+    options.push_back(&passing);
+    return options;
+  }();
+  return all;
 }
 
 }  // namespace sline::render

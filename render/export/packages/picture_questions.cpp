@@ -19,6 +19,7 @@
 #include "render/export/packages/package_options.h"
 #include "render/export/packages/package_words.h"
 #include "render/export/plate/figure_plate.h"
+#include "render/export/students/asked_things.h"
 #include "render/lettering/typesetting.h"
 #include "render/picture/headless/headless_picture.h"
 
@@ -63,6 +64,43 @@ ExportOrder forQuestions(const ExportOrder& order, const std::vector<model::Ques
     asked.altText.clear();  // it may name what is asked for
   return asked;
 }
+
+/// Knows names that are right answers, and such as are not.
+class NameSource {
+ public:
+  explicit NameSource(const ExportOrder& order)
+      : m_order(ofOneView(order)),
+        m_words(m_order, {}),
+        m_asked(askedThings(m_order, m_words)),
+        m_distractors(m_order, m_words, m_asked) {}
+
+  /// Fills in the names of what the label names.
+  void fill(SheetThing& thing, model::AnnotationId label) const {
+    thing.accepted = typedNames(thing.words, {});
+    for (const AskedThing& each : m_asked) {
+      if (std::find(each.labels.begin(), each.labels.end(), label) == each.labels.end())
+        continue;
+      thing.accepted = typedNames(thing.words, each.accepted);
+      for (const WordsByLanguage& other : m_distractors.of(each, otherChoices)) {
+        const auto said = other.find(m_words.language());
+        thing.wrong.push_back((said == other.end() ? other.begin() : said)->second);
+      }
+      return;
+    }
+  }
+
+ private:
+  static ExportOrder ofOneView(const ExportOrder& order) {
+    ExportOrder one = order;
+    one.scene.setViews({});
+    return one;
+  }
+
+  ExportOrder m_order;
+  PageWords m_words;
+  std::vector<AskedThing> m_asked;
+  Distractors m_distractors;
+};
 
 /// Makes the questions of one view.
 class SheetMaker {
@@ -147,6 +185,7 @@ class SheetMaker {
   }
 
   Status addThings(QuestionSheet& sheet, const FigurePlate& plate) {
+    const NameSource names(m_order);
     const SeenMap seen(m_order.scene, Screen(m_order.camera, m_order.page.sizeMm), &m_trees);
     for (const model::Question& question : m_questions) {
       SheetThing thing{.words = plainWords(question)};
@@ -162,14 +201,13 @@ class SheetMaker {
         continue;
       std::sort(thing.numbers.begin(), thing.numbers.end());
       thing.id = std::to_string(shown->value);
-      thing.accepted = acceptedNames(m_order.scene, question);
+      names.fill(thing, *shown);
       thing.zone = zoneOf(seen.areaOf(question.structures), m_order.page.sizeMm);
       Result<QuestionPicture> marked = markedPicture(plate, *shown, sheet.ground.size);
       if (!marked.ok())
         return marked.error();
       thing.marked = std::move(*marked);
       m_places.push_back(placeOf(plate, *shown));
-      m_groups.push_back(groupOf(question));
       sheet.things.push_back(std::move(thing));
     }
     std::vector<std::vector<std::string>*> lists;
@@ -203,23 +241,14 @@ class SheetMaker {
     return {};
   }
 
-  model::NodeId groupOf(const model::Question& question) const {
-    const model::Node* node =
-        question.structures.empty() ? nullptr : m_order.scene.find(question.structures.front());
-    return node ? node->parent : model::rootId;
-  }
-
-  /// Chooses with what each may be confused: what is near it, rather in its own group.
+  /// Finds what is near each.
   void addOthers(QuestionSheet& sheet) const {
     for (std::size_t i = 0; i < sheet.things.size(); ++i) {
       std::vector<std::pair<float, std::size_t>> ranked;
-      for (std::size_t j = 0; j < sheet.things.size(); ++j) {
-        if (comparedName(sheet.things[i].words) == comparedName(sheet.things[j].words))
-          continue;
-        const float away = glm::distance(m_places[i], m_places[j]) / m_order.page.sizeMm.y;
-        ranked.emplace_back(away + (m_groups[i] == m_groups[j] ? 0.0f : 0.4f), j);
-      }
-      std::stable_sort(ranked.begin(), ranked.end());
+      for (std::size_t j = 0; j < sheet.things.size(); ++j)
+        if (j != i && sheet.things[j].numbers != sheet.things[i].numbers)
+          ranked.emplace_back(glm::distance(m_places[i], m_places[j]), j);
+      std::sort(ranked.begin(), ranked.end());
       for (std::size_t k = 0; k < std::min(otherChoices, ranked.size()); ++k)
         sheet.things[i].others.push_back(ranked[k].second);
       std::sort(sheet.things[i].others.begin(), sheet.things[i].others.end());
@@ -233,7 +262,6 @@ class SheetMaker {
   QImage m_ground;
   std::map<model::AnnotationId, int> m_numbers;
   std::vector<glm::vec2> m_places;  ///< of the things
-  std::vector<model::NodeId> m_groups;
 };
 
 QuestionBook emptyBook(const ExportOrder& order) {
@@ -245,13 +273,14 @@ QuestionBook emptyBook(const ExportOrder& order) {
                    ? order.viewName
                    : packageWords(book.language).questions;
   book.credit = fileCredit(order, {});
+  book.passing = order.of<PackageOptions>().passing;
   return book;
 }
 
 }  // namespace
 
 Result<QuestionBook> pictureQuestions(const ExportOrder& order, const ExportProgress& progress) {
-  if (!hasQuestions(order.of<PackageOptions>()))
+  if (!questionKinds(order).any())
     return Error{.reason = "no kind of question is wanted",
                  .remedy = "Choose what is asked: where something is, or its name"};
   if (progress && !progress(0.0, "preparing surfaces"))
@@ -289,7 +318,7 @@ Result<QuestionBook> pictureQuestions(const ExportOrder& order, const ExportProg
 }
 
 std::size_t questionsAtMost(const ExportOrder& order) {
-  const auto& wanted = order.of<PackageOptions>();
+  const QuestionKinds wanted = questionKinds(order);
   const std::size_t each =
       std::size_t(wanted.find) + std::size_t(wanted.name) + std::size_t(wanted.choose);
   if (!wantsAllViews(order))

@@ -26,7 +26,8 @@ struct SheetThing {
   QuestionPicture marked;             ///< the view with a mark at it; names nothing
   std::vector<int> numbers;           ///< those it has in the numbered picture
   QuestionZone zone;
-  std::vector<std::size_t> others;  ///< up to three others of the sheet to be confused with it
+  std::vector<std::string> wrong;   ///< up to three names of others, to choose from
+  std::vector<std::size_t> others;  ///< up to three others of the sheet, those nearest to it
 };
 
 /// Holds the questions of one view.
@@ -43,6 +44,7 @@ struct QuestionBook {
   std::string title;     ///< plain text
   std::string language;  ///< BCP 47
   ExportCredit credit;
+  double passing = 50.0;  ///< percent of right answers from which on it is passed
   std::vector<QuestionSheet> sheets;
 };
 
@@ -58,9 +60,12 @@ std::size_t questionsAtMost(const ExportOrder& order);
 inline bool isFoundByPlace(const SheetThing& thing) {
   return thing.zone.canBeHit();
 }
-/// Tells whether there is anything to choose from.
+/// Tells whether there are names to choose from, or numbers.
 inline bool hasChoice(const SheetThing& thing) {
-  return !thing.others.empty();
+  return !thing.wrong.empty();
+}
+inline bool hasNumberChoice(const SheetThing& thing) {
+  return !thing.others.empty() && !thing.numbers.empty();
 }
 
 /// Returns the numbers as a choice shows them: "3, 5".

@@ -49,8 +49,8 @@ struct Item {
 
 class Package {
  public:
-  Package(const QuestionBook& book, const PackageOptions& options)
-      : m_book(book), m_options(options), m_words(packageWords(book.language)) {}
+  Package(const QuestionBook& book, const QuestionKinds& kinds)
+      : m_book(book), m_kinds(kinds), m_words(packageWords(book.language)) {}
 
   std::vector<model::ZipMember> members() {
     for (const QuestionSheet& sheet : m_book.sheets) {
@@ -68,13 +68,13 @@ class Package {
 
  private:
   void addThing(const QuestionSheet& sheet, const SheetThing& thing) {
-    if (m_options.find && isFoundByPlace(thing))
+    if (m_kinds.find && isFoundByPlace(thing))
       addHotspot(sheet, thing);
-    else if (m_options.find && hasChoice(thing) && !thing.numbers.empty())
+    else if (m_kinds.find && hasNumberChoice(thing))
       addNumberChoice(sheet, thing);
-    if (m_options.name)
+    if (m_kinds.name)
       addTextEntry(sheet, thing);
-    if (m_options.choose && hasChoice(thing))
+    if (m_kinds.choose && hasChoice(thing))
       addChoice(sheet, thing);
   }
 
@@ -186,8 +186,7 @@ class Package {
 
   void addChoice(const QuestionSheet& sheet, const SheetThing& thing) {
     std::vector<std::string> texts{thing.words};
-    for (const std::size_t other : thing.others)
-      texts.push_back(sheet.things[other].words);
+    texts.insert(texts.end(), thing.wrong.begin(), thing.wrong.end());
     addItem("choose", thing, thing.marked, oneRight("C1"),
             image(thing.marked, sheet.shows) + choices(m_words.chooseIt, true, texts),
             "match_correct");
@@ -247,7 +246,7 @@ class Package {
   }
 
   const QuestionBook& m_book;
-  const PackageOptions& m_options;
+  const QuestionKinds& m_kinds;
   const PackageWords& m_words;
   std::vector<std::vector<Item>> m_sections;
   std::vector<model::ZipMember> m_pictures;
@@ -257,8 +256,8 @@ class Package {
 
 }  // namespace
 
-std::vector<model::ZipMember> qtiPackage(const QuestionBook& book, const PackageOptions& options) {
-  return Package(book, options).members();
+std::vector<model::ZipMember> qtiPackage(const QuestionBook& book, const QuestionKinds& kinds) {
+  return Package(book, kinds).members();
 }
 
 }  // namespace sline::render

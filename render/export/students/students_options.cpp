@@ -43,38 +43,6 @@ constexpr ExportOption quiz{
     .kind = ChoiceOption{quizModes},
     .field = boundTo([](auto& o) -> auto& { return o.template of<StudentsOptions>().quiz; })};
 
-constexpr ExportOption find{
-    .id = "pageFind",
-    .flag = "--quiz-find,!--no-quiz-find",
-    .help = "The page's quiz names something, and it is clicked",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Where is it?"),
-    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
-                             "The quiz names something, and it is clicked"),
-    .field = boundTo([](auto& o) -> auto& { return o.template of<StudentsOptions>().find; }),
-    .applies = namesAreShown};
-
-constexpr ExportOption name{
-    .id = "pageName",
-    .flag = "--quiz-name,!--no-quiz-name",
-    .help = "The page's quiz lights something up, and its name is typed, in any of the languages",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What is it? Typed"),
-    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
-                             "The quiz lights something up, and its name is typed"),
-    .field = boundTo([](auto& o) -> auto& { return o.template of<StudentsOptions>().name; }),
-    .applies = hasQuiz};
-
-constexpr ExportOption choose{
-    .id = "pageChoose",
-    .flag = "--quiz-choose,!--no-quiz-choose",
-    .help =
-        "The page's quiz lights something up, and its name is chosen among four: others are "
-        "neighbours and of the same kind",
-    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What is it? One of four"),
-    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
-                             "The other three names are of neighbours and of the same kind"),
-    .field = boundTo([](auto& o) -> auto& { return o.template of<StudentsOptions>().choose; }),
-    .applies = namesAreShown};
-
 constexpr ExportOption order{
     .id = "pageOrder",
     .flag = "--quiz-order,!--no-quiz-order",
@@ -181,13 +149,45 @@ constexpr ExportOption error{
 
 }  // namespace
 
+constinit const ExportOption quizFindOption{
+    .id = "pageFind",
+    .flag = "--quiz-find,!--no-quiz-find",
+    .help = "The page's quiz names something, and it is clicked",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Where is it?"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "The quiz names something, and it is clicked"),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<StudentsOptions>().find; }),
+    .applies = namesAreShown};
+
+constinit const ExportOption quizNameOption{
+    .id = "pageName",
+    .flag = "--quiz-name,!--no-quiz-name",
+    .help = "The page's quiz lights something up, and its name is typed, in any of the languages",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What is it? Typed"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "The quiz lights something up, and its name is typed"),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<StudentsOptions>().name; }),
+    .applies = hasQuiz};
+
+constinit const ExportOption quizChooseOption{
+    .id = "pageChoose",
+    .flag = "--quiz-choose,!--no-quiz-choose",
+    .help =
+        "The page's quiz lights something up, and its name is chosen among four: others are "
+        "neighbours and of the same kind",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What is it? One of four"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "The other three names are of neighbours and of the same kind"),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<StudentsOptions>().choose; }),
+    .applies = namesAreShown};
+
 OptionList studentsOptions() {
   static constexpr std::array all{&title,
                                   &languages,
                                   &quiz,
-                                  &find,
-                                  &name,
-                                  &choose,
+                                  &quizFindOption,
+                                  &quizNameOption,
+                                  &quizChooseOption,
                                   &order,
                                   &drag,
                                   &askedOption,

@@ -34,4 +34,8 @@ struct StudentsOptions {
 
 OptionList studentsOptions();
 
+extern const ExportOption quizFindOption;
+extern const ExportOption quizNameOption;
+extern const ExportOption quizChooseOption;
+
 }  // namespace sline::render
