@@ -403,6 +403,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
       "  sline export pelvis.sline --png pelvis.png --size-mm 180x120 --dpi 300\n"
       "  sline export pelvis.sline --tiff figure1.tiff --bw --bits 1 --dpi 600\n"
       "  sline export pelvis.sline --pptx lesson.pptx --self-test\n"
+      "  sline export pelvis.sline --page pelvis.html --language de\n"
       "  sline export pelvis.sline --pdf lesson.pdf --anki lesson.apkg --views all\n"
       "  sline export pelvis.sline --package moodle -o pelvis.xml --language de\n"
       "  sline export pelvis.sline --svg pelvis.svg --view anterior --size-mm 180x120\n"

@@ -59,6 +59,22 @@ Curve disc(const StrokePoint& point) {
   return curve;
 }
 
+/// Returns what a veil leaves of the light, in steps below 1.
+float lightBehind(const Veil& veil) {
+  constexpr float steps = 16.0f;
+  return std::clamp(std::round(veil.transmittance * steps), 1.0f, steps - 1.0f) / steps;
+}
+
+/// Rounds colours of veiled lines to steps, so that they share paths.
+Colour stepped(const Colour& colour) {
+  const auto channel = [](std::uint8_t value) {
+    return std::uint8_t(std::min((int(value) + 6) / 12 * 12, 255));
+  };
+  return {channel(colour.red), channel(colour.green), channel(colour.blue)};
+}
+
+}  // namespace
+
 bool isEven(std::span<const StrokePoint> points) {
   float low = points.front().halfWidth;
   float high = low;
@@ -76,7 +92,6 @@ float meanWidth(std::span<const StrokePoint> points) {
   return float(sum / double(points.size()));
 }
 
-/// Returns how a line of the ink's colour looks through what lies in front of it.
 Colour behind(const Veil& veil, const Colour& ink) {
   const auto channel = [&veil](float before, std::uint8_t own) {
     const float value = 255.0f * before + veil.transmittance * float(own);
@@ -85,22 +100,6 @@ Colour behind(const Veil& veil, const Colour& ink) {
   return {channel(veil.colour.r, ink.red), channel(veil.colour.g, ink.green),
           channel(veil.colour.b, ink.blue)};
 }
-
-/// Returns what a veil leaves of the light, in steps below 1.
-float lightBehind(const Veil& veil) {
-  constexpr float steps = 16.0f;
-  return std::clamp(std::round(veil.transmittance * steps), 1.0f, steps - 1.0f) / steps;
-}
-
-/// Rounds colours of veiled lines to steps, so that they share paths.
-Colour stepped(const Colour& colour) {
-  const auto channel = [](std::uint8_t value) {
-    return std::uint8_t(std::min((int(value) + 6) / 12 * 12, 255));
-  };
-  return {channel(colour.red), channel(colour.green), channel(colour.blue)};
-}
-
-}  // namespace
 
 Curve PageMapping::toPage(Curve curve) const {
   curve.start = toPage(curve.start);

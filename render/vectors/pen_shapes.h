@@ -47,6 +47,12 @@ class PenShapes {
   std::map<Key, Path> m_paths;
 };
 
+/// Returns how a line of the ink's colour looks through what lies in front of it.
+Colour behind(const Veil& veil, const Colour& ink);
+/// Tells whether all points are about as wide.
+bool isEven(std::span<const StrokePoint> points);
+/// Returns the mean width of the points, which must not be none.
+float meanWidth(std::span<const StrokePoint> points);
 /// Returns the outline of a stroke of varying width, with round ends; it is closed, in pixels.
 Curve strokeOutline(std::span<const StrokePoint> points, float tolerance);
 

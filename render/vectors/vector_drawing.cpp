@@ -4,25 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
-#include <map>
 #include <utility>
 #include <vector>
 
 #include "model/base/parallel.h"
-#include "model/scene/visible_structures.h"
-#include "render/lines/line_technique.h"
 #include "render/lines/stages.h"
-#include "render/strokes/coverage.h"
-#include "render/strokes/face_patterns.h"
 #include "render/strokes/gamma_offsets.h"
 #include "render/strokes/hidden_lines.h"
 #include "render/strokes/structure_lines.h"
 #include "render/strokes/surface_fill.h"
-#include "render/vectors/crumbs.h"
 #include "render/vectors/fill_shapes.h"
 #include "render/vectors/paint_order.h"
 #include "render/vectors/pen_shapes.h"
+#include "render/vectors/structure_work.h"
 #include "render/vectors/tone_images.h"
 #include "render/vectors/visible_strokes.h"
 
@@ -56,17 +50,6 @@ PixelSize pixelSize(const glm::vec2& sizeMm, float height) {
   return {std::max(16, int(std::lround(h * aspect))), std::max(16, int(std::lround(h)))};
 }
 
-/// Holds one structure on its way to the page.
-struct Work {
-  DrawnStructure shown;
-  PixelRect area;
-  StructureLines lines;
-};
-
-bool hasLines(const DrawnStructure& shown) {
-  return showsLines(shown.style) || shown.cut != nullptr;
-}
-
 class Drawing {
  public:
   Drawing(const model::Scene& scene, const model::Camera& camera, const VectorSettings& settings,
@@ -84,7 +67,7 @@ class Drawing {
       return drawing;
     layOut();
     tell(0.3, "finding lines");
-    parallelFor(m_work.size(), 1, [&](std::size_t i) { findLines(m_work[i]); });
+    parallelFor(m_work.size(), 1, [&](std::size_t i) { findLines(m_work[i], *m_view, m_light); });
     tell(0.5, "finding what hides what");
     std::vector<DepthLayer> layers(m_work.size());
     const LayerInput input{*m_view, m_settings.environment.background, m_keyLight, pixelsPerTone()};
@@ -130,43 +113,16 @@ class Drawing {
   /// Returns the pixels per tone. The more structures are shaded, the fewer tones each has, to keep
   /// files small.
   double pixelsPerTone() const {
-    const auto shaded = std::count_if(m_work.begin(), m_work.end(), [](const Work& work) {
+    const auto shaded = std::count_if(m_work.begin(), m_work.end(), [](const StructureWork& work) {
       return transitions(gammaSpan(work.shown.style).most).shading > 0.0f;
     });
     return std::clamp(double(shaded) / 9.0, 3.0, 9.0);
   }
 
   void findShown() {
-    std::vector<model::VisibleStructure> structures = model::visibleStructures(m_scene);
-    std::sort(structures.begin(), structures.end(),
-              [](const auto& a, const auto& b) { return a.node->id < b.node->id; });
-    for (const model::VisibleStructure& structure : structures) {
-      const model::Node& node = *structure.node;
-      DrawnStructure shown{
-          .id = node.id,
-          .mesh = node.mesh,
-          .style = structure.style,
-          .prepared = &prepared(node),
-          .sections = sectionsThatCut(m_scene.sectionsOf(node.id), node.mesh->bounds()),
-          .cut = nullptr};
-      findGammaOffsets(m_scene, shown);
-      if (!shown.sections.empty()) {
-        shown.pattern = cutPattern(m_scene, node);
-        shown.cut = m_sections.at(shown.prepared->surface, shown.sections);
-      }
-      m_bounds.add(node.mesh->bounds());
-      m_work.push_back({std::move(shown), {}, {}});
-    }
-  }
-
-  /// Returns the surface of the node's mesh, which all structures of that mesh share.
-  PreparedSurface& prepared(const model::Node& node) {
-    for (const Work& work : m_work)
-      if (work.shown.mesh == node.mesh)
-        return *work.shown.prepared;
-    PreparedSurface& made = m_surfaces.emplace_back();
-    made.take(node.mesh, node.provenance);
-    return made;
+    m_work = structureWork(m_scene, m_surfaces);
+    for (const StructureWork& work : m_work)
+      m_bounds.add(work.shown.mesh->bounds());
   }
 
   /// Chooses the size of pixels so that all layers fit into memory.
@@ -176,34 +132,21 @@ class Drawing {
       const PixelSize size = pixelSize(m_settings.sizeMm, height);
       m_view.emplace(m_camera, m_bounds, size.width, size.height);
       double pixels = 0.0;
-      parallelFor(m_work.size(), 1, [&](std::size_t i) {
-        // A little beyond the page, as lines at its edge look at pixels beside them.
-        const DrawnStructure& shown = m_work[i].shown;
-        m_work[i].area =
-            coveredArea(shown, *m_view, grown(m_view->whole(), strokeReach(shown, *m_view)));
-      });
-      for (const Work& work : m_work)
+      findAreas(m_work, *m_view);
+      for (const StructureWork& work : m_work)
         pixels += double(work.area.width) * double(work.area.height);
       if (pixels <= mostLayerPixels)
         break;
       height = float(size.height) * float(std::sqrt(0.95 * mostLayerPixels / pixels));
     }
-    std::erase_if(m_work, [](const Work& work) { return work.area.empty(); });
+    std::erase_if(m_work, [](const StructureWork& work) { return work.area.empty(); });
     const model::KeyLight own = m_scene.keyLight().value_or(model::KeyLight());
     m_light = m_settings.environment.light.value_or(own.towards);
     if (m_settings.environment.keyLight.value_or(own.shades))
       m_keyLight = m_view->toPatient(m_light);
     m_page = {.mmPerPixel = m_settings.sizeMm.y / m_view->size().y,
               .heightMm = m_settings.sizeMm.y};
-    // Structures of one mesh share what is made here, so it is made before their lines.
-    std::map<PreparedSurface*, LineNeeds> needs;
-    for (const Work& work : m_work) {
-      LineNeeds& all = needs[work.shown.prepared];
-      all.kinds.add(shownKinds(work.shown.style));
-      all.hatching = all.hatching || showsHatching(work.shown.style);
-    }
-    const std::vector<std::pair<PreparedSurface*, LineNeeds>> each(needs.begin(), needs.end());
-    parallelFor(each.size(), 1, [&](std::size_t i) { each[i].first->need(each[i].second); });
+    prepareLines(m_work);
   }
 
   void addFills(std::span<const DepthLayer> layers, const LayerStack& stack,
@@ -221,22 +164,6 @@ class Drawing {
     });
   }
 
-  void findLines(Work& work) const {
-    if (!hasLines(work.shown))
-      return;
-    const DrawnStructure& shown = work.shown;
-    work.lines.lines =
-        styledLines(*shown.prepared, *m_view, shown.style, shown.gammaOffsets.get(), m_light);
-    if (showsHatching(shown.style))
-      work.lines.hatching = styledHatching(*shown.prepared->strokes, *m_view, shown.style, m_light,
-                                           shown.gammaOffsets.get());
-    if (shown.cut) {
-      cutLines(*shown.cut, work.lines);
-      work.lines.patterns = facePatterns(shown, *m_view);
-    }
-    joinLines(shown.surface(), *m_view, shown.style, m_light, work.lines);
-  }
-
   /// Returns how long outlines of fills may be in total, in addition to these lines; pixels.
   double fillOutline(std::span<const VectorStructure> structures) const {
     std::size_t pieces = 0;
@@ -249,63 +176,35 @@ class Drawing {
     return left / bytesPerOutline * double(m_view->outputUnit());
   }
 
-  VectorStructure drawnLines(Work& work, std::span<const DepthLayer> layers, std::size_t index,
-                             const LayerStack& stack) const {
+  VectorStructure drawnLines(StructureWork& work, std::span<const DepthLayer> layers,
+                             std::size_t index, const LayerStack& stack) const {
     VectorStructure structure;
     structure.id = work.shown.id;
     structure.depth = m_depths[index];
     structure.paintRank = m_ranks[index];
-    if (!hasLines(work.shown))
+    if (!work.hasLines())
       return structure;
     const model::ResolvedStyle& style = work.shown.style;
-    const float ink = evenInk(style);
     const Colour colour = inkColour(style, m_settings.environment.background);
-    StructureLines one;
-    const bool pens = ink > 0.0f && style.penWeight > 0.0f;
-    const auto add = [&](const char* kind, float opacity) {
+    addHidden(work, layers, index, stack, structure);
+    for (const LineLayer& layer : takeLayers(work)) {
       const StrokeScene scene{.stack = stack,
                               .own = layers[index],
                               .ownIndex = index,
                               .projection = m_view->depthTerms(),
                               .probes = contourProbes(work.shown.surface(), *m_view, style),
-                              .ink = opacity};
+                              .ink = layer.opacity};
       PenShapes pen(m_page, vectorTolerance * m_view->outputUnit());
-      const bool hatched = !one.hatching.strokes.empty() || !one.patterns.empty();
-      std::vector<VisibleStroke> visible;
-      for (const InkChain& chain :
-           inkChains(strokes(work.shown.surface(), *m_view, style, one, work.area)))
-        for (VisibleStroke& stroke : withinPage(visibleStrokes(chain, scene), m_view->size()))
-          visible.push_back(std::move(stroke));
-      if (!hatched)
-        visible = withoutCrumbs(std::move(visible), m_view->outputUnit(), style.shortestLine);
-      for (const VisibleStroke& stroke : visible)
+      for (const VisibleStroke& stroke : seenLines(work, layer.lines, scene, *m_view))
         pen.add(stroke, colour);
-      one = {};
       if (std::vector<VectorShape> shapes = pen.take(); !shapes.empty())
-        structure.lines.push_back({kind, opacity, false, std::move(shapes)});
-    };
-    addHidden(work, layers, index, stack, structure);
-    if (pens) {
-      one.hatching = std::move(work.lines.hatching);
-      add(hatchingLayer, ink);
-    }
-    if (!work.lines.patterns.empty()) {
-      one.patterns = std::move(work.lines.patterns);
-      add(cutTissueLayer, 1.0f);
-    }
-    for (const LineTechnique& technique : lineTechniques()) {
-      // Cut edges stay outlined where other lines leave.
-      const bool stays = technique.pen == LinePen::cutEdge;
-      if (!pens && !stays)
-        continue;
-      one.lines[technique.kind] = std::move(work.lines.lines[technique.kind]);
-      add(technique.layer, stays ? 1.0f : ink);
+        structure.lines.push_back({layer.kind, layer.opacity, false, std::move(shapes)});
     }
     return structure;
   }
 
   /// Adds the parts of the outlines that other structures hide, where the style wants them.
-  void addHidden(const Work& work, std::span<const DepthLayer> layers, std::size_t index,
+  void addHidden(const StructureWork& work, std::span<const DepthLayer> layers, std::size_t index,
                  const LayerStack& stack, VectorStructure& structure) const {
     const model::ResolvedStyle& style = work.shown.style;
     const model::Surface& surface = work.shown.surface();
@@ -332,9 +231,8 @@ class Drawing {
   const model::Camera& m_camera;
   const VectorSettings& m_settings;
   const VectorProgress& m_progress;
-  std::deque<PreparedSurface> m_surfaces;
-  SectionCache<SectionedSurface> m_sections;
-  std::vector<Work> m_work;
+  KeptSurfaces m_surfaces;
+  std::vector<StructureWork> m_work;
   model::Box m_bounds;
   std::optional<PictureView> m_view;
   PageMapping m_page;

@@ -50,14 +50,39 @@ class Engine {
     this.setTexts = new Map();
     /** @type {CanvasRenderingContext2D | null} */
     this.measure = document.createElement("canvas").getContext("2d");
+    /** @type {CanvasRenderingContext2D | null} */
+    this.pen = null;
+    /** The fills of a drawing without WebGL. @type {HTMLCanvasElement | null} */
+    this.fills = null;
     module._slineOpen();
-    const context = module.GL.createContext(this.canvas, {
+    if (!this.openWebgl())
+      this.openPen();
+  }
+
+  /** Opens the picture that WebGL 2 draws; returns false where there is none. */
+  openWebgl() {
+    const context = this.module.GL.createContext(this.canvas, {
       alpha: false, antialias: false, depth: false, stencil: false, majorVersion: 2,
       premultipliedAlpha: true, preserveDrawingBuffer: true,
     });
-    if (!context || !module.GL.makeContextCurrent(context))
-      throw new Error("WebGL 2 is not available");
-    this.check(module._slineOpenPicture());
+    return Boolean(context && this.module.GL.makeContextCurrent(context) &&
+      this.module._slineOpenPicture());
+  }
+
+  /** Opens a canvas on which the same strokes are drawn one by one. */
+  openPen() {
+    this.pen = this.canvas.getContext("2d");
+    if (!this.pen) {
+      // A canvas that has tried WebGL gives nothing else.
+      const fresh = /** @type {HTMLCanvasElement} */ (this.canvas.cloneNode(false));
+      this.canvas.replaceWith(fresh);
+      this.canvas = fresh;
+      this.pen = fresh.getContext("2d");
+    }
+    if (!this.pen)
+      throw new Error("This browser has neither WebGL 2 nor a canvas");
+    this.means = "canvas";
+    this.fills = document.createElement("canvas");
   }
 
   /** @param {number | boolean} fine throws what went wrong */
@@ -271,7 +296,13 @@ class Engine {
   /** @param {boolean} moving */
   draw(moving) {
     const began = performance.now();
-    const ratio = this.ratio * this.module._slineScale(moving);
+    const complete = this.pen ? this.drawStrokes(this.pen, moving) : this.drawPicture(moving);
+    const labels = this.drawLabels(moving);
+    return { labels, milliseconds: performance.now() - began, complete };
+  }
+
+  /** Gives the canvas its pixels. @param {number} ratio of its pixels to the page's */
+  setCanvas(ratio) {
     const width = Math.max(1, Math.round(this.width * ratio));
     const height = Math.max(1, Math.round(this.height * ratio));
     if (this.canvas.width !== width || this.canvas.height !== height) {
@@ -279,10 +310,66 @@ class Engine {
       this.canvas.height = height;
     }
     this.module._slineSize(width, height, ratio);
+  }
+
+  /** Draws by WebGL. @param {boolean} moving */
+  drawPicture(moving) {
+    this.setCanvas(this.ratio * this.module._slineScale(moving));
     const state = this.module._slineDraw(moving);
     this.check(state >= 0);
-    const labels = this.drawLabels(moving);
-    return { labels, milliseconds: performance.now() - began, complete: state === 1 };
+    return state === 1;
+  }
+
+  /** Draws stroke by stroke. @param {CanvasRenderingContext2D} pen @param {boolean} moving */
+  drawStrokes(pen, moving) {
+    this.setCanvas(this.ratio);
+    const at = this.module._slineDrawCanvas(moving) / 4;
+    const [width, height, pixels, first, count] = new Uint32Array(this.module.HEAPU8.buffer).subarray(at, at + 5);
+    const fills = /** @type {HTMLCanvasElement} */ (this.fills);
+    fills.width = width;
+    fills.height = height;
+    const image = new ImageData(
+      new Uint8ClampedArray(this.module.HEAPU8.slice(pixels, pixels + 4 * width * height)), width, height);
+    fills.getContext("2d")?.putImageData(image, 0, 0);
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.globalAlpha = 1;
+    pen.imageSmoothingEnabled = true;
+    pen.drawImage(fills, 0, 0, this.canvas.width, this.canvas.height);
+    pen.setTransform(this.canvas.width / width, 0, 0, this.canvas.height / height, 0, 0);
+    pen.lineCap = "round";
+    pen.lineJoin = "round";
+    this.strokeAll(pen, this.module.HEAPF32, first / 4, count);
+    return !moving;
+  }
+
+  /**
+   * Strokes lines; neighbours of one pen are stroked together.
+   * @param {CanvasRenderingContext2D} pen @param {Float32Array} numbers @param {number} at @param {number} count
+   */
+  strokeAll(pen, numbers, at, count) {
+    let last = "";
+    for (let i = 0; i < count; ++i) {
+      const [red, green, blue, opacity, width, points] = numbers.subarray(at, at + 6);
+      const widthNow = Math.round(width * 8) / 8;
+      const opacityNow = Math.round(opacity * 32) / 32;
+      const look = `${red},${green},${blue},${opacityNow},${widthNow}`;
+      if (look !== last) {
+        if (last)
+          pen.stroke();
+        pen.beginPath();
+        pen.strokeStyle = `rgb(${red},${green},${blue})`;
+        pen.globalAlpha = opacityNow;
+        pen.lineWidth = widthNow;
+        last = look;
+      }
+      at += 6;
+      pen.moveTo(numbers[at], numbers[at + 1]);
+      for (let k = 1; k < points; ++k)
+        pen.lineTo(numbers[at + 2 * k], numbers[at + 2 * k + 1]);
+      at += 2 * points;
+    }
+    if (last)
+      pen.stroke();
   }
 
   /** @param {boolean} moving @returns {Placed[]} */

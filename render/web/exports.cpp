@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -176,6 +177,41 @@ EMSCRIPTEN_KEEPALIVE int slineDraw(bool moving) {
     return -1;
   }
   return *drawn ? 1 : 0;
+}
+
+/// Draws for a canvas without OpenGL. Returns the places of five numbers: the width and height of
+/// the fills, where their pixels are (RGBA), where the strokes are and how many there are. Each
+/// stroke is: red, green, blue (0 … 255), opacity, width, the count of points, and these, in pixels
+/// of the fills.
+EMSCRIPTEN_KEEPALIVE const std::uint32_t* slineDrawCanvas(bool moving) {
+  static std::array<std::uint32_t, 5> places{};
+  const CanvasDrawing& drawing = engine->drawCanvas(moving);
+  numbers.clear();
+  for (const CanvasStroke& stroke : drawing.strokes) {
+    for (const std::uint8_t channel : {stroke.colour.red, stroke.colour.green, stroke.colour.blue})
+      numbers.push_back(float(channel));
+    numbers.push_back(stroke.opacity);
+    numbers.push_back(stroke.width);
+    numbers.push_back(float(stroke.points.size()));
+    for (const glm::vec2& point : stroke.points) {
+      numbers.push_back(point.x);
+      numbers.push_back(point.y);
+    }
+  }
+  places = {std::uint32_t(drawing.width), std::uint32_t(drawing.height),
+            std::uint32_t(reinterpret_cast<std::uintptr_t>(drawing.rgba.data())),
+            std::uint32_t(reinterpret_cast<std::uintptr_t>(numbers.data())),
+            std::uint32_t(drawing.strokes.size())};
+  return places.data();
+}
+
+/// Returns the count of numbers, then three for each end of `PageEngine::segments`.
+EMSCRIPTEN_KEEPALIVE const float* slineSegments() {
+  numbers.assign(1, 0.0f);
+  for (const glm::vec3& end : engine->segments())
+    put(end);
+  numbers[0] = float(numbers.size());
+  return numbers.data();
 }
 
 /// Lays labels out. Returns the count of numbers, then for each label: its id, 1 where it is

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "model/edit/look.h"
@@ -13,6 +14,7 @@
 #include "model/scene/framing.h"
 #include "render/labels/anchors.h"
 #include "render/labels/obstacles.h"
+#include "render/lines/line_technique.h"
 
 namespace sline::render::web {
 
@@ -198,6 +200,36 @@ Result<bool> PageEngine::draw(bool moving) {
   if (moving && m_picture->timings().layersDrawn > 0)
     m_quality.took(took.count(), fineness);
   return !m_picture->timings().makeshift && fineness.full();
+}
+
+const CanvasDrawing& PageEngine::drawCanvas(bool moving) {
+  // As many rows as depth needs to tell what hides what; lines are drawn at any size.
+  constexpr int restRows = 900;
+  constexpr int movingRows = 360;
+  const int rows = std::min(m_size.height, moving ? movingRows : restRows);
+  const int columns = std::max(1, int(std::lround(float(rows) * aspect())));
+  m_drawing = m_drawer.draw(m_shown, m_camera, {.width = columns, .height = rows});
+  return m_drawing;
+}
+
+std::vector<glm::vec3> PageEngine::segments() {
+  std::vector<StructureWork> work = structureWork(m_shown, m_surfaces);
+  model::Box bounds;
+  for (const StructureWork& one : work)
+    bounds.add(one.shown.mesh->bounds());
+  const PictureView view(m_camera, bounds, m_size.width, m_size.height);
+  prepareLines(work);
+  std::vector<glm::vec3> ends;
+  for (const StructureWork& one : work) {
+    const LineSet lines =
+        styledLines(*one.shown.prepared, view, one.shown.style, one.shown.gammaOffsets.get());
+    for (const LineTechnique& technique : lineTechniques())
+      for (const Segment& segment : lines[technique.kind]) {
+        ends.push_back(segment.a);
+        ends.push_back(segment.b);
+      }
+  }
+  return ends;
 }
 
 void PageEngine::layOutLabels(bool moving) {

@@ -18,6 +18,8 @@
 #include "render/picking/pick_index.h"
 #include "render/picture/motion_quality.h"
 #include "render/picture/picture.h"
+#include "render/vectors/canvas_drawing.h"
+#include "render/vectors/structure_work.h"
 
 namespace sline::render::web {
 
@@ -77,6 +79,12 @@ class PageEngine {
   /// Draws into the context's own framebuffer. While the camera moves, surfaces are as coarse as
   /// they must be. Returns whether nothing is missing that one drawn at rest has.
   Result<bool> draw(bool moving);
+  /// Draws without OpenGL: fills as pixels and strokes (canvas_drawing.h), coarser while the camera
+  /// moves, so that `scale` of the pixels are enough.
+  const CanvasDrawing& drawCanvas(bool moving);
+  /// Returns the segments of all lines that the scene's styles ask for, in the patient's frame,
+  /// before anything hides them: two ends each. They are the same as the workstation's.
+  std::vector<glm::vec3> segments();
   /// Finds labels' places and lays them out for the camera.
   void layOutLabels(bool moving);
 
@@ -108,6 +116,9 @@ class PageEngine {
   bool m_hasCamera = false;
   PageSize m_size;
 
+  KeptSurfaces m_surfaces;
+  CanvasDrawer m_drawer;
+  CanvasDrawing m_drawing;
   std::unique_ptr<Picture> m_picture;
   std::unique_ptr<gpu::Target> m_canvas;
   MotionQuality m_quality;

@@ -109,7 +109,7 @@ class AltTextCommandTest : public QObject {
   }
   void noAnswersAreGivenAway() {
     QFETCH(QString, labels);
-    QCOMPARE(kindsThatSay("QZXLABEL", m_scene, {"--labels", labels}), QString("anki glb"));
+    QCOMPARE(kindsThatSay("QZXLABEL", m_scene, {"--labels", labels}), QString("anki glb page"));
   }
 
   /// The pictures of a deck name what they answer alone.
@@ -179,7 +179,7 @@ class AltTextCommandTest : public QObject {
     const QString scene = path("printed.sline");
     QVERIFY(QFile::copy(m_scene, scene));
     QCOMPARE(runSline({"credit", scene, "--source", "QZXSOURCE"}).code, 0);
-    QCOMPARE(kindsThatSay("QZXSOURCE", scene, {}), QString("glb"));
+    QCOMPARE(kindsThatSay("QZXSOURCE", scene, {}), QString("glb page"));
     QCOMPARE(kindsThatSay("QZXSOURCE", scene, {"--credits", "off"}), QString());
     QCOMPARE(kindsThatSay("QZXSOURCE", scene, {"--credits", "line"}), all());
     QCOMPARE(kindsThatSay("QZXSOURCE", scene, {"--credits", "page"}), all());

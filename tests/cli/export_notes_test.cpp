@@ -72,6 +72,10 @@ class ExportNotesTest : public QObject {
     row("white", {"--jpeg", "a.jpg", "--background", "transparent"}, {"stands on white", "--png"});
     row("depth", {"--jpeg", "a.jpg", "--bits", "16"}, {"fewer than 16 bits"});
     row("two kinds", {"--jpeg", "a.jpg", "--tiff", "a.tiff", "--bits", "16"}, {"a.jpg: a channel"});
+    row("simplified page", {"--page", "a.html", "--page-error", "0.5"},
+        {"surfaces are simplified and off by 0.", "mm at most", "--page-error"});
+    row("a quiz of nothing", {"--page", "a.html", "--ask-only", "renal vein", "--only", "kidney"},
+        {"the quiz asks nothing", "--quiz off"});
     row("odd film", {"--gif", "a.gif", "--seconds", "0.27", "--fps", "10", "--film-height", "35"},
         {"36 pixels large", "0.30 seconds"});
   }

@@ -188,6 +188,8 @@ class ExportPrivacyTest : public QObject {
     const QStringList test{"--views", "all", "--sheet", "teaching", "--word-bank", "--key", "end"};
     QTest::newRow("a lesson with tests") << "pdf"
                                          << "pdf" << test;
+    QTest::newRow("a quiz alone") << "page"
+                                  << "html" << QStringList{"--quiz", "only"};
     QTest::newRow("cards of every kind")
         << "anki"
         << "apkg" << size + QStringList{"--views", "all", "--cover-cards"};

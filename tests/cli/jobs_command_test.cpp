@@ -206,9 +206,10 @@ class JobsCommandTest : public QObject {
     for (const QByteArray& line : runSline({"export", "--help"}).out.split('\n'))
       if (line.startsWith("  --") && (line.contains(" FILE") || line.contains(" FOLDER")))
         flags << QString::fromUtf8(line).trimmed().section(' ', 0, 0);
-    const QStringList targets{"--png",  "--tiff",   "--jpeg",  "--exr", "--webp-picture", "--jp2",
-                              "--svg",  "--pdf",    "--glb",   "--mp4", "--webp",         "--gif",
-                              "--anki", "--frames", "--video", "--pptx"};
+    const QStringList targets{"--png",  "--tiff", "--jpeg",       "--exr",    "--webp-picture",
+                              "--jp2",  "--svg",  "--pdf",        "--glb",    "--mp4",
+                              "--webp", "--gif",  "--anki",       "--frames", "--video",
+                              "--pptx", "--page", "--page-folder"};
     QStringList known = targets + QStringList{"--camera", "--text"};
     flags.sort();
     known.sort();

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
       std::cerr << "  " << name << '\n';
     return 2;
   }
+  qputenv("SLINE_PAGE", SLINE_TEST_PAGE);
   std::vector<char*> arguments(argv, argv + argc + 1);
   arguments.erase(arguments.begin() + 1);
   return found->second(argc - 1, arguments.data());

@@ -80,6 +80,12 @@ QString fact(const render::ExportNote& note) {
       return tr("The film is %1 pixels large, as its sides are even numbers.");
     case Kind::filmStretched:
       return tr("The film takes %1 seconds, as it has whole pictures alone.");
+    case Kind::pageLarge:
+      return tr("The page has %1 million triangles, too many for telephones.");
+    case Kind::pageSimplified:
+      return tr("Surfaces are simplified and off by %1 mm at most, which the page says.");
+    case Kind::quizEmpty:
+      return tr("The quiz asks nothing, as no label is to be asked for.");
   }
   return {};
 }
@@ -116,8 +122,13 @@ QString remedy(render::ExportNote::Kind kind) {
       return tr("Take PNG, TIFF, SVG or WebP to keep it transparent.");
     case Kind::depthNotKept:
       return tr("Take PNG or TIFF for more.");
+    case Kind::pageLarge:
+      return tr("Let surfaces be off by 0.2 mm, or export less.");
+    case Kind::quizEmpty:
+      return tr("Label structures, or choose no quiz.");
     case Kind::filmRounded:
     case Kind::filmStretched:
+    case Kind::pageSimplified:
       return {};
   }
   return {};

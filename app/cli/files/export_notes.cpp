@@ -45,6 +45,20 @@ std::string filmText(const render::ExportNote& note) {
          " seconds, as it has whole frames alone. Give --seconds that --fps divides evenly";
 }
 
+/// Returns the text of a note on a students' page.
+std::string pageText(const render::ExportNote& note) {
+  if (note.kind == render::ExportNote::Kind::pageLarge)
+    return "the page has " + plain(note.detail) +
+           " million triangles, too many for telephones. Give --page-triangles 500000 or "
+           "--page-error 0.2, which simplify surfaces, or export less with --only";
+  if (note.kind == render::ExportNote::Kind::pageSimplified)
+    return "surfaces are simplified and off by " + plain(note.detail) +
+           " mm at most, which the page says. Leave out --page-triangles and --page-error for "
+           "exact ones";
+  return "the quiz asks nothing, as no label is to be asked for. Label structures with `sline "
+         "annotate`, or give --quiz off";
+}
+
 }  // namespace
 
 std::string textOf(const render::ExportNote& note) {
@@ -104,6 +118,10 @@ std::string textOf(const render::ExportNote& note) {
     case Kind::filmRounded:
     case Kind::filmStretched:
       return filmText(note);
+    case Kind::pageLarge:
+    case Kind::pageSimplified:
+    case Kind::quizEmpty:
+      return pageText(note);
   }
   return {};
 }

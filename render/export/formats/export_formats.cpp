@@ -22,6 +22,8 @@
 #include "render/export/pixels/pixel_weight.h"
 #include "render/export/slides/slide_options.h"
 #include "render/export/slides/slides_file.h"
+#include "render/export/students/students_file.h"
+#include "render/export/students/students_options.h"
 #include "render/export/svg/svg_file.h"
 
 namespace sline::render {
@@ -189,6 +191,34 @@ constexpr std::array formats{
         .options = slideOptions,
         .write = writeSlides,
         .foreseen = drawingNotes},
+    ExportFormat{
+        .id = "page",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "For students (HTML page)"),
+        .help = QT_TRANSLATE_NOOP(
+            "sline::render::ExportFormat",
+            "One file for any browser, also offline and on telephones: the scene to turn, with its "
+            "tree, labels, saved views as a tour, and a quiz"),
+        .extension = "html",
+        .otherExtension = "htm",
+        .page = PageUse::none,
+        .oneView = false,
+        .names = true,
+        .options = studentsOptions,
+        .write = writeStudentsPage,
+        .foreseen = studentsNotes},
+    ExportFormat{
+        .id = "page-folder",
+        .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "For students (web site)"),
+        .help = QT_TRANSLATE_NOOP(
+            "sline::render::ExportFormat",
+            "The same page as a new folder of files for a web server, most of which are the same "
+            "for every scene; browsers do not open it from a disk"),
+        .page = PageUse::none,
+        .oneView = false,
+        .names = true,
+        .options = studentsOptions,
+        .write = writeStudentsFolder,
+        .foreseen = studentsNotes},
     ExportFormat{.id = "glb",
                  .title = QT_TRANSLATE_NOOP("sline::render::ExportFormat", "GLB surfaces (glTF)"),
                  .help = QT_TRANSLATE_NOOP(

@@ -27,7 +27,10 @@ struct ExportNote {
     standsOnWhite,       ///< the kind of file has no transparency
     depthNotKept,        ///< `detail`: bits per channel that were asked for
     filmRounded,         ///< `detail`: "1282 × 722", pixels
-    filmStretched        ///< `detail`: its seconds
+    filmStretched,       ///< `detail`: its seconds
+    pageLarge,           ///< for telephones; `detail`: millions of triangles
+    pageSimplified,      ///< `detail`: by how many millimetres surfaces are off at most
+    quizEmpty            ///< there is nothing that its questions could ask for
   };
   Kind kind = Kind::labelsWithoutRoom;
   std::vector<std::string> names;  ///< plain text; two labels may have the same

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests the questions of a students' page: what is asked, which answers are right and that wrong
+// ones are none of them.
+#include <set>
+
+#include "model/edit/views.h"
+#include "render/export/order/test_options.h"
+#include "render/export/students/answer_hash.h"
+#include "tests/render/export/slides/lesson.h"
+#include "tests/render/export/students/page_parts.h"
+#include "tests/support/shapes.h"
+#include "tests/support/suite.h"
+
+namespace sline::test {
+
+namespace {
+
+using nlohmann::json;
+
+/// Returns balls with names and, except for those without, labels that say the same.
+render::ExportOrder named(const std::vector<std::string>& names, bool labels = true) {
+  render::ExportOrder order = lessonOf(names);
+  if (!labels)
+    order.scene.setAnnotations({});
+  return order;
+}
+
+std::vector<json> questionsOf(const render::ExportOrder& order, const std::string& kind,
+                              const render::StudentsOptions& own = {.title = "Lesson"}) {
+  std::vector<json> all;
+  const json facts = factsOf(pageOf(order, own).html);
+  for (const json& question : facts["quiz"]["questions"])
+    if (question["kind"] == kind)
+      all.push_back(question);
+  return all;
+}
+
+/// Returns a group of tubes along x, named so; each is shorter and thinner by a share.
+render::ExportOrder tubes(const std::vector<std::string>& names, float step = 40.0f) {
+  render::ExportOrder order;
+  model::Node group;
+  group.name = "Arteries";
+  const model::NodeId parent = order.scene.append(group);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    model::Node node;
+    node.name = names[i];
+    node.parent = parent;
+    node.mesh = moved(*cylinder(5.0f - float(i), 40.0f, 24, 20), 1.0f, {0, 0, step * float(i)});
+    order.scene.append(std::move(node));
+  }
+  fitCamera(order);
+  return order;
+}
+
+}  // namespace
+
+class PageQuizTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void kinds() {
+    const std::vector<std::string> names{"liver", "spleen", "stomach", "pancreas", "duodenum"};
+    const render::ExportOrder order = named(names);
+    for (const char* kind : {"find", "name", "choose"}) {
+      const std::vector<json> asked = questionsOf(order, kind);
+      QCOMPARE(asked.size(), names.size());
+      QCOMPARE(asked[0]["structures"], json({order.scene.nodes()[0].id.value}));
+      QCOMPARE(asked[0]["labels"], json({order.scene.annotations()[0].id.value}));
+      QCOMPARE(asked[0]["words"]["de"], json("Leber"));
+    }
+    QVERIFY(questionsOf(order, "find")[0]["answers"].empty());
+    const std::vector<json> dragged = questionsOf(order, "drag");
+    QCOMPARE(dragged.size(), std::size_t(1));
+    QCOMPARE(dragged[0]["structures"].size(), names.size());
+    QCOMPARE(dragged[0]["labels"].size(), names.size());
+    QCOMPARE(dragged[0]["choices"][1]["en"], json("spleen"));
+    QVERIFY(questionsOf(order, "order").empty());
+    std::set<std::string> ids;
+    const json facts = factsOf(pageOf(order).html);
+    for (const json& question : facts["quiz"]["questions"])
+      QVERIFY(ids.insert(question["id"].get<std::string>()).second);
+  }
+
+  void choicesOfTheTeacher() {
+    const render::ExportOrder order = named({"liver", "spleen", "stomach"});
+    const auto quiz = [&order](const render::StudentsOptions& own) {
+      return factsOf(pageOf(order, own).html)["quiz"];
+    };
+    QVERIFY(quiz({.quiz = render::QuizMode::off})["questions"].empty());
+    QCOMPARE(quiz({.quiz = render::QuizMode::off})["mode"], json("off"));
+    const json few = quiz({.find = false,
+                           .name = false,
+                           .drag = false,
+                           .counts = false,
+                           .lockCamera = true,
+                           .lockLook = true});
+    QCOMPARE(few["questions"].size(), std::size_t(3));
+    QCOMPARE(few["questions"][0]["kind"], json("choose"));
+    QCOMPARE(few["counts"], json(false));
+    QCOMPARE(few["lockCamera"], json(true));
+    QCOMPARE(few["lockLook"], json(true));
+    render::ExportOrder some = order;
+    some.of<render::TestOptions>().names = "spleen";
+    QCOMPARE(questionsOf(some, "find").size(), std::size_t(1));
+  }
+
+  /// Each name of the structure in any of the languages is right, and hashed.
+  void answers() {
+    const render::ExportOrder order = named({"left kidney", "my own thing"});
+    const json quiz = factsOf(pageOf(order).html)["quiz"];
+    const std::string salt = quiz["salt"];
+    QCOMPARE(salt.size(), std::size_t(16));
+    const std::vector<json> asked = questionsOf(order, "name");
+    const auto accepts = [&salt](const json& question, const char* name) {
+      const json& answers = question["answers"];
+      return std::find(answers.begin(), answers.end(), render::answerHash(salt, name)) !=
+             answers.end();
+    };
+    for (const char* name :
+         {"left kidney", "Left Kidney ", "linke Niere", "ren sinister", "venstre nyre"})
+      QVERIFY2(accepts(asked[0], name), name);
+    for (const char* name : {"kidney", "right kidney", "my own thing", ""})
+      QVERIFY2(!accepts(asked[0], name), name);
+    QVERIFY(accepts(asked[1], "My own thing"));
+  }
+
+  /// Whatever is called, no wrong choice is another name of the right one.
+  void distractorsAreNeverRight() {
+    const std::vector<std::string> names{
+        "left kidney",    "kidney", "right kidney", "Niere",        "liver",
+        "hepar",          "liver",  "spleen",       "ren sinister", "left renal artery",
+        "urinary bladder"};
+    render::ExportOrder order = named(names);
+    const json facts = factsOf(pageOf(order).html);
+    const std::string salt = facts["quiz"]["salt"];
+    std::map<json, json> answers;  // by what is asked for
+    for (const json& question : questionsOf(order, "name"))
+      answers[question["labels"]] = question["answers"];
+    const std::vector<json> asked = questionsOf(order, "choose");
+    QVERIFY(asked.size() >= 6);
+    for (const json& question : asked) {
+      const auto right = question["right"].get<std::size_t>();
+      QCOMPARE(question["choices"][right], question["words"]);
+      QVERIFY(question["choices"].size() >= 2 && question["choices"].size() <= 4);
+      std::set<std::string> said;
+      for (std::size_t i = 0; i < question["choices"].size(); ++i)
+        for (const auto& [tag, name] : question["choices"][i].items()) {
+          const std::string hash = render::answerHash(salt, name.get<std::string>());
+          const json& accepted = answers[question["labels"]];
+          const bool known = std::find(accepted.begin(), accepted.end(), hash) != accepted.end();
+          QVERIFY2(i == right || !known, name.get<std::string>().c_str());
+          if (tag == "en")
+            QVERIFY2(said.insert(name).second, name.get<std::string>().c_str());
+        }
+      // A kidney without a side may be the left one.
+      if (question["words"]["en"] == "kidney")
+        for (const json& choice : question["choices"])
+          QVERIFY2(choice["en"] == "kidney" ||
+                       choice["en"].get<std::string>().find("kidney") == std::string::npos,
+                   choice.dump().c_str());
+    }
+  }
+
+  void neighboursAndKinFirst() {
+    // In a grid of two columns the first two are neighbours; the artery is far off.
+    render::ExportOrder order = named({"liver", "spleen", "stomach", "pancreas", "aorta"});
+    std::vector<model::Node> nodes = order.scene.nodes();
+    nodes[4].mesh = moved(*sphere(10.0f, 1), 1.0f, {900.0f, 0.0f, 0.0f});
+    order.scene.setNodes(nodes);
+    for (const json& question : questionsOf(order, "choose"))
+      if (question["words"]["en"] != "aorta")
+        for (const json& choice : question["choices"])
+          QVERIFY2(choice["en"] != "aorta", question.dump().c_str());
+  }
+
+  void labelsOfViews() {
+    render::ExportOrder order = named({"liver", "spleen"});
+    std::vector<model::Annotation> annotations = order.scene.annotations();
+    std::vector<model::View> views;
+    addView(order, views, "Both");
+    annotations[1].visible = false;
+    order.scene.setAnnotations(annotations);
+    order.scene.setViews(views);
+    const std::vector<json> asked = questionsOf(order, "find");
+    QCOMPARE(asked.size(), std::size_t(2));
+    QVERIFY(!asked[0].contains("view"));
+    QCOMPARE(asked[1]["view"], json(1));
+  }
+
+  /// Where there is no label, those structures get one that are seen.
+  void unlabelled() {
+    const render::ExportOrder order = named({"liver", "spleen", "stomach"}, false);
+    const json facts = factsOf(pageOf(order).html);
+    QCOMPARE(facts["labels"].size(), std::size_t(3));
+    QCOMPARE(questionsOf(order, "name").size(), std::size_t(3));
+    render::ExportOrder without = order;
+    without.labels.mode = render::LabelMode::off;
+    QCOMPARE(factsOf(pageOf(without).html)["labels"].size(), std::size_t(0));
+    QCOMPARE(questionsOf(without, "find").size(), std::size_t(3));
+  }
+
+  void chains_data() {
+    QTest::addColumn<QStringList>("names");
+    QTest::addColumn<float>("step");
+    QTest::addColumn<QStringList>("order");
+    const QStringList arteries{"abdominal aorta", "left common iliac artery",
+                               "left external iliac artery", "left femoral artery"};
+    QTest::newRow("arteries") << arteries << 40.0f << arteries;
+    const QStringList veins{"inferior vena cava", "left common iliac vein",
+                            "left external iliac vein"};
+    QTest::newRow("veins flow back") << veins << 40.0f << QStringList{veins[2], veins[1], veins[0]};
+    QTest::newRow("apart") << arteries << 60.0f << QStringList();
+    QTest::newRow("beside each other") << arteries << 1.0f << QStringList();
+    QTest::newRow("too few") << arteries.mid(0, 2) << 40.0f << QStringList();
+    QTest::newRow("organs") << QStringList{"liver", "spleen", "stomach"} << 40.0f << QStringList();
+  }
+  void chains() {
+    QFETCH(QStringList, names);
+    QFETCH(float, step);
+    QFETCH(QStringList, order);
+    std::vector<std::string> all;
+    for (const QString& name : names)
+      all.push_back(name.toStdString());
+    const std::vector<json> asked = questionsOf(tubes(all, step), "order");
+    QStringList found;
+    for (const json& question : asked)
+      for (const json& choice : question["choices"])
+        found << QString::fromStdString(choice["en"]);
+    QCOMPARE(found, order);
+    if (!asked.empty()) {
+      QCOMPARE(asked[0]["words"]["de"], json("Arterien"));
+      QCOMPARE(asked[0]["structures"].size(), std::size_t(order.size()));
+    }
+  }
+};
+
+}  // namespace sline::test
+
+SLINE_TEST_WITH_GUI(sline::test::PageQuizTest)
+#include "page_quiz_test.moc"

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/web/page_engine.h"
+
+#include <QtTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+
+#include "model/demo/demo.h"
+#include "model/disk/cache_folder.h"
+#include "render/picture/headless/headless_picture.h"
+#include "tests/support/shapes.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::render::web;
+
+namespace {
+
+/// Two balls in a group, one of them labelled, and a view from the left that hides the other.
+struct Balls {
+  model::Scene scene;
+  model::NodeId group;
+  model::NodeId near;
+  model::NodeId far;
+
+  Balls() {
+    group = scene.append({.name = "balls"});
+    near = scene.append({.parent = group,
+                         .name = "near",
+                         .mesh = test::moved(*test::sphere(30.0f, 4), 1.0f, {0.0f, -80.0f, 0.0f})});
+    far = scene.append({.parent = group,
+                        .name = "far",
+                        .mesh = test::moved(*test::sphere(30.0f, 4), 1.0f, {90.0f, 0.0f, 0.0f})});
+    scene.appendAnnotation({.anchors = {model::SurfacePoint{.structure = near}},
+                            .text = "near",
+                            .texts = {},
+                            .colour = {},
+                            .found = true,
+                            .offset = {}});
+    model::View view{.name = "left",
+                     .camera = model::anatomicalCamera(model::AnatomicalView::left,
+                                                       scene.visibleBounds(), 4.0f / 3.0f)};
+    model::Style hidden;
+    hidden.visible = false;
+    view.looks = {{{.node = far, .style = hidden, .unread = {}}}};
+    scene.setViews({view});
+  }
+
+  std::unique_ptr<PageEngine> engine() const {
+    auto made = std::make_unique<PageEngine>();
+    made->setSize({800, 600, 1.0f});
+    const model::PackedScene packed = model::packedScene(scene);
+    if (!made->take(packed.first))
+      qWarning("the scene was not taken");
+    return made;
+  }
+};
+
+/// Tells for each pixel whether something dark is within 1.5 pixels.
+std::vector<bool> inkAround(const std::vector<bool>& ink, int width, int height) {
+  std::vector<bool> around(ink.size(), false);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+          const int u = x + dx;
+          const int v = y + dy;
+          if (u >= 0 && v >= 0 && u < width && v < height && ink[std::size_t(v * width + u)])
+            around[std::size_t(y * width + x)] = true;
+        }
+  return around;
+}
+
+double shareWithin(const std::vector<bool>& from, const std::vector<bool>& around) {
+  int all = 0;
+  int found = 0;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    if (from[i]) {
+      ++all;
+      found += around[i] ? 1 : 0;
+    }
+  return all == 0 ? 0.0 : double(found) / all;
+}
+
+/// Returns the pixels in the middle of strokes: of all, or of those that are so wide and dark that
+/// they make a pixel darker than mid-grey.
+std::vector<bool> inkOf(const render::CanvasDrawing& drawing, bool dark) {
+  std::vector<bool> ink(std::size_t(drawing.width) * std::size_t(drawing.height), false);
+  for (const render::CanvasStroke& stroke : drawing.strokes) {
+    const float own = float(int(stroke.colour.red) + stroke.colour.green + stroke.colour.blue);
+    const float cover = stroke.opacity * std::min(stroke.width, 1.0f);
+    if (dark && glm::mix(3.0f * 255.0f, own, cover) >= 3.0f * 128.0f)
+      continue;
+    for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i)
+      for (float t = 0.0f; t <= 1.0f; t += 0.1f) {
+        const glm::vec2 p = glm::mix(stroke.points[i], stroke.points[i + 1], t);
+        const int x = int(std::floor(p.x));
+        const int y = int(std::floor(p.y));
+        if (x >= 0 && y >= 0 && x < drawing.width && y < drawing.height)
+          ink[std::size_t(y * drawing.width + x)] = true;
+      }
+  }
+  return ink;
+}
+
+}  // namespace
+
+class PageEngineTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void opensOnTheFirstView() {
+    const Balls balls;
+    const auto made = balls.engine();
+    PageEngine& engine = *made;
+    QVERIFY(engine.visible(balls.near));
+    QVERIFY(!engine.visible(balls.far));
+    QCOMPARE(model::nearestAnatomicalView(engine.camera()), model::AnatomicalView::left);
+  }
+
+  void fliesToAView() {
+    const Balls balls;
+    const auto made = balls.engine();
+    PageEngine& engine = *made;
+    const model::Camera there = engine.camera();
+    engine.look(model::AnatomicalView::anterior);
+    engine.goTo(0, 0.0);
+    engine.goTo(0, 0.5);
+    QVERIFY(engine.camera() != there);
+    engine.goTo(0, 1.0);
+    QVERIFY(glm::length(engine.camera().eye - there.eye) < 0.01f);
+    engine.goTo(7, 1.0);  // there is none
+    QVERIFY(glm::length(engine.camera().eye - there.eye) < 0.01f);
+  }
+
+  void gammaIsOfAllInAGroup() {
+    const Balls balls;
+    const auto made = balls.engine();
+    PageEngine& engine = *made;
+    const float before = engine.gamma(balls.near);
+    engine.setGamma({{balls.group}}, 4.5f);
+    QCOMPARE(engine.gamma(balls.near), 4.5f);
+    QCOMPARE(engine.gamma(balls.far), 4.5f);
+    engine.setGamma({{balls.far}}, 77.0f);
+    QCOMPARE(engine.gamma(balls.far), 5.0f);
+    engine.resetLook();
+    QCOMPARE(engine.gamma(balls.near), before);
+    engine.setGamma({{model::NodeId{4711}}}, 1.0f);  // there is none
+    QCOMPARE(engine.gamma(balls.near), before);
+  }
+
+  void eyesOpenAndClose() {
+    const Balls balls;
+    const auto made = balls.engine();
+    PageEngine& engine = *made;
+    engine.setVisible({{balls.far}}, true);
+    QVERIFY(engine.visible(balls.far));
+    engine.setVisible({{balls.group}}, false);
+    QVERIFY(!engine.visible(balls.near));
+    engine.resetLook();
+    QVERIFY(engine.visible(balls.near));
+    QVERIFY(!engine.visible(balls.far));
+  }
+
+  void whatIsSetStaysWhenTheRestComes() {
+    const Balls balls;
+    const model::PackedScene packed = model::packedScene(balls.scene, {.later = {balls.far}});
+    PageEngine engine;
+    engine.setSize({800, 600, 1.0f});
+    QVERIFY(engine.take(packed.first).ok());
+    QCOMPARE(engine.shown().find(balls.far)->mesh->triangleCount(), std::size_t(0));
+    engine.setGamma({{balls.near}}, 3.5f);
+    engine.orbit({100.0f, 0.0f});
+    const model::Camera camera = engine.camera();
+    QVERIFY(engine.take(packed.rest).ok());
+    QVERIFY(engine.shown().find(balls.far)->mesh->triangleCount() > 0);
+    QCOMPARE(engine.gamma(balls.near), 3.5f);
+    QVERIFY(engine.camera() == camera);
+  }
+
+  void refusesWhatIsNoScene() {
+    PageEngine engine;
+    const Status taken = engine.take("nothing of the kind");
+    QVERIFY(!taken.ok());
+    QVERIFY(!taken.error().reason.empty());
+  }
+
+  void picksWhatIsSeen() {
+    const Balls balls;
+    const auto made = balls.engine();
+    PageEngine& engine = *made;
+    engine.setVisible({{balls.far}}, true);
+    engine.setGamma({{balls.group}}, 5.0f);
+    engine.look(model::AnatomicalView::anterior);
+    engine.fit({{balls.near}});
+    QCOMPARE(engine.pick({400.0f, 300.0f}).structure, balls.near);
+    QCOMPARE(engine.pick({2.0f, 2.0f}).structure, model::NodeId{});
+  }
+
+  void zoomKeepsWhatIsUnderTheFinger() {
+    const Balls balls;
+    const auto made = balls.engine();
+    PageEngine& engine = *made;
+    engine.setGamma({{balls.group}}, 5.0f);
+    engine.look(model::AnatomicalView::anterior);
+    engine.setVisible({{balls.far}}, true);
+    const model::Camera before = engine.camera();
+    engine.zoom(2.0f, {400.0f, 300.0f});
+    QVERIFY(glm::length(engine.camera().eye - engine.camera().target) <
+            0.6f * glm::length(before.eye - before.target) + 1.0f);
+    for (int i = 0; i < 100; ++i)
+      engine.zoom(2.0f, {400.0f, 300.0f});
+    QVERIFY(!model::cameraFault(engine.camera()));
+  }
+
+  void labelsStandInThePicture() {
+    const Balls balls;
+    const auto made = balls.engine();
+    PageEngine& engine = *made;
+    engine.layOutLabels(false);
+    QVERIFY(engine.labels().labels.empty());
+    const model::AnnotationId id = engine.shown().annotations().front().id;
+    engine.setLabels({{id, {60.0f, 20.0f}}});
+    engine.layOutLabels(false);
+    QCOMPARE(engine.labels().labels.size(), std::size_t(1));
+    const render::LabelBox box = engine.labels().labels.front().box;
+    const glm::vec2 size = PageEngine::millimetres * glm::vec2(800.0f, 600.0f);
+    QVERIFY(box.low.x >= 0.0f && box.low.y >= 0.0f && box.high.x <= size.x && box.high.y <= size.y);
+    const glm::vec2 middle = box.middle() / PageEngine::millimetres;
+    QCOMPARE(engine.pick(middle).label, id);
+  }
+
+  /// The strokes of a canvas lie where the picture's ink is, and the other way round.
+  void canvasHasThePicturesInk_data() {
+    QTest::addColumn<QString>("demo");
+    QTest::addColumn<float>("gamma");
+    QTest::newRow("pelvis, lines") << "pelvis" << 1.8f;
+    QTest::newRow("kidney, hatched") << "kidney" << 2.6f;
+  }
+  void canvasHasThePicturesInk() {
+    QFETCH(QString, demo);
+    QFETCH(float, gamma);
+    const auto name = model::demoNamed(demo.toStdString());
+    QVERIFY(name);
+    const model::PackedScene packed =
+        model::packedScene(model::demo(*name, model::Sex::female, model::userCacheFolder()));
+    PageEngine engine;
+    engine.setSize({960, 720, 1.0f});
+    QVERIFY(engine.take(packed.first).ok());
+    std::vector<model::NodeId> all;
+    for (const model::Node& node : engine.shown().nodes())
+      if (!node.isGroup())
+        all.push_back(node.id);
+    engine.setGamma(all, gamma);
+    auto picture = render::HeadlessPicture::create();
+    QVERIFY(picture.ok());
+    const auto image =
+        (*picture)->render(engine.shown(), engine.camera(), {.width = 960, .height = 720});
+    QVERIFY(image.ok());
+    std::vector<bool> drawn(std::size_t(960) * 720);
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+      drawn[i] =
+          int(image->rgba[4 * i]) + image->rgba[4 * i + 1] + image->rgba[4 * i + 2] < 3 * 128;
+    const render::CanvasDrawing& canvas = engine.drawCanvas(false);
+    const double there = shareWithin(inkOf(canvas, true), inkAround(drawn, 960, 720));
+    const double back = shareWithin(drawn, inkAround(inkOf(canvas, false), 960, 720));
+    qInfo("%s: %.4f of the canvas' ink, %.4f of the picture's", qPrintable(demo), there, back);
+    QVERIFY(there > 0.97);
+    QVERIFY(back > 0.97);
+  }
+};
+
+SLINE_TEST(PageEngineTest)
+#include "page_engine_test.moc"
