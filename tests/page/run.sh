@@ -42,7 +42,7 @@ if [ "${1:-}" = --made ]; then
   "$sline" export "$made/pelvis.sline" --page "$made/pelvis.html"
   export PAGE_MADE=$made/pelvis.html
   if [ -d "${2:-}/abdomen" ]; then
-    "$sline" export "$2/abdomen" --page "$made/abdomen.html" --page-triangles 300000
+    "$sline" export "$2/abdomen" --page "$made/abdomen.html"
     PAGE_MADE+=:$made/abdomen.html
   fi
   node --test --test-reporter=spec "$here/made_test.mjs"
