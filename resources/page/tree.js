@@ -95,7 +95,10 @@ class StructureTree {
     if (!row) return;
     for (const group of this.lesson.groupsOf(row.node.id)) this.setOpen(group, true);
     this.setStop(row);
-    if (this.element.offsetParent) row.line.scrollIntoView({ block: "nearest" });
+    // The card of what is chosen takes its room first.
+    requestAnimationFrame(() => {
+      if (this.element.offsetParent) row.line.scrollIntoView({ block: "nearest" });
+    });
   }
 
   showLook() {

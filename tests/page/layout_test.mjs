@@ -31,32 +31,35 @@ async function openPanel(page, name) {
 
 test("the drawing keeps its room, nothing runs out of the window, targets are large enough", async () => {
   const address = pages.write();
-  for (const direction of ["ltr", "rtl"])
-    for (const [width, height, touch] of sizes) {
-      const page = await pages.visit(`${address}#structure=left-common-iliac-artery`, { width, height, touch });
-      await page.evaluate((dir) => (document.documentElement.dir = dir), direction);
-      for (const panel of ["Structures", "Tour", "Quiz"]) {
-        await openPanel(page, panel);
-        const what = `${width}×${height} ${direction} ${panel}`;
-        const found = await page.evaluate(() => {
-          const stage = document.getElementById("stage").getBoundingClientRect();
-          const out = [...document.querySelectorAll("#app *")].filter((one) => {
-            const box = one.getBoundingClientRect();
-            return box.width > 1 && box.height > 1 && !one.closest(".overlay, .unseen, .skip") && getComputedStyle(one).visibility === "visible" &&
-                   (box.left < -1 || box.right > innerWidth + 1);
-          }).map((one) => `${one.className} ${one.textContent.slice(0, 30)}`);
-          const small = [...document.querySelectorAll("#app button, #app select, #app input")].filter((one) => {
-            const box = one.getBoundingClientRect();
-            return box.width > 0 && (box.width < 24 || box.height < 24);
-          }).map((one) => `${one.className} ${one.getBoundingClientRect().width}×${one.getBoundingClientRect().height}`);
-          return { scrolls: document.documentElement.scrollWidth > innerWidth, out, small, stage: [stage.width, stage.height] };
-        });
-        assert.deepEqual([found.scrolls, found.out, found.small], [false, [], []], what);
-        assert.ok(found.stage[0] >= Math.min(300, width * 0.5) && found.stage[1] >= Math.min(180, height * 0.3),
-                  `${what}: ${found.stage}`);
-      }
-      await page.done();
+  const small = sizes[0];
+  const cases = [...sizes.flatMap((size) => [[size, "ltr", "en"], [size, "rtl", "en"]]),
+                 ...["de", "nl", "nb"].map((language) => [small, "ltr", language])];
+  for (const [[width, height, touch], direction, language] of cases) {
+    const page = await pages.visit(`${address}#structure=left-common-iliac-artery&language=${language}`, { width, height, touch });
+    await page.evaluate((dir) => (document.documentElement.dir = dir), direction);
+    for (const panel of [0, 1, 2]) {
+      const button = page.locator(".panel-button").nth(panel);
+      if (await button.getAttribute("aria-expanded") === "false") await button.click();
+      const what = `${width}×${height} ${direction} ${language} ${panel}`;
+      const found = await page.evaluate(() => {
+        const stage = document.getElementById("stage").getBoundingClientRect();
+        const out = [...document.querySelectorAll("#app *")].filter((one) => {
+          const box = one.getBoundingClientRect();
+          return box.width > 1 && box.height > 1 && !one.closest(".overlay, .unseen, .skip") && getComputedStyle(one).visibility === "visible" &&
+                 (box.left < -1 || box.right > innerWidth + 1);
+        }).map((one) => `${one.className} ${one.textContent.slice(0, 30)}`);
+        const small = [...document.querySelectorAll("#app button, #app select, #app input")].filter((one) => {
+          const box = one.getBoundingClientRect();
+          return box.width > 0 && (box.width < 24 || box.height < 24);
+        }).map((one) => `${one.className} ${one.getBoundingClientRect().width}×${one.getBoundingClientRect().height}`);
+        return { scrolls: document.documentElement.scrollWidth > innerWidth, out, small, stage: [stage.width, stage.height] };
+      });
+      assert.deepEqual([found.scrolls, found.out, found.small], [false, [], []], what);
+      assert.ok(found.stage[0] >= Math.min(300, width * 0.5) && found.stage[1] >= Math.min(180, height * 0.3),
+                `${what}: ${found.stage}`);
     }
+    await page.done();
+  }
 });
 
 test("axe-core finds nothing serious", async () => {

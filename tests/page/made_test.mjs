@@ -7,6 +7,7 @@ import { after, before, test } from "node:test";
 import { join } from "node:path";
 import { here } from "./assemble.mjs";
 import { modules } from "./browser.mjs";
+import { hashed } from "./lesson.mjs";
 
 const { chromium } = modules("playwright-core");
 const axe = readFileSync(modules.resolve("axe-core/axe.min.js"), "utf8");
@@ -135,23 +136,22 @@ test("made pages: search in every language, deep links, tour", { skip }, async (
 test("made pages: typed names are known, in every language", { skip }, async () => {
   for (const file of made) {
     const { quiz } = factsOf(file);
+    for (const { kind, words, answers } of quiz.questions)
+      if (kind === "name") for (const name of Object.values(words)) assert.ok(answers.includes(hashed(quiz.salt, name)), name);
     const question = quiz.questions.find(({ kind }) => kind === "name");
-    if (!question?.words) continue;
-    for (const name of new Set(Object.values(question.words))) {
-      const page = await open(file);
-      await page.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
-      const round = page.locator(".round select");
-      if (await round.count()) await round.selectOption({ index: await round.locator("option").count() - 1 });
-      await page.getByRole("button", { name: "Begin", exact: true }).click();
-      while (!await page.locator(".typed").isVisible()) {
-        await page.getByRole("button", { name: "I do not know" }).click();
-        await page.locator("#quiz .on").click();
-      }
-      await page.locator(".typed").fill(name);
-      await page.keyboard.press("Enter");
-      assert.equal(await page.locator(".verdict-word").innerText(), "Right.", name);
-      await page.done();
+    const page = await open(file);
+    await page.locator(".panel-nav").getByRole("button", { name: "Quiz" }).click();
+    const round = page.locator(".round select");
+    if (await round.count()) await round.selectOption({ index: await round.locator("option").count() - 1 });
+    await page.getByRole("button", { name: "Begin", exact: true }).click();
+    while (!await page.locator(".typed").isVisible()) {
+      await page.getByRole("button", { name: "I do not know" }).click();
+      await page.locator("#quiz .on").click();
     }
+    await page.locator(".typed").fill(Object.values(question.words)[0]);
+    await page.keyboard.press("Enter");
+    assert.equal(await page.locator(".verdict-word").innerText(), "Right.");
+    await page.done();
   }
 });
 

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # run.sh BUILD_DIR [TEST…]: checks the types of the students' page and works it in headless Chromium,
-# with an engine that draws balls. What npm brings goes into BUILD_DIR. Ends with 77 (skipped) if Node.js,
-# npm or Chromium is absent or npm cannot fetch, unless SLINE_NOTHING_ABSENT is set.
+# with an engine that draws balls. run.sh BUILD_DIR --made DATA: has the built program make pages, of a
+# demo and of the abdomen in the folder DATA, and works those. What npm brings goes into BUILD_DIR. Ends
+# with 77 (skipped) if Node.js, npm, Chromium or the page's program is absent or npm cannot fetch, unless
+# SLINE_NOTHING_ABSENT is set.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=${1:-$here/../../build/release}
@@ -19,19 +21,39 @@ done
 
 work=$build/page_tests
 mkdir -p "$work"
+# Both tests may begin at once.
+exec 9>"$work/lock"
+flock 9
 if ! cmp -s "$here/package-lock.json" "$work/installed"; then
   cp "$here/package.json" "$here/package-lock.json" "$work"
-  (cd "$work" && npm ci --no-audit --no-fund --ignore-scripts >npm.log 2>&1) || absent "npm cannot fetch: $(tail -3 "$work/npm.log")"
+  (cd "$work" && npm ci --no-audit --no-fund --ignore-scripts >npm.log 2>&1) ||
+    absent "npm cannot fetch: $(tail -3 "$work/npm.log")"
   cp "$here/package-lock.json" "$work/installed"
 fi
+flock -u 9
 export PAGE_MODULES=$work/node_modules
 export PAGE_PROGRAMS=$build/bin
+
+if [ "${1:-}" = --made ]; then
+  sline=$build/bin/sline
+  [ -e "${SLINE_PAGE:-$build/bin/page}/engine.wasm" ] || absent "the page's program is not built"
+  made=$work/made
+  mkdir -p "$made"
+  "$sline" demo pelvis -o "$made/pelvis.sline"
+  "$sline" export "$made/pelvis.sline" --page "$made/pelvis.html"
+  export PAGE_MADE=$made/pelvis.html
+  if [ -d "${2:-}/abdomen" ]; then
+    "$sline" export "$2/abdomen" --page "$made/abdomen.html"
+    PAGE_MADE+=:$made/abdomen.html
+  fi
+  node --test --test-reporter=spec "$here/made_test.mjs"
+  exit
+fi
 
 # All scripts of the page share one scope: they are checked together, and engines for being what they use.
 for project in $(node "$here/types.mjs" "$work/types"); do
   "$work/node_modules/.bin/tsc" -p "$project"
 done
-
 tests=("$@")
-[ ${#tests[@]} -eq 0 ] && tests=("$here"/*_test.mjs)
+[ ${#tests[@]} -eq 0 ] && mapfile -t tests < <(ls "$here"/*_test.mjs | grep -v /made_test)
 node --test --test-reporter=spec "${tests[@]}"

@@ -87,6 +87,16 @@ test("Γ: the card's slider, a row's, a group's", async () => {
   await page.done();
 });
 
+test("what is chosen is in sight in the list", async () => {
+  const page = await pages.show({}, { hash: "#structure=rectum", height: 520 });
+  await until(() => page.evaluate(() => {
+    const row = document.querySelector("li[data-id='15'] > .row").getBoundingClientRect();
+    const list = document.getElementById("structures").getBoundingClientRect();
+    return row.top >= list.top - 1 && row.bottom <= list.bottom + 1;
+  }), true);
+  await page.done();
+});
+
 test("eyes show and hide; a group whose part is hidden is mixed; one alone", async () => {
   const page = await pages.show({}, { hash: "#structure=rectum" });
   const eye = (id) => page.locator(`li[data-id='${id}'] > .row .eye`);
