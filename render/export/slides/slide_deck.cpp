@@ -86,7 +86,6 @@ class Making {
     Slide slide;
     slide.title = titleOf(order, view);
     if (view) {
-      order.words = view->words;
       slide.text = wordsIn(view->words.text, m_language);
       slide.notes = wordsIn(view->words.notes, m_language);
     }
