@@ -76,10 +76,7 @@ class Making {
   };
 
   Status addView(ExportOrder order, const model::View* view, const Span& span) {
-    order.page.sizeMm = slidePageMm(m_order, view);
-    order.marks.viewName = false;  // it is the title
-    // They are the slide's, but for what the picture shows.
-    order.words = {.description = std::move(order.words.description)};
+    order = slideFigure(std::move(order), view);
     order.labels.onDark = m_deck.dark;
     if (order.sources == SourceCredits::page)  // they have a slide
       order.sources = SourceCredits::off;

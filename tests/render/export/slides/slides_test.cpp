@@ -36,10 +36,8 @@ std::string written(const render::ExportOrder& order) {
 }
 
 /// Returns the order as its figure is laid out for a picture.
-render::ExportOrder figureOf(render::ExportOrder order) {
-  order.page.sizeMm = render::slidePageMm(order);
-  order.marks.viewName = false;
-  return order;
+render::ExportOrder figureOf(const render::ExportOrder& order) {
+  return render::slideFigure(order, render::shownView(order));
 }
 
 render::SlideBox figureFrame(const render::ExportOrder& order) {
