@@ -5882,6 +5882,90 @@ OpenGL: %3</translation>
         <source>Scale bar</source>
         <translation>Maßstab</translation>
     </message>
+    <message>
+        <source>A panel may have a choice of its own</source>
+        <translation>Ein Bildfeld kann es anders haben</translation>
+    </message>
+    <message>
+        <source>If not as in the other panels</source>
+        <translation>Wenn nicht wie in den anderen Bildfeldern</translation>
+    </message>
+    <message>
+        <source>One column of a journal, one and a half, or two</source>
+        <translation>Eine Spalte einer Zeitschrift, anderthalb oder zwei</translation>
+    </message>
+    <message>
+        <source>For pages that no journal prescribes</source>
+        <translation>Für Seiten, die keine Zeitschrift vorschreibt</translation>
+    </message>
+    <message>
+        <source>Without it panels are 4 by 3 and the legend has its room</source>
+        <translation>Ohne sie sind Bildfelder 4 zu 3, und die Legende hat ihren Platz</translation>
+    </message>
+    <message>
+        <source>Into how many columns the page is divided; panels fill it by rows</source>
+        <translation>In wie viele Spalten die Seite geteilt ist; Bildfelder füllen sie Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>Bold, at the upper left of each panel</source>
+        <translation>Fett, oben links in jedem Bildfeld</translation>
+    </message>
+    <message>
+        <source>How large the letters of panels are</source>
+        <translation>Wie groß die Buchstaben der Bildfelder sind</translation>
+    </message>
+    <message>
+        <source>Scale bars and the legend are a fifth smaller; nothing may be smaller than 6 pt</source>
+        <translation>Maßstäbe und Legende sind ein Fünftel kleiner; nichts darf kleiner als 6 pt sein</translation>
+    </message>
+    <message>
+        <source>How wide contours are, the same in all panels</source>
+        <translation>Wie breit Konturen sind, in allen Bildfeldern gleich</translation>
+    </message>
+    <message>
+        <source>One legend for all panels, at the foot of the page</source>
+        <translation>Eine Legende für alle Bildfelder, am Fuß der Seite</translation>
+    </message>
+    <message>
+        <source>Without perspective a scale bar is true everywhere</source>
+        <translation>Ohne Perspektive stimmt ein Maßstab überall</translation>
+    </message>
+    <message>
+        <source>What becomes of lines thinner than 0.25 pt; hatching stays</source>
+        <translation>Was aus Linien wird, die dünner als 0,25 pt sind; Schraffuren bleiben</translation>
+    </message>
+    <message>
+        <source>And the other sides of the body</source>
+        <translation>Und die anderen Seiten des Körpers</translation>
+    </message>
+    <message>
+        <source>Ink alone, without tones and colours</source>
+        <translation>Nur Tinte, ohne Töne und Farben</translation>
+    </message>
+    <message>
+        <source>A saved view of the scene, or a side of the body</source>
+        <translation>Eine gespeicherte Ansicht der Szene oder eine Seite des Körpers</translation>
+    </message>
+    <message>
+        <source>Like another panel: of the same direction and scale, to be compared</source>
+        <translation>Wie ein anderes Bildfeld: mit gleicher Richtung und gleichem Maßstab, zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>The enlarged part lies on the panel of which it is a part</source>
+        <translation>Der vergrößerte Teil liegt auf dem Bildfeld, von dem er ein Teil ist</translation>
+    </message>
+    <message>
+        <source>From the corners of the frame to those of the enlarged part</source>
+        <translation>Von den Ecken des Rahmens zu denen des vergrößerten Teils</translation>
+    </message>
+    <message>
+        <source>How many columns of the page the panel is wide</source>
+        <translation>Über wie viele Spalten der Seite das Bildfeld reicht</translation>
+    </message>
+    <message>
+        <source>How many rows of the page the panel is high</source>
+        <translation>Über wie viele Zeilen der Seite das Bildfeld reicht</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FigurePreview</name>

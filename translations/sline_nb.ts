@@ -5882,6 +5882,90 @@ OpenGL: %3</translation>
         <source>Scale bar</source>
         <translation>Målestokk</translation>
     </message>
+    <message>
+        <source>A panel may have a choice of its own</source>
+        <translation>Et panel kan ha det annerledes</translation>
+    </message>
+    <message>
+        <source>If not as in the other panels</source>
+        <translation>Hvis ikke som i de andre panelene</translation>
+    </message>
+    <message>
+        <source>One column of a journal, one and a half, or two</source>
+        <translation>Én spalte i et tidsskrift, halvannen eller to</translation>
+    </message>
+    <message>
+        <source>For pages that no journal prescribes</source>
+        <translation>For sider som ingen tidsskrifter foreskriver</translation>
+    </message>
+    <message>
+        <source>Without it panels are 4 by 3 and the legend has its room</source>
+        <translation>Uten den er panelene 4 ganger 3, og forklaringen har sin plass</translation>
+    </message>
+    <message>
+        <source>Into how many columns the page is divided; panels fill it by rows</source>
+        <translation>Hvor mange spalter siden er delt i; paneler fyller den rad for rad</translation>
+    </message>
+    <message>
+        <source>Bold, at the upper left of each panel</source>
+        <translation>Fet, øverst til venstre i hvert panel</translation>
+    </message>
+    <message>
+        <source>How large the letters of panels are</source>
+        <translation>Hvor store bokstavene på panelene er</translation>
+    </message>
+    <message>
+        <source>Scale bars and the legend are a fifth smaller; nothing may be smaller than 6 pt</source>
+        <translation>Målestokker og forklaring er en femtedel mindre; ingenting kan være mindre enn 6 pt</translation>
+    </message>
+    <message>
+        <source>How wide contours are, the same in all panels</source>
+        <translation>Hvor brede konturer er, like i alle paneler</translation>
+    </message>
+    <message>
+        <source>One legend for all panels, at the foot of the page</source>
+        <translation>Én forklaring for alle paneler, nederst på siden</translation>
+    </message>
+    <message>
+        <source>Without perspective a scale bar is true everywhere</source>
+        <translation>Uten perspektiv stemmer en målestokk overalt</translation>
+    </message>
+    <message>
+        <source>What becomes of lines thinner than 0.25 pt; hatching stays</source>
+        <translation>Hva som skjer med linjer tynnere enn 0,25 pt; skravering blir som den er</translation>
+    </message>
+    <message>
+        <source>And the other sides of the body</source>
+        <translation>Og de andre sidene av kroppen</translation>
+    </message>
+    <message>
+        <source>Ink alone, without tones and colours</source>
+        <translation>Bare blekk, uten toner og farger</translation>
+    </message>
+    <message>
+        <source>A saved view of the scene, or a side of the body</source>
+        <translation>En lagret visning av scenen eller en side av kroppen</translation>
+    </message>
+    <message>
+        <source>Like another panel: of the same direction and scale, to be compared</source>
+        <translation>Som et annet panel: med samme retning og målestokk, til sammenligning</translation>
+    </message>
+    <message>
+        <source>The enlarged part lies on the panel of which it is a part</source>
+        <translation>Den forstørrede delen ligger på panelet den er en del av</translation>
+    </message>
+    <message>
+        <source>From the corners of the frame to those of the enlarged part</source>
+        <translation>Fra hjørnene av rammen til hjørnene av den forstørrede delen</translation>
+    </message>
+    <message>
+        <source>How many columns of the page the panel is wide</source>
+        <translation>Hvor mange spalter av siden panelet er bredt</translation>
+    </message>
+    <message>
+        <source>How many rows of the page the panel is high</source>
+        <translation>Hvor mange rader av siden panelet er høyt</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FigurePreview</name>

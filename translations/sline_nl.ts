@@ -5882,6 +5882,90 @@ OpenGL: %3</translation>
         <source>Scale bar</source>
         <translation>Schaalbalk</translation>
     </message>
+    <message>
+        <source>A panel may have a choice of its own</source>
+        <translation>Een paneel kan het anders hebben</translation>
+    </message>
+    <message>
+        <source>If not as in the other panels</source>
+        <translation>Als het niet is zoals in de andere panelen</translation>
+    </message>
+    <message>
+        <source>One column of a journal, one and a half, or two</source>
+        <translation>Eén kolom van een tijdschrift, anderhalve of twee</translation>
+    </message>
+    <message>
+        <source>For pages that no journal prescribes</source>
+        <translation>Voor pagina’s die geen tijdschrift voorschrijft</translation>
+    </message>
+    <message>
+        <source>Without it panels are 4 by 3 and the legend has its room</source>
+        <translation>Zonder deze zijn panelen 4 bij 3 en heeft de legenda haar plaats</translation>
+    </message>
+    <message>
+        <source>Into how many columns the page is divided; panels fill it by rows</source>
+        <translation>In hoeveel kolommen de pagina is verdeeld; panelen vullen haar rij voor rij</translation>
+    </message>
+    <message>
+        <source>Bold, at the upper left of each panel</source>
+        <translation>Vet, linksboven in elk paneel</translation>
+    </message>
+    <message>
+        <source>How large the letters of panels are</source>
+        <translation>Hoe groot de letters van panelen zijn</translation>
+    </message>
+    <message>
+        <source>Scale bars and the legend are a fifth smaller; nothing may be smaller than 6 pt</source>
+        <translation>Schaalbalken en legenda zijn een vijfde kleiner; niets mag kleiner zijn dan 6 pt</translation>
+    </message>
+    <message>
+        <source>How wide contours are, the same in all panels</source>
+        <translation>Hoe breed contouren zijn, in alle panelen gelijk</translation>
+    </message>
+    <message>
+        <source>One legend for all panels, at the foot of the page</source>
+        <translation>Eén legenda voor alle panelen, onder aan de pagina</translation>
+    </message>
+    <message>
+        <source>Without perspective a scale bar is true everywhere</source>
+        <translation>Zonder perspectief klopt een schaalbalk overal</translation>
+    </message>
+    <message>
+        <source>What becomes of lines thinner than 0.25 pt; hatching stays</source>
+        <translation>Wat er gebeurt met lijnen dunner dan 0,25 pt; arceringen blijven</translation>
+    </message>
+    <message>
+        <source>And the other sides of the body</source>
+        <translation>En de andere zijden van het lichaam</translation>
+    </message>
+    <message>
+        <source>Ink alone, without tones and colours</source>
+        <translation>Alleen inkt, zonder tinten en kleuren</translation>
+    </message>
+    <message>
+        <source>A saved view of the scene, or a side of the body</source>
+        <translation>Een bewaard aanzicht van de scène of een zijde van het lichaam</translation>
+    </message>
+    <message>
+        <source>Like another panel: of the same direction and scale, to be compared</source>
+        <translation>Zoals een ander paneel: met dezelfde richting en schaal, om te vergelijken</translation>
+    </message>
+    <message>
+        <source>The enlarged part lies on the panel of which it is a part</source>
+        <translation>Het vergrote deel ligt op het paneel waarvan het een deel is</translation>
+    </message>
+    <message>
+        <source>From the corners of the frame to those of the enlarged part</source>
+        <translation>Van de hoeken van het kader naar die van het vergrote deel</translation>
+    </message>
+    <message>
+        <source>How many columns of the page the panel is wide</source>
+        <translation>Hoeveel kolommen van de pagina het paneel breed is</translation>
+    </message>
+    <message>
+        <source>How many rows of the page the panel is high</source>
+        <translation>Hoeveel rijen van de pagina het paneel hoog is</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FigurePreview</name>

@@ -5,9 +5,12 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "model/geometry/bvh.h"
 #include "model/scene/camera.h"
+#include "render/labels/shapes.h"
 
 namespace sline::render {
 
@@ -25,6 +28,14 @@ class Screen {
   /// direction is a unit vector.
   model::Ray sight(const glm::vec2& place) const;
   bool inside(const glm::vec2& place) const;
+  /// Returns the same screen with something else over those parts of the picture, where one sees
+  /// nothing of the scene.
+  Screen coveredBy(std::vector<LabelBox> boxes) const {
+    Screen screen = *this;
+    screen.m_covered = std::move(boxes);
+    return screen;
+  }
+  const std::vector<LabelBox>& covered() const { return m_covered; }
   /// Returns a number that grows with the distance from the eye's plane and is linear in the
   /// picture: in perspective −1 / distance, else the distance in millimetres. The point must be in
   /// front of the eye.
@@ -39,6 +50,7 @@ class Screen {
   model::CameraFrame m_frame;
   glm::vec2 m_size;
   float m_scale = 1.0f;  ///< output millimetres per unit slope, or per millimetre
+  std::vector<LabelBox> m_covered;
 };
 
 }  // namespace sline::render

@@ -108,8 +108,12 @@ SeenMap::Dots SeenMap::dots(std::uint32_t layer) const {
   constexpr float rivalling = 0.3f;
   for (int y = own.top(); y < own.top() + own.rows(); ++y)
     for (int x = own.left(); x < own.left() + own.columns(); ++x) {
-      const Shares shares = sharesAt(own, layer, x, y);
       const std::size_t i = dots.index(x, y);
+      if (covered(x, y)) {
+        dots.shows[i] = Dots::Shows::others;
+        continue;
+      }
+      const Shares shares = sharesAt(own, layer, x, y);
       dots.traces[i] = shares.traces > trace;
       dots.inked[i] = own.at(x, y).ink > trace;
       dots.rivals[i] = shares.rivals > rivalling;
@@ -237,8 +241,9 @@ std::optional<glm::ivec2> SeenMap::hiddenCell(const Dots& all) const {
     if (!all.layer.covers(x, y))
       return std::nullopt;
     const Dots::Disc around = all.disc(x, y, wide);
-    return around.others - 4.0f * around.traces - 0.5f * around.inked -
-           glm::length(glm::vec2(float(x), float(y)) - middle) / size;
+    constexpr float nowhere = 10.0f;  // a leader that ends there is not drawn
+    return (covered(x, y) ? -nowhere : 0.0f) + around.others - 4.0f * around.traces -
+           0.5f * around.inked - glm::length(glm::vec2(float(x), float(y)) - middle) / size;
   });
 }
 

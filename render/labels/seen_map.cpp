@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <span>
 
@@ -93,7 +94,23 @@ std::span<const SeenMap::Fragment> SeenMap::fragments(int x, int y) const {
   return std::span(m_fragments).subspan(m_first[cell], m_first[cell + 1] - m_first[cell]);
 }
 
+void SeenMap::cover() {
+  for (const LabelBox& box : m_screen.covered()) {
+    const auto cell = [this](float mm, int most) {
+      return std::clamp(int(std::floor(mm / m_grid.side)), 0, most - 1);
+    };
+    const LabelBox seen{glm::max(box.low, glm::vec2(0.0f)), glm::min(box.high, m_screen.size())};
+    if (seen.low.x >= seen.high.x || seen.low.y >= seen.high.y)
+      continue;
+    m_covered.resize(std::size_t(m_grid.columns) * std::size_t(m_grid.rows));
+    for (int y = cell(seen.low.y, m_grid.rows); y <= cell(seen.high.y, m_grid.rows); ++y)
+      for (int x = cell(seen.low.x, m_grid.columns); x <= cell(seen.high.x, m_grid.columns); ++x)
+        m_covered[std::size_t(y) * std::size_t(m_grid.columns) + std::size_t(x)] = true;
+  }
+}
+
 void SeenMap::compose() {
+  cover();
   const std::size_t cells = std::size_t(m_grid.columns) * std::size_t(m_grid.rows);
   m_first.assign(cells + 1, 0);
   const auto forEach = [this](const auto& body) {
@@ -141,6 +158,8 @@ SeenMap::Worth SeenMap::worthOf(std::uint32_t layer, int x, int y) const {
   const SeenLayer& own = m_layers[layer];
   if (!own.covers(x, y))
     return Worth::none;
+  if (covered(x, y))
+    return Worth::hidden;
   constexpr float faint = 0.05f;
   constexpr float visible = 0.35f;
   constexpr float clearly = 0.12f;

@@ -99,6 +99,12 @@ class SeenMap {
 
   const SeenLayer* layerOf(model::NodeId id) const;
   void compose();
+  /// Marks the cells over which something else lies (Screen::covered).
+  void cover();
+  bool covered(int x, int y) const {
+    return !m_covered.empty() &&
+           m_covered[std::size_t(y) * std::size_t(m_grid.columns) + std::size_t(x)];
+  }
   std::span<const Fragment> fragments(int x, int y) const;
   Worth worthOf(std::uint32_t layer, int x, int y) const;
   Candidates candidates(std::uint32_t layer) const;
@@ -135,6 +141,7 @@ class SeenMap {
   std::map<model::NodeId, std::uint32_t> m_index;
   std::vector<std::uint32_t> m_first;  ///< of each cell's fragments, and their end
   std::vector<Fragment> m_fragments;   ///< of each cell from front to back
+  std::vector<bool> m_covered;         ///< for each cell; empty where nothing is covered
   mutable std::unique_ptr<SeenMap> m_fine;
   model::MeshTrees* m_meshes;  ///< null: none of others
   mutable model::MeshTrees m_own;

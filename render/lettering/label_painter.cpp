@@ -274,7 +274,8 @@ LabelPlate labelPlate(const LabelSights& sights, const LabelStyle& style, const 
 
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
                       model::MeshTrees& trees, const LabelTurn& turn) {
-  return labelPlate(labelSights(scene, screen, style.language, trees, {turn.before, turn.hurried}),
+  return labelPlate(labelSights(scene, screen.coveredBy(style.reserved), style.language, trees,
+                                {turn.before, turn.hurried}),
                     style, turn);
 }
 

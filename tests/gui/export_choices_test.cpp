@@ -11,6 +11,7 @@
 #include "tests/gui/export_desk.h"
 #include "tests/gui/text_fit.h"
 #include "tests/support/suite.h"
+#include "widgets/export/export_files.h"
 #include "widgets/language/language_switch.h"
 #include "widgets/language/languages.h"
 
@@ -147,6 +148,26 @@ class ExportChoicesTest : public QObject {
     QVERIFY(wide.width() * standard.height() > standard.width() * wide.height());
     QVERIFY2(text().contains(QStringLiteral("254 × 190.5 mm")), qPrintable(text()));
     QVERIFY2(text().contains(QStringLiteral("2 structures")), qPrintable(text()));
+  }
+
+  /// What a slide says beside its figure, or has as its title, is not in the preview of the figure.
+  void slidesArePreviewedWithoutACaption() {
+    widgets::ExportSource source;
+    model::View view{.name = "Front"};
+    view.words.title.text = "From the front";
+    view.words.text.text = "Words";
+    view.words.description.text = "A ball";
+    source.scene.setViews({view});
+    widgets::ExportDraft draft;
+    draft.subject = widgets::ExportSubject::savedViews;
+    for (const char* kind : {"svg", "pptx"}) {
+      draft.kind = QLatin1String(kind);
+      const auto pages = widgets::previewedFiles(draft, widgets::exportFiles(draft, source));
+      QCOMPARE(pages.size(), std::size_t(1));
+      const model::ViewWords& words = pages[0].order.words;
+      QCOMPARE(words.title.empty() && words.text.empty(), kind == QByteArray("pptx"));
+      QCOMPARE(words.description.text, std::string("A ball"));
+    }
   }
 
   /// One file of all views: what it will be is told, each view can be looked at, and the command

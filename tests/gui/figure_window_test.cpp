@@ -133,6 +133,21 @@ class FigureWindowTest : public QObject {
     QVERIFY(!QFile::exists(target));
   }
 
+  /// What each field does is said under the mouse.
+  void fieldsAreTold() {
+    FigureDesktop desk;
+    FigureDialog& dialog = desk.open();
+    part<QListWidget>(dialog, "figurePanels").setCurrentRow(1);
+    for (const char* name :
+         {"figureWidth",     "figureWidthMm",      "figureHeightMm",      "figureColumns",
+          "figureLetters",   "figureLetterPoints", "figurePoints",        "figurePen",
+          "figureLegend",    "figureProjection",   "figureThinLines",     "figureLabels",
+          "figureScaleBars", "figureSides",        "figureBlackAndWhite", "panelView",
+          "panelCamera",     "panelColumns",       "panelRows",           "panelLabels",
+          "panelScaleBar"})
+      QVERIFY2(!part<QWidget>(dialog, name).toolTip().isEmpty(), name);
+  }
+
   void savedOpenedExported() {
     FigureDesktop desk;
     FigureDialog& dialog = desk.open();

@@ -2,8 +2,10 @@
 // Tests what a view says, typed below the cards and seen in the picture.
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QPaintEvent>
 #include <QPlainTextEdit>
 
+#include "model/edit/annotations.h"
 #include "model/edit/views.h"
 #include "tests/gui/views_fixture.h"
 #include "tests/support/suite.h"
@@ -37,6 +39,24 @@ struct Words : Views {
   }
 };
 
+/// Notes whether all of a widget is painted anew.
+class Painted : public QObject {
+ public:
+  explicit Painted(QWidget& widget) : m_widget(widget) { widget.installEventFilter(this); }
+  bool whole() const { return m_whole; }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Paint)
+      m_whole = m_whole || static_cast<QPaintEvent*>(event)->rect().contains(m_widget.rect());
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  QWidget& m_widget;
+  bool m_whole = false;
+};
+
 }  // namespace
 
 class ViewWordsTest : public QObject {
@@ -49,7 +69,9 @@ class ViewWordsTest : public QObject {
   void inLanguages();
   void undone();
   void hostile();
+  void hintsFollow();
   void preview();
+  void labelsGiveWay();
   void remembered();
   void madeAnew();
 };
@@ -141,6 +163,20 @@ void ViewWordsTest::inLanguages() {
   QCOMPARE(f.caption().accessibleName(), QString("From below"));
 }
 
+/// What another view says is not left standing in a field where this one says nothing.
+void ViewWordsTest::hintsFollow() {
+  Words f;
+  f.speak("scene");
+  QTest::keyClicks(&f.text(), "From below");
+  f.speak("de");
+  QCOMPARE(f.text().placeholderText(), QString("From below"));
+  QVERIFY(f.settled());
+  const Painted painted(*f.text().viewport());
+  f.clickCard(0);
+  QCOMPARE(f.text().placeholderText(), QString("Text, to be read with the view"));
+  QTRY_VERIFY(painted.whole());
+}
+
 void ViewWordsTest::undone() {
   Words f;
   f.speak("scene");
@@ -202,6 +238,37 @@ void ViewWordsTest::preview() {
   f.press("viewWords");
   QVERIFY(!f.caption().isVisible() && !f.text().isVisible());
   QVERIFY(f.settled());
+}
+
+/// The words lie over no label, leader or dot: what a label names is pointed at beside them.
+void ViewWordsTest::labelsGiveWay() {
+  Words f;
+  f.speak("scene");
+  const auto sheet = [&f] { return f.viewport().labels().layer().sheet(); };
+  const auto now = [&f] { return f.session.scene(); };
+  for (const model::NodeId id : {f.left, f.right})
+    f.session.apply("label", model::withAnnotation(
+                                 now(), {.anchors = {model::SurfacePoint{id, 0, {0.3f, 0.3f}}},
+                                         .text = "a ball",
+                                         .found = true}));
+  QVERIFY(f.settled());
+  f.text().setPlainText(QString("One\n") + QString("- more\n").repeated(12));
+  QVERIFY(f.caption().isVisible());
+  QVERIFY(f.settled());
+  QVERIFY(sheet());
+  const float scale = sheet()->wish.pixelsPerMm;
+  const QRectF words = f.caption().geometry();
+  const render::LabelBox covered{glm::vec2(float(words.left()), float(words.top())) / scale,
+                                 glm::vec2(float(words.right()), float(words.bottom())) / scale};
+  int ends = 0;
+  for (const render::ShownLabel& label : sheet()->plate.labels)
+    if (const render::PlacedLabel* placed = sheet()->plate.layout.find(label.item.id)) {
+      QVERIFY(!render::overlap(placed->box, covered));
+      QVERIFY(!render::runsThrough(placed->leader, covered));
+      QVERIFY(!covered.contains(label.item.places[0]));
+      ++ends;
+    }
+  QCOMPARE(ends, 2);
 }
 
 void ViewWordsTest::remembered() {

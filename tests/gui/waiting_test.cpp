@@ -187,6 +187,28 @@ class WaitingTest : public QObject {
     }
   }
 
+  /// Where all pictures of a move are overtaken by the one at rest, the letters are those of that.
+  void marksFollowAPictureAtRest() {
+    const auto gate = std::make_shared<Gate>();
+    WindowFixture f(gated(gate));
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    const auto& left = f.control<QLabel>("letterLeft");
+    QCOMPARE(left.text(), QString("R"));
+    gate->pass.tryAcquire(gate->pass.available());
+    gate->open = false;
+    const int begun = gate->begun;
+    f.viewport().setBackground(render::Background::dark);
+    QTRY_COMPARE(gate->begun.load(), begun + 1);
+    QTest::keyClick(&f.viewport(), Qt::Key_P);
+    QTest::qWait(1000);  // until the camera rests
+    gate->open = true;
+    gate->pass.release();
+    QVERIFY(f.settled());
+    QCOMPARE(gate->begun.load(), begun + 2);
+    QCOMPARE(left.text(), QString("L"));
+  }
+
   /// A window that closes while the renderer is at work is torn down in order.
   void closesWhileDrawing() {
     const auto gate = std::make_shared<Gate>();

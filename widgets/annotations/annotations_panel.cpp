@@ -227,7 +227,7 @@ void AnnotationsPanel::showActive() {
     m_text->setToolTip({});
     m_text->setLanguage({});
     m_text->setFixedHeight(heightOf(2));
-    m_text->setPlaceholderText(tr("Choose a label"));
+    m_text->setHint(tr("Choose a label"));
     return;
   }
   // Where the language has no words, those of the scene's own language apply.
@@ -240,7 +240,7 @@ void AnnotationsPanel::showActive() {
   m_text->setMarkup(callout);
   m_text->setFixedHeight(heightOf(callout ? 5 : 2));
   m_text->setToolTip(callout ? LabelField::markupHint() : QString());
-  m_text->setPlaceholderText(plainWordsIn(*annotation, tag));
+  m_text->setHint(plainWordsIn(*annotation, tag));
   m_text->setLanguage(languageName(QString::fromStdString(tag)));
   if (m_text->toPlainText() != text)
     m_text->setPlainText(text);

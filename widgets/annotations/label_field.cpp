@@ -51,6 +51,13 @@ void LabelField::setLanguage(const QString& name) {
   placeLanguage();
 }
 
+void LabelField::setHint(const QString& hint) {
+  if (hint == placeholderText())
+    return;
+  setPlaceholderText(hint);
+  viewport()->update();
+}
+
 int LabelField::languageWidth() const {
   constexpr int air = 8;
   return m_language->text().isEmpty() ? 0 : m_language->sizeHint().width() + air;

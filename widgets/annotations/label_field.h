@@ -22,6 +22,9 @@ class LabelField : public QPlainTextEdit {
   /// Returns how many pixels that takes of the width.
   int languageWidth() const;
 
+  /// Sets what is shown where nothing is typed. QPlainTextEdit::setPlaceholderText does not paint
+  /// one that replaces another.
+  void setHint(const QString& hint);
   void setMarkup(bool on) { m_markup = on; }
   /// Returns one line about the markup that can be typed.
   static QString markupHint();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "model/edit/look.h"
 #include "model/edit/views.h"
@@ -58,10 +59,8 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   order.labels.onDark = order.environment.background == render::Background::dark;
   if (pageUseOf(draft.kind) == render::PageUse::shape)
     order.page.sizeMm = filmPage(render::filmPageMm(order));
-  if (pageUseOf(draft.kind) == render::PageUse::slides) {
-    order.page.sizeMm = render::slidePageMm(order);
-    order.marks.viewName = false;  // it is the title
-  }
+  if (pageUseOf(draft.kind) == render::PageUse::slides)
+    order = render::slideFigure(order, render::shownView(order));
   if (hasViews(draft.kind) && holdsViews(draft.kind))
     order.of<render::ViewsOptions>().subject =
         wantsViews(draft) ? render::ViewSubject::all : render::ViewSubject::shown;
@@ -137,7 +136,7 @@ std::vector<ExportFile> previewedFiles(const ExportDraft& draft,
                     .filled = false,
                     .target = files.front().target};
     if (pageUseOf(draft.kind) == render::PageUse::slides)
-      page.order.page.sizeMm = render::slidePageMm(page.order, &view);
+      page.order = render::slideFigure(std::move(page.order), &view);
     page.order.of<render::ViewsOptions>().subject = render::ViewSubject::shown;
     pages.push_back(std::move(page));
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/figure/figure_edit.h"
 #include "model/figure/figure_layout.h"
@@ -83,6 +84,41 @@ std::optional<model::FigureBox> placeOfInset(const Figure& figure, std::size_t i
 }
 
 }  // namespace
+
+std::vector<FigureField> FigureFields::told(std::vector<FigureField> fields) {
+  const QString own = tr("A panel may have a choice of its own");
+  const QString panels = tr("If not as in the other panels");
+  const std::pair<const char*, QString> tips[] = {
+      {"figureWidth", tr("One column of a journal, one and a half, or two")},
+      {"figureWidthMm", tr("For pages that no journal prescribes")},
+      {"figureHeightMm", tr("Without it panels are 4 by 3 and the legend has its room")},
+      {"figureColumns", tr("Into how many columns the page is divided; panels fill it by rows")},
+      {"figureLetters", tr("Bold, at the upper left of each panel")},
+      {"figureLetterPoints", tr("How large the letters of panels are")},
+      {"figurePoints", tr("Scale bars and the legend are a fifth smaller; nothing may be smaller "
+                          "than 6 pt")},
+      {"figurePen", tr("How wide contours are, the same in all panels")},
+      {"figureLegend", tr("One legend for all panels, at the foot of the page")},
+      {"figureProjection", tr("Without perspective a scale bar is true everywhere")},
+      {"figureThinLines", tr("What becomes of lines thinner than 0.25 pt; hatching stays")},
+      {"figureLabels", own},
+      {"figureScaleBars", own},
+      {"figureSides", tr("And the other sides of the body")},
+      {"figureBlackAndWhite", tr("Ink alone, without tones and colours")},
+      {"panelView", tr("A saved view of the scene, or a side of the body")},
+      {"panelCamera", tr("Like another panel: of the same direction and scale, to be compared")},
+      {"panelInside", tr("The enlarged part lies on the panel of which it is a part")},
+      {"panelLines", tr("From the corners of the frame to those of the enlarged part")},
+      {"panelColumns", tr("How many columns of the page the panel is wide")},
+      {"panelRows", tr("How many rows of the page the panel is high")},
+      {"panelLabels", panels},
+      {"panelScaleBar", panels}};
+  for (FigureField& field : fields)
+    for (const auto& [id, tip] : tips)
+      if (field.field.id == QLatin1String(id))
+        field.field.tip = tip;
+  return fields;
+}
 
 std::vector<FigureField> FigureFields::ofSize() {
   std::vector<Choice> widths;
@@ -170,7 +206,7 @@ std::vector<FigureField> FigureFields::ofPage() {
       switchOf("figureBlackAndWhite", tr("Black and white"), &Figure::blackAndWhite),
   };
   fields.insert(fields.end(), others.begin(), others.end());
-  return fields;
+  return told(std::move(fields));
 }
 
 QString FigureFields::viewName(const std::string& view) {
@@ -265,7 +301,7 @@ std::vector<FigureField> FigureFields::ofPanel(const model::Figure& figure, std:
                                &Figure::labels));
   fields.push_back(panelSwitch("panelScaleBar", tr("Scale bar"), index,
                                &model::FigurePanel::scaleBar, &Figure::scaleBars));
-  return fields;
+  return told(std::move(fields));
 }
 
 }  // namespace sline::widgets

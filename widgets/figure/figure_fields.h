@@ -33,6 +33,8 @@ class FigureFields {
   static QString viewName(const std::string& view);
 
  private:
+  /// Returns the fields with what is said of each under the mouse.
+  static std::vector<FigureField> told(std::vector<FigureField> fields);
   static std::vector<FigureField> ofSize();
   static std::vector<FigureField> ofInset(std::size_t index);
   static std::vector<FigureField> ofCamera(const model::Figure& figure, std::size_t index);

@@ -55,7 +55,7 @@ void PictureMarks::setBackground(render::Background background) {
 
 void PictureMarks::setPresented(bool presented, const QRect& covered) {
   m_presented = presented;
-  m_covered = presented ? covered : QRect();
+  m_covered = covered;
 }
 
 void PictureMarks::dress() {

@@ -154,7 +154,8 @@ void Viewport::took(const PictureReport& report) {
   const bool first = m_marksAwait != 0 && m_took >= m_marksAwait;
   if (first)
     m_marksAwait = 0;
-  if (report.moving || first)
+  // Of a quick move no picture may have been drawn but the one at rest.
+  if (report.moving || first || m_marked.camera != report.camera)
     placeMarks();
   else
     showTools();

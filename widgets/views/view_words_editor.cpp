@@ -13,7 +13,6 @@
 #include "widgets/annotations/label_field.h"
 #include "widgets/annotations/label_preferences.h"
 #include "widgets/preferences/preference_control.h"
-#include "widgets/session/names_by_language.h"
 #include "widgets/views/view_caption.h"
 #include "widgets/views/view_list.h"
 
@@ -182,11 +181,8 @@ void ViewWordsEditor::showWords() {
     if (each.field.toPlainText() != text)
       each.field.setPlainText(text);
     const QString other = QString::fromStdString(each.wording.in(m_language));
-    each.field.setPlaceholderText(other.isEmpty() ? each.hint : other);
+    each.field.setHint(other.isEmpty() ? each.hint : other);
   }
-  // Where it is the scene's own language the words need the room.
-  m_text->setLanguage(m_language.empty() ? QString()
-                                         : languageName(QString::fromStdString(m_language)));
   preview();
 }
 

@@ -5,7 +5,9 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <utility>
 
+#include "model/anatomy/laterality_words.h"
 #include "model/base/letters.h"
 
 namespace sline::model {
@@ -99,14 +101,6 @@ std::string numbered(std::string name, int number) {
   return name;
 }
 
-Side sideOf(const std::string& word) {
-  if (word == "left" || word == "l" || word == "lt" || word == "sinister" || word == "sinistra")
-    return Side::left;
-  if (word == "right" || word == "r" || word == "rt" || word == "dexter" || word == "dextra")
-    return Side::right;
-  return Side::none;
-}
-
 }  // namespace
 
 std::string readableName(std::string_view stem) {
@@ -126,8 +120,8 @@ std::string nameInFile(std::string_view name) {
 
 SidedName sidedName(std::string_view name) {
   SidedName result;
-  for (const std::string& word : nameWords(name)) {
-    const Side side = sideOf(word);
+  for (std::string& word : wordsOf(name)) {
+    const Side side = sideOfWord(word);
     // A name with both sides in it ("left duct of right lobe") takes the first one.
     if (side != Side::none && result.side == Side::none) {
       result.side = side;
@@ -135,7 +129,7 @@ SidedName sidedName(std::string_view name) {
     }
     if (!result.rest.empty())
       result.rest += ' ';
-    result.rest += word;
+    result.rest += singular(std::move(word));
   }
   return result;
 }

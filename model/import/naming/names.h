@@ -17,8 +17,8 @@ std::string readableName(std::string_view stem);
 /// work ("Visualization Toolkit generated SLA File").
 std::string nameInFile(std::string_view name);
 
-/// Holds the side that a name says (left, right, l, r, lt, rt as a word of its own) and the name
-/// without it.
+/// Holds the side that a name says by a word of its own, in any of the languages of names ("left",
+/// "r", "links", "sinistra"), and the name without it.
 struct SidedName {
   Side side = Side::none;
   std::string rest;

@@ -117,6 +117,8 @@ class Cards {
     Sheet sheet{.order = forPhones(askedAlone(order, questions))};
     sheet.order.labels.mode = LabelMode::on;
     sheet.order.words = {};  // they might tell the answers
+    if (!title.empty())
+      sheet.order.marks.viewName = false;  // its deck is called so
     const FigurePlate plate = figurePlate(sheet.order, m_trees);
     sheet.named = *plate.labels;
     for (ExportNote note : plate.notes) {

@@ -76,17 +76,13 @@ class Making {
   };
 
   Status addView(ExportOrder order, const model::View* view, const Span& span) {
-    order.page.sizeMm = slidePageMm(m_order, view);
-    order.marks.viewName = false;  // it is the title
-    // They are the slide's, but for what the picture shows.
-    order.words = {.description = std::move(order.words.description)};
+    order = slideFigure(std::move(order), view);
     order.labels.onDark = m_deck.dark;
     if (order.sources == SourceCredits::page)  // they have a slide
       order.sources = SourceCredits::off;
     Slide slide;
     slide.title = titleOf(order, view);
     if (view) {
-      order.words = view->words;
       slide.text = wordsIn(view->words.text, m_language);
       slide.notes = wordsIn(view->words.notes, m_language);
     }

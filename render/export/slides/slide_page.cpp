@@ -2,6 +2,7 @@
 #include "render/export/slides/slide_page.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
@@ -68,6 +69,13 @@ glm::vec2 slidePageMm(const ExportOrder& order, const model::View* view) {
 
 glm::vec2 slidePageMm(const ExportOrder& order) {
   return slidePageMm(order, shownView(order));
+}
+
+ExportOrder slideFigure(ExportOrder order, const model::View* view) {
+  order.page.sizeMm = slidePageMm(order, view);
+  order.marks.viewName = false;  // it is the title
+  order.words = {.description = std::move(order.words.description)};
+  return order;
 }
 
 bool showsViews(const ExportOrder& order) {

@@ -37,6 +37,10 @@ glm::vec2 slidePageMm(const ExportOrder& order, const model::View* view);
 /// Returns it for what the order shows.
 glm::vec2 slidePageMm(const ExportOrder& order);
 
+/// Returns the order of the figure on a slide for that view, null for none: on its page, and
+/// without what the slide says itself.
+ExportOrder slideFigure(ExportOrder order, const model::View* view);
+
 /// Tells whether slides show the saved views, and not what the order shows.
 bool showsViews(const ExportOrder& order);
 

@@ -284,6 +284,36 @@ class LabelAnchorsTest : public QObject {
     QVERIFY(glm::length(*screen.place(*under.placeOf(covered->anchor)) - middle) < 4.0f);
   }
 
+  /// Where a caption or a mark lies over the picture one sees no structure: places are found beside
+  /// it, one from before is given up for them, and what it covers wholly is hidden.
+  void bestPlaceIsNotCovered() {
+    Two two = twoSpheres();
+    const Screen screen(front(), paper);
+    const auto free = SeenMap(two.scene, screen).find(two.small);
+    QVERIFY(free && !free->hidden);
+    const LabelBox half{free->place - glm::vec2(50.0f, 1.0f), free->place + glm::vec2(50.0f)};
+    const auto beside = SeenMap(two.scene, screen.coveredBy({half})).find(two.small, free->anchor);
+    QVERIFY(beside && !beside->hidden);
+    QVERIFY2(!half.contains(beside->place), "the dot lies under the caption");
+    const glm::vec3 there = *two.scene.placeOf(beside->anchor);
+    QVERIFY(glm::length(there - glm::vec3(0.0f, -60.0f, 0.0f)) < 15.1f);
+    const LabelBox all{glm::vec2(-20.0f), paper - 60.0f};
+    const auto under = SeenMap(two.scene, screen.coveredBy({all})).find(two.small);
+    QVERIFY(under && under->hidden);
+    const LabelBox outside{glm::vec2(-40.0f), glm::vec2(-10.0f)};
+    const auto same = SeenMap(two.scene, screen.coveredBy({outside})).find(two.small);
+    QVERIFY(same && same->anchor == free->anchor);
+    // An outline alone is pointed at where one sees it.
+    model::Style lines;
+    lines.gamma = Gamma::clamped(1.0f);
+    lines.fill = model::Fill::none;
+    const model::Scene scene = styled(two.scene, two.small, lines);
+    const auto outline = SeenMap(scene, screen).find(two.small);
+    const LabelBox over{outline->place - 3.0f, outline->place + 3.0f};
+    const auto elsewhere = SeenMap(scene, screen.coveredBy({over})).find(two.small);
+    QVERIFY(elsewhere && !elsewhere->hidden && !over.contains(elsewhere->place));
+  }
+
   /// A strip hardly wider than a pen is pointed at away from its ends, and a speck that alone looks
   /// out from behind another structure is seen all the same.
   void bestPlaceOfWhatIsNarrow() {

@@ -114,6 +114,10 @@ void NamesTest::sides_data() {
   QTest::newRow("behind") << "kidney_right" << int(Side::right) << "kidney";
   QTest::newRow("letter") << "VH_M_ureter_L" << int(Side::left) << "vh m ureter";
   QTest::newRow("short") << "Rt Lung" << int(Side::right) << "lung";
+  QTest::newRow("German") << "Amygdala links" << int(Side::left) << "amygdala";
+  QTest::newRow("German adjective") << "rechte Niere" << int(Side::right) << "niere";
+  QTest::newRow("Norwegian") << "høyre nyre" << int(Side::right) << "nyre";
+  QTest::newRow("Latin") << "Ureter_sinister" << int(Side::left) << "ureter";
   QTest::newRow("level is no side") << "L5" << int(Side::none) << "l5";
   QTest::newRow("inside a word") << "cleft palate" << int(Side::none) << "cleft palate";
   QTest::newRow("the first counts")

@@ -36,10 +36,8 @@ std::string written(const render::ExportOrder& order) {
 }
 
 /// Returns the order as its figure is laid out for a picture.
-render::ExportOrder figureOf(render::ExportOrder order) {
-  order.page.sizeMm = render::slidePageMm(order);
-  order.marks.viewName = false;
-  return order;
+render::ExportOrder figureOf(const render::ExportOrder& order) {
+  return render::slideFigure(order, render::shownView(order));
 }
 
 render::SlideBox figureFrame(const render::ExportOrder& order) {
@@ -170,6 +168,7 @@ class SlidesTest : public QObject {
     const OpenedSlides opened(written(order));
     QVERIFY2(opened.faults().isEmpty(), qPrintable(opened.faults().join('\n')));
     const auto groups = test::groupsOn(opened.slide(1));
+    const render::Lettering lettering = render::letteringOf(*plate.labels);
     int found = 0;
     for (std::size_t i = 0; i < plate.labels->labels.size(); ++i) {
       const render::ShownLabel& label = plate.labels->labels[i];
@@ -181,7 +180,7 @@ class SlidesTest : public QObject {
       const pugi::xml_node group = groups.at(words);
       const auto box = group.select_node("p:sp[p:nvSpPr/p:cNvSpPr/@txBox]").node();
       QCOMPARE(bare(test::wordsOf(box)), words.simplified());
-      checkPlace(order, box, *placed);
+      checkPlace(order, box, *placed, *lettering.items[std::size_t(found)].text);
       const auto dot = group.select_node("p:sp[p:spPr/a:prstGeom/@prst='ellipse']").node();
       QVERIFY2(apart(test::placeOf(dot).center(), onSlide(order, label.item.places.front())) < 0.5,
                qPrintable(words));
@@ -191,7 +190,7 @@ class SlidesTest : public QObject {
   }
 
   void checkPlace(const render::ExportOrder& order, const pugi::xml_node& box,
-                  const render::PlacedLabel& placed) {
+                  const render::PlacedLabel& placed, const render::LetteringText& lettered) {
     const QRectF there = test::placeOf(box);
     const glm::vec2 low = onSlide(order, placed.box.low);
     const glm::vec2 high = onSlide(order, placed.box.high);
@@ -202,10 +201,10 @@ class SlidesTest : public QObject {
             .attribute()
             .as_double() /
         36'000.0;
-    // The text begins at the side of the box that the layout has, one padding within it.
+    // The text begins where pictures have it.
     const double text = side == "r" ? there.right() - inset : there.left() + inset;
-    const double edge = side == "r" ? double(high.x) : double(low.x);
-    QVERIFY2(std::abs(text - edge) < 2.5 && there.left() > double(low.x) - 0.5 &&
+    const auto edge = double(onSlide(order, lettered.at).x);
+    QVERIFY2(std::abs(text - edge) < 0.5 && there.left() > double(low.x) - 0.5 &&
                  there.right() < double(high.x) + 0.5,
              qPrintable(QString("%1 %2").arg(text).arg(edge)));
   }
@@ -285,6 +284,9 @@ class SlidesTest : public QObject {
     QCOMPARE(QString(text.select_node(".//a:r[a:rPr/@b='1']/a:t").node().child_value()),
              QString("bold"));
     QCOMPARE(int(text.select_nodes(".//a:buChar").size()), 1);
+    // They are not said again in the picture, where a caption would lie over what has labels.
+    QCOMPARE(test::wordsOf(slide).count("Von vorn"), 1);
+    QCOMPARE(test::wordsOf(slide).count("Plain bold"), 1);
     const auto groups = test::groupsOn(slide);
     QVERIFY(groups.contains("Leber"));
     QCOMPARE(std::string(groups.at("Leber").select_node(".//a:rPr/@lang").attribute().value()),
