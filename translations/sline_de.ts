@@ -1501,6 +1501,54 @@
         <source>The same page as a new folder of files for a web server, most of which are the same for every scene; browsers do not open it from a disk</source>
         <translation>Dieselbe Seite als neuer Ordner mit Dateien für einen Webserver, von denen die meisten für jede Szene gleich sind; von der Festplatte öffnen Browser sie nicht</translation>
     </message>
+    <message>
+        <source>Moodle questions</source>
+        <translation>Moodle-Fragen</translation>
+    </message>
+    <message>
+        <source>Questions with pictures, made of the labels, as XML for a question bank: markers to be put in place, names to be typed or chosen</source>
+        <translation>Fragen mit Bildern aus den Beschriftungen, als XML für eine Fragensammlung: Marken, die an ihren Ort kommen, Namen zum Tippen oder Auswählen</translation>
+    </message>
+    <message>
+        <source>QTI questions</source>
+        <translation>QTI-Fragen</translation>
+    </message>
+    <message>
+        <source>The same for other question banks and examination systems, as a package of QTI 2.1</source>
+        <translation>Dasselbe für andere Fragensammlungen und Prüfungssysteme, als Paket von QTI 2.1</translation>
+    </message>
+    <message>
+        <source>H5P questions</source>
+        <translation>H5P-Fragen</translation>
+    </message>
+    <message>
+        <source>The same as content for H5P, to be played where its content types are installed</source>
+        <translation>Dasselbe als Inhalt für H5P, gespielt, wo dessen Inhaltstypen installiert sind</translation>
+    </message>
+    <message>
+        <source>SCORM 1.2 package</source>
+        <translation>SCORM-1.2-Paket</translation>
+    </message>
+    <message>
+        <source>The page for students in a package that tells a learning system each answer and the score, by the standard that most systems know</source>
+        <translation>Die Seite für Lernende in einem Paket, das einer Lernplattform jede Antwort und das Ergebnis meldet, nach dem Standard, den die meisten kennen</translation>
+    </message>
+    <message>
+        <source>SCORM 2004 package</source>
+        <translation>SCORM-2004-Paket</translation>
+    </message>
+    <message>
+        <source>The same by SCORM 2004, 4th edition</source>
+        <translation>Dasselbe nach SCORM 2004, 4. Ausgabe</translation>
+    </message>
+    <message>
+        <source>cmi5 package</source>
+        <translation>cmi5-Paket</translation>
+    </message>
+    <message>
+        <source>The same by cmi5, for systems with a learning record store</source>
+        <translation>Dasselbe nach cmi5, für Plattformen mit einem Learning Record Store</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportOption</name>
@@ -2115,6 +2163,14 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation>Bestanden ab</translation>
+    </message>
+    <message>
+        <source>The share of right answers that the learning system takes as passed</source>
+        <translation>Der Anteil richtiger Antworten, den die Lernplattform als bestanden wertet</translation>
     </message>
 </context>
 <context>
@@ -4980,6 +5036,13 @@
     <message>
         <source>Label structures, or choose no quiz.</source>
         <translation>Beschrifte Strukturen oder wähle kein Quiz.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n questions with pictures.</source>
+        <translation>
+            <numerusform>Höchstens %n Frage mit Bild.</numerusform>
+            <numerusform>Höchstens %n Fragen mit Bildern.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -1501,6 +1501,54 @@
         <source>The same page as a new folder of files for a web server, most of which are the same for every scene; browsers do not open it from a disk</source>
         <translation>Den samme siden som en ny mappe med filer for en nettjener, der de fleste er like for alle scener; nettlesere åpner den ikke fra disken</translation>
     </message>
+    <message>
+        <source>Moodle questions</source>
+        <translation>Moodle-spørsmål</translation>
+    </message>
+    <message>
+        <source>Questions with pictures, made of the labels, as XML for a question bank: markers to be put in place, names to be typed or chosen</source>
+        <translation>Spørsmål med bilder, laget av etikettene, som XML til en spørsmålsbank: merker som skal på plass, navn som skrives eller velges</translation>
+    </message>
+    <message>
+        <source>QTI questions</source>
+        <translation>QTI-spørsmål</translation>
+    </message>
+    <message>
+        <source>The same for other question banks and examination systems, as a package of QTI 2.1</source>
+        <translation>Det samme for andre spørsmålsbanker og eksamenssystemer, som pakke av QTI 2.1</translation>
+    </message>
+    <message>
+        <source>H5P questions</source>
+        <translation>H5P-spørsmål</translation>
+    </message>
+    <message>
+        <source>The same as content for H5P, to be played where its content types are installed</source>
+        <translation>Det samme som innhold for H5P, som spilles der innholdstypene er installert</translation>
+    </message>
+    <message>
+        <source>SCORM 1.2 package</source>
+        <translation>SCORM 1.2-pakke</translation>
+    </message>
+    <message>
+        <source>The page for students in a package that tells a learning system each answer and the score, by the standard that most systems know</source>
+        <translation>Siden for studenter i en pakke som melder hvert svar og resultatet til et læringssystem, etter standarden som de fleste kjenner</translation>
+    </message>
+    <message>
+        <source>SCORM 2004 package</source>
+        <translation>SCORM 2004-pakke</translation>
+    </message>
+    <message>
+        <source>The same by SCORM 2004, 4th edition</source>
+        <translation>Det samme etter SCORM 2004, 4. utgave</translation>
+    </message>
+    <message>
+        <source>cmi5 package</source>
+        <translation>cmi5-pakke</translation>
+    </message>
+    <message>
+        <source>The same by cmi5, for systems with a learning record store</source>
+        <translation>Det samme etter cmi5, for systemer med et læringslager (LRS)</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportOption</name>
@@ -2115,6 +2163,14 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation>Bestått fra</translation>
+    </message>
+    <message>
+        <source>The share of right answers that the learning system takes as passed</source>
+        <translation>Andelen riktige svar som læringssystemet regner som bestått</translation>
     </message>
 </context>
 <context>
@@ -4980,6 +5036,13 @@
     <message>
         <source>Label structures, or choose no quiz.</source>
         <translation>Sett etiketter på strukturer, eller velg ingen quiz.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n questions with pictures.</source>
+        <translation>
+            <numerusform>Høyst %n spørsmål med bilde.</numerusform>
+            <numerusform>Høyst %n spørsmål med bilder.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

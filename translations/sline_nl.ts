@@ -1501,6 +1501,54 @@
         <source>The same page as a new folder of files for a web server, most of which are the same for every scene; browsers do not open it from a disk</source>
         <translation>Dezelfde pagina als een nieuwe map met bestanden voor een webserver, waarvan de meeste voor elke scène gelijk zijn; browsers openen haar niet vanaf een schijf</translation>
     </message>
+    <message>
+        <source>Moodle questions</source>
+        <translation>Moodle-vragen</translation>
+    </message>
+    <message>
+        <source>Questions with pictures, made of the labels, as XML for a question bank: markers to be put in place, names to be typed or chosen</source>
+        <translation>Vragen met afbeeldingen, gemaakt van de labels, als XML voor een vragenbank: markeringen die op hun plaats komen, namen om te typen of te kiezen</translation>
+    </message>
+    <message>
+        <source>QTI questions</source>
+        <translation>QTI-vragen</translation>
+    </message>
+    <message>
+        <source>The same for other question banks and examination systems, as a package of QTI 2.1</source>
+        <translation>Hetzelfde voor andere vragenbanken en toetssystemen, als pakket van QTI 2.1</translation>
+    </message>
+    <message>
+        <source>H5P questions</source>
+        <translation>H5P-vragen</translation>
+    </message>
+    <message>
+        <source>The same as content for H5P, to be played where its content types are installed</source>
+        <translation>Hetzelfde als inhoud voor H5P, af te spelen waar de inhoudstypen ervan zijn geïnstalleerd</translation>
+    </message>
+    <message>
+        <source>SCORM 1.2 package</source>
+        <translation>SCORM 1.2-pakket</translation>
+    </message>
+    <message>
+        <source>The page for students in a package that tells a learning system each answer and the score, by the standard that most systems know</source>
+        <translation>De pagina voor studenten in een pakket dat een leeromgeving elk antwoord en de score meldt, volgens de standaard die de meeste kennen</translation>
+    </message>
+    <message>
+        <source>SCORM 2004 package</source>
+        <translation>SCORM 2004-pakket</translation>
+    </message>
+    <message>
+        <source>The same by SCORM 2004, 4th edition</source>
+        <translation>Hetzelfde volgens SCORM 2004, 4e editie</translation>
+    </message>
+    <message>
+        <source>cmi5 package</source>
+        <translation>cmi5-pakket</translation>
+    </message>
+    <message>
+        <source>The same by cmi5, for systems with a learning record store</source>
+        <translation>Hetzelfde volgens cmi5, voor omgevingen met een learning record store</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportOption</name>
@@ -2115,6 +2163,14 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>Passed from</source>
+        <translation>Geslaagd vanaf</translation>
+    </message>
+    <message>
+        <source>The share of right answers that the learning system takes as passed</source>
+        <translation>Het deel goede antwoorden dat de leeromgeving als geslaagd telt</translation>
     </message>
 </context>
 <context>
@@ -4980,6 +5036,13 @@
     <message>
         <source>Label structures, or choose no quiz.</source>
         <translation>Label structuren, of kies geen quiz.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n questions with pictures.</source>
+        <translation>
+            <numerusform>Hoogstens %n vraag met een afbeelding.</numerusform>
+            <numerusform>Hoogstens %n vragen met afbeeldingen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
