@@ -1486,6 +1486,22 @@
         <translation>Karten, die nach den Beschriftungen des Bildes oder aller gespeicherten Ansichten fragen: ein Paket für Anki (.apkg) oder Text und Bilder in einem ZIP (.zip) oder einem neuen Ordner</translation>
     </message>
     <message>
+        <source>For students (HTML page)</source>
+        <translation>Für Studierende (HTML-Seite)</translation>
+    </message>
+    <message>
+        <source>One file for any browser, also offline and on telephones: the scene to turn, with its tree, labels, saved views as a tour, and a quiz</source>
+        <translation>Eine Datei für jeden Browser, auch ohne Netz und auf Telefonen: die Szene zum Drehen, mit ihrem Baum, Beschriftungen, gespeicherten Ansichten als Rundgang und einem Quiz</translation>
+    </message>
+    <message>
+        <source>For students (web site)</source>
+        <translation>Für Studierende (Webseite)</translation>
+    </message>
+    <message>
+        <source>The same page as a new folder of files for a web server, most of which are the same for every scene; browsers do not open it from a disk</source>
+        <translation>Dieselbe Seite als neuer Ordner mit Dateien für einen Webserver, von denen die meisten für jede Szene gleich sind; von der Festplatte öffnen Browser sie nicht</translation>
+    </message>
+    <message>
         <source>Moodle questions</source>
         <translation>Moodle-Fragen</translation>
     </message>
@@ -2031,6 +2047,122 @@
     <message>
         <source>Where the answers stand, each test&apos;s on a page of its own</source>
         <translation>Wo die Antworten stehen, die jedes Tests auf einer eigenen Seite</translation>
+    </message>
+    <message>
+        <source>Beside names and labels</source>
+        <translation>Neben Namen und Beschriftungen</translation>
+    </message>
+    <message>
+        <source>Nothing else, no names</source>
+        <translation>Nichts sonst, keine Namen</translation>
+    </message>
+    <message>
+        <source>&amp;Quiz</source>
+        <translation>&amp;Quiz</translation>
+    </message>
+    <message>
+        <source>What the page asks; alone, no name of a structure is in its file</source>
+        <translation>Was die Seite fragt; allein steht kein Name einer Struktur in der Datei</translation>
+    </message>
+    <message>
+        <source>Where is it?</source>
+        <translation>Wo ist es?</translation>
+    </message>
+    <message>
+        <source>The quiz names something, and it is clicked</source>
+        <translation>Das Quiz nennt etwas, das angeklickt wird</translation>
+    </message>
+    <message>
+        <source>What is it? Typed</source>
+        <translation>Was ist es? Getippt</translation>
+    </message>
+    <message>
+        <source>The quiz lights something up, and its name is typed</source>
+        <translation>Das Quiz hebt etwas hervor, dessen Name getippt wird</translation>
+    </message>
+    <message>
+        <source>What is it? One of four</source>
+        <translation>Was ist es? Eins von vieren</translation>
+    </message>
+    <message>
+        <source>The other three names are of neighbours and of the same kind</source>
+        <translation>Die anderen drei Namen sind von Nachbarn und von derselben Art</translation>
+    </message>
+    <message>
+        <source>Order along a path</source>
+        <translation>Reihenfolge entlang eines Wegs</translation>
+    </message>
+    <message>
+        <source>Where a group is a chain of vessels, the quiz asks for their order</source>
+        <translation>Wo eine Gruppe eine Kette von Gefäßen ist, fragt das Quiz nach ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Labels to their places</source>
+        <translation>Beschriftungen an ihren Ort</translation>
+    </message>
+    <message>
+        <source>Labels are dragged to what they name</source>
+        <translation>Beschriftungen werden zu dem gezogen, was sie benennen</translation>
+    </message>
+    <message>
+        <source>Answers count</source>
+        <translation>Antworten zählen</translation>
+    </message>
+    <message>
+        <source>The page tells how many were right</source>
+        <translation>Die Seite sagt, wie viele richtig waren</translation>
+    </message>
+    <message>
+        <source>No turning meanwhile</source>
+        <translation>Dabei kein Drehen</translation>
+    </message>
+    <message>
+        <source>While something is asked, the anatomy cannot be turned</source>
+        <translation>Während gefragt wird, lässt sich die Anatomie nicht drehen</translation>
+    </message>
+    <message>
+        <source>No hiding meanwhile</source>
+        <translation>Dabei kein Verbergen</translation>
+    </message>
+    <message>
+        <source>While something is asked, nothing can be hidden and no Γ changed</source>
+        <translation>Während gefragt wird, lässt sich nichts verbergen und kein Γ ändern</translation>
+    </message>
+    <message>
+        <source>Title of the page</source>
+        <translation>Titel der Seite</translation>
+    </message>
+    <message>
+        <source>Else the file&apos;s name</source>
+        <translation>Sonst der Name der Datei</translation>
+    </message>
+    <message>
+        <source>Languages</source>
+        <translation>Sprachen</translation>
+    </message>
+    <message>
+        <source>As in “de, la”; empty: all in which there are names</source>
+        <translation>Wie in „de, la“; leer: alle, in denen es Namen gibt</translation>
+    </message>
+    <message>
+        <source>Triangles at most</source>
+        <translation>Dreiecke höchstens</translation>
+    </message>
+    <message>
+        <source>Fewer make a smaller file and a quicker page; 0: all there are</source>
+        <translation>Weniger machen die Datei kleiner und die Seite schneller; 0: alle, die es gibt</translation>
+    </message>
+    <message>
+        <source>Surfaces off by</source>
+        <translation>Flächen weichen ab um</translation>
+    </message>
+    <message>
+        <source>Surfaces that may be a little off need fewer triangles; 0: exact</source>
+        <translation>Flächen, die ein wenig abweichen dürfen, brauchen weniger Dreiecke; 0: genau</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Passed from</source>
@@ -4884,6 +5016,26 @@
     <message>
         <source>What is seen is also told in words, for who does not see it.</source>
         <translation>Was zu sehen ist, steht auch in Worten darin, für wen es nicht zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>The page has %1 million triangles, too many for telephones.</source>
+        <translation>Die Seite hat %1 Millionen Dreiecke, zu viele für Telefone.</translation>
+    </message>
+    <message>
+        <source>Surfaces are simplified and off by %1 mm at most, which the page says.</source>
+        <translation>Flächen sind vereinfacht und weichen höchstens %1 mm ab; das sagt die Seite.</translation>
+    </message>
+    <message>
+        <source>The quiz asks nothing, as no label is to be asked for.</source>
+        <translation>Das Quiz fragt nichts, denn nach keiner Beschriftung ist zu fragen.</translation>
+    </message>
+    <message>
+        <source>Let surfaces be off by 0.2 mm, or export less.</source>
+        <translation>Lass Flächen um 0,2 mm abweichen oder exportiere weniger.</translation>
+    </message>
+    <message>
+        <source>Label structures, or choose no quiz.</source>
+        <translation>Beschrifte Strukturen oder wähle kein Quiz.</translation>
     </message>
     <message numerus="yes">
         <source>At most %n questions with pictures.</source>

@@ -1486,6 +1486,22 @@
         <translation>Kort som spør etter betegnelsene i bildet eller i alle lagrede visninger: en pakke for Anki (.apkg), eller tekst og bilder i en ZIP (.zip) eller en ny mappe</translation>
     </message>
     <message>
+        <source>For students (HTML page)</source>
+        <translation>For studenter (HTML-side)</translation>
+    </message>
+    <message>
+        <source>One file for any browser, also offline and on telephones: the scene to turn, with its tree, labels, saved views as a tour, and a quiz</source>
+        <translation>Én fil for alle nettlesere, også uten nett og på telefoner: scenen til å dreie, med tre, etiketter, lagrede visninger som omvisning og en quiz</translation>
+    </message>
+    <message>
+        <source>For students (web site)</source>
+        <translation>For studenter (nettsted)</translation>
+    </message>
+    <message>
+        <source>The same page as a new folder of files for a web server, most of which are the same for every scene; browsers do not open it from a disk</source>
+        <translation>Den samme siden som en ny mappe med filer for en nettjener, der de fleste er like for alle scener; nettlesere åpner den ikke fra disken</translation>
+    </message>
+    <message>
         <source>Moodle questions</source>
         <translation>Moodle-spørsmål</translation>
     </message>
@@ -2031,6 +2047,122 @@
     <message>
         <source>Where the answers stand, each test&apos;s on a page of its own</source>
         <translation>Hvor svarene står, de til hver test på en egen side</translation>
+    </message>
+    <message>
+        <source>Beside names and labels</source>
+        <translation>Ved siden av navn og etiketter</translation>
+    </message>
+    <message>
+        <source>Nothing else, no names</source>
+        <translation>Ikke noe annet, ingen navn</translation>
+    </message>
+    <message>
+        <source>&amp;Quiz</source>
+        <translation>&amp;Quiz</translation>
+    </message>
+    <message>
+        <source>What the page asks; alone, no name of a structure is in its file</source>
+        <translation>Hva siden spør om; alene står ingen navn på strukturer i filen</translation>
+    </message>
+    <message>
+        <source>Where is it?</source>
+        <translation>Hvor er det?</translation>
+    </message>
+    <message>
+        <source>The quiz names something, and it is clicked</source>
+        <translation>Quizen nevner noe som klikkes på</translation>
+    </message>
+    <message>
+        <source>What is it? Typed</source>
+        <translation>Hva er det? Skrives</translation>
+    </message>
+    <message>
+        <source>The quiz lights something up, and its name is typed</source>
+        <translation>Quizen fremhever noe, og navnet skrives</translation>
+    </message>
+    <message>
+        <source>What is it? One of four</source>
+        <translation>Hva er det? Én av fire</translation>
+    </message>
+    <message>
+        <source>The other three names are of neighbours and of the same kind</source>
+        <translation>De tre andre navnene er på naboer og av samme slag</translation>
+    </message>
+    <message>
+        <source>Order along a path</source>
+        <translation>Rekkefølge langs en vei</translation>
+    </message>
+    <message>
+        <source>Where a group is a chain of vessels, the quiz asks for their order</source>
+        <translation>Der en gruppe er en kjede av kar, spør quizen om rekkefølgen</translation>
+    </message>
+    <message>
+        <source>Labels to their places</source>
+        <translation>Etiketter på plass</translation>
+    </message>
+    <message>
+        <source>Labels are dragged to what they name</source>
+        <translation>Etiketter dras til det de navngir</translation>
+    </message>
+    <message>
+        <source>Answers count</source>
+        <translation>Svar teller</translation>
+    </message>
+    <message>
+        <source>The page tells how many were right</source>
+        <translation>Siden sier hvor mange som var riktige</translation>
+    </message>
+    <message>
+        <source>No turning meanwhile</source>
+        <translation>Ingen dreiing imens</translation>
+    </message>
+    <message>
+        <source>While something is asked, the anatomy cannot be turned</source>
+        <translation>Mens det spørres, kan anatomien ikke dreies</translation>
+    </message>
+    <message>
+        <source>No hiding meanwhile</source>
+        <translation>Ingen skjuling imens</translation>
+    </message>
+    <message>
+        <source>While something is asked, nothing can be hidden and no Γ changed</source>
+        <translation>Mens det spørres, kan ingenting skjules og ingen Γ endres</translation>
+    </message>
+    <message>
+        <source>Title of the page</source>
+        <translation>Sidens tittel</translation>
+    </message>
+    <message>
+        <source>Else the file&apos;s name</source>
+        <translation>Ellers filens navn</translation>
+    </message>
+    <message>
+        <source>Languages</source>
+        <translation>Språk</translation>
+    </message>
+    <message>
+        <source>As in “de, la”; empty: all in which there are names</source>
+        <translation>Som i «de, la»; tomt: alle der det finnes navn</translation>
+    </message>
+    <message>
+        <source>Triangles at most</source>
+        <translation>Trekanter høyst</translation>
+    </message>
+    <message>
+        <source>Fewer make a smaller file and a quicker page; 0: all there are</source>
+        <translation>Færre gir en mindre fil og en raskere side; 0: alle som finnes</translation>
+    </message>
+    <message>
+        <source>Surfaces off by</source>
+        <translation>Flater avviker med</translation>
+    </message>
+    <message>
+        <source>Surfaces that may be a little off need fewer triangles; 0: exact</source>
+        <translation>Flater som kan avvike litt, trenger færre trekanter; 0: nøyaktig</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Passed from</source>
@@ -4884,6 +5016,26 @@
     <message>
         <source>What is seen is also told in words, for who does not see it.</source>
         <translation>Det som er å se, står der også i ord, for den som ikke ser det.</translation>
+    </message>
+    <message>
+        <source>The page has %1 million triangles, too many for telephones.</source>
+        <translation>Siden har %1 millioner trekanter, for mange for telefoner.</translation>
+    </message>
+    <message>
+        <source>Surfaces are simplified and off by %1 mm at most, which the page says.</source>
+        <translation>Flater er forenklet og avviker høyst %1 mm; det sier siden.</translation>
+    </message>
+    <message>
+        <source>The quiz asks nothing, as no label is to be asked for.</source>
+        <translation>Quizen spør ikke om noe, for det er ingen etikett å spørre om.</translation>
+    </message>
+    <message>
+        <source>Let surfaces be off by 0.2 mm, or export less.</source>
+        <translation>La flater avvike med 0,2 mm, eller eksporter mindre.</translation>
+    </message>
+    <message>
+        <source>Label structures, or choose no quiz.</source>
+        <translation>Sett etiketter på strukturer, eller velg ingen quiz.</translation>
     </message>
     <message numerus="yes">
         <source>At most %n questions with pictures.</source>

@@ -1486,6 +1486,22 @@
         <translation>Kaarten die naar de benamingen van de afbeelding of van alle bewaarde aanzichten vragen: een pakket voor Anki (.apkg), of tekst en afbeeldingen in een ZIP (.zip) of een nieuwe map</translation>
     </message>
     <message>
+        <source>For students (HTML page)</source>
+        <translation>Voor studenten (HTML-pagina)</translation>
+    </message>
+    <message>
+        <source>One file for any browser, also offline and on telephones: the scene to turn, with its tree, labels, saved views as a tour, and a quiz</source>
+        <translation>Eén bestand voor elke browser, ook zonder net en op telefoons: de scène om te draaien, met haar boom, labels, bewaarde aanzichten als rondleiding en een quiz</translation>
+    </message>
+    <message>
+        <source>For students (web site)</source>
+        <translation>Voor studenten (website)</translation>
+    </message>
+    <message>
+        <source>The same page as a new folder of files for a web server, most of which are the same for every scene; browsers do not open it from a disk</source>
+        <translation>Dezelfde pagina als een nieuwe map met bestanden voor een webserver, waarvan de meeste voor elke scène gelijk zijn; browsers openen haar niet vanaf een schijf</translation>
+    </message>
+    <message>
         <source>Moodle questions</source>
         <translation>Moodle-vragen</translation>
     </message>
@@ -2031,6 +2047,122 @@
     <message>
         <source>Where the answers stand, each test&apos;s on a page of its own</source>
         <translation>Waar de antwoorden staan, die van elke toets op een eigen pagina</translation>
+    </message>
+    <message>
+        <source>Beside names and labels</source>
+        <translation>Naast namen en labels</translation>
+    </message>
+    <message>
+        <source>Nothing else, no names</source>
+        <translation>Niets anders, geen namen</translation>
+    </message>
+    <message>
+        <source>&amp;Quiz</source>
+        <translation>&amp;Quiz</translation>
+    </message>
+    <message>
+        <source>What the page asks; alone, no name of a structure is in its file</source>
+        <translation>Wat de pagina vraagt; alleen staat er geen naam van een structuur in het bestand</translation>
+    </message>
+    <message>
+        <source>Where is it?</source>
+        <translation>Waar is het?</translation>
+    </message>
+    <message>
+        <source>The quiz names something, and it is clicked</source>
+        <translation>De quiz noemt iets, dat wordt aangeklikt</translation>
+    </message>
+    <message>
+        <source>What is it? Typed</source>
+        <translation>Wat is het? Getypt</translation>
+    </message>
+    <message>
+        <source>The quiz lights something up, and its name is typed</source>
+        <translation>De quiz licht iets op, waarvan de naam wordt getypt</translation>
+    </message>
+    <message>
+        <source>What is it? One of four</source>
+        <translation>Wat is het? Eén van vier</translation>
+    </message>
+    <message>
+        <source>The other three names are of neighbours and of the same kind</source>
+        <translation>De andere drie namen zijn van buren en van dezelfde soort</translation>
+    </message>
+    <message>
+        <source>Order along a path</source>
+        <translation>Volgorde langs een weg</translation>
+    </message>
+    <message>
+        <source>Where a group is a chain of vessels, the quiz asks for their order</source>
+        <translation>Waar een groep een keten van vaten is, vraagt de quiz naar hun volgorde</translation>
+    </message>
+    <message>
+        <source>Labels to their places</source>
+        <translation>Labels naar hun plaats</translation>
+    </message>
+    <message>
+        <source>Labels are dragged to what they name</source>
+        <translation>Labels worden gesleept naar wat ze benoemen</translation>
+    </message>
+    <message>
+        <source>Answers count</source>
+        <translation>Antwoorden tellen</translation>
+    </message>
+    <message>
+        <source>The page tells how many were right</source>
+        <translation>De pagina zegt hoeveel er goed waren</translation>
+    </message>
+    <message>
+        <source>No turning meanwhile</source>
+        <translation>Intussen niet draaien</translation>
+    </message>
+    <message>
+        <source>While something is asked, the anatomy cannot be turned</source>
+        <translation>Terwijl er iets wordt gevraagd, kan de anatomie niet worden gedraaid</translation>
+    </message>
+    <message>
+        <source>No hiding meanwhile</source>
+        <translation>Intussen niet verbergen</translation>
+    </message>
+    <message>
+        <source>While something is asked, nothing can be hidden and no Γ changed</source>
+        <translation>Terwijl er iets wordt gevraagd, kan er niets worden verborgen en geen Γ worden veranderd</translation>
+    </message>
+    <message>
+        <source>Title of the page</source>
+        <translation>Titel van de pagina</translation>
+    </message>
+    <message>
+        <source>Else the file&apos;s name</source>
+        <translation>Anders de naam van het bestand</translation>
+    </message>
+    <message>
+        <source>Languages</source>
+        <translation>Talen</translation>
+    </message>
+    <message>
+        <source>As in “de, la”; empty: all in which there are names</source>
+        <translation>Zoals in “de, la”; leeg: alle waarin er namen zijn</translation>
+    </message>
+    <message>
+        <source>Triangles at most</source>
+        <translation>Driehoeken hooguit</translation>
+    </message>
+    <message>
+        <source>Fewer make a smaller file and a quicker page; 0: all there are</source>
+        <translation>Minder geeft een kleiner bestand en een snellere pagina; 0: alle die er zijn</translation>
+    </message>
+    <message>
+        <source>Surfaces off by</source>
+        <translation>Oppervlakken wijken af</translation>
+    </message>
+    <message>
+        <source>Surfaces that may be a little off need fewer triangles; 0: exact</source>
+        <translation>Oppervlakken die iets mogen afwijken, hebben minder driehoeken nodig; 0: exact</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Passed from</source>
@@ -4884,6 +5016,26 @@
     <message>
         <source>What is seen is also told in words, for who does not see it.</source>
         <translation>Wat te zien is, staat er ook in woorden in, voor wie het niet ziet.</translation>
+    </message>
+    <message>
+        <source>The page has %1 million triangles, too many for telephones.</source>
+        <translation>De pagina heeft %1 miljoen driehoeken, te veel voor telefoons.</translation>
+    </message>
+    <message>
+        <source>Surfaces are simplified and off by %1 mm at most, which the page says.</source>
+        <translation>Oppervlakken zijn vereenvoudigd en wijken hooguit %1 mm af; dat zegt de pagina.</translation>
+    </message>
+    <message>
+        <source>The quiz asks nothing, as no label is to be asked for.</source>
+        <translation>De quiz vraagt niets, want er is geen label om naar te vragen.</translation>
+    </message>
+    <message>
+        <source>Let surfaces be off by 0.2 mm, or export less.</source>
+        <translation>Laat oppervlakken 0,2 mm afwijken, of exporteer minder.</translation>
+    </message>
+    <message>
+        <source>Label structures, or choose no quiz.</source>
+        <translation>Label structuren, of kies geen quiz.</translation>
     </message>
     <message numerus="yes">
         <source>At most %n questions with pictures.</source>

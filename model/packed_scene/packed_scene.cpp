@@ -177,11 +177,15 @@ class ScenePacker {
     out.raw(sceneMagic);
     out.word(packedSchema);
     out.block(sceneJson(scene));
-    for (const auto& [mesh, name] : meshNames(scene))
-      if (m_written.insert(name + (mesh->triangleCount() == 0 ? " (nothing)" : "")).second) {
+    const auto names = meshNames(scene);
+    for (const Node& node : scene.nodes()) {  // in the tree's order, which is the same each time
+      const std::string name = node.mesh ? names.at(node.mesh) : std::string();
+      if (node.mesh &&
+          m_written.insert(name + (node.mesh->triangleCount() == 0 ? " (nothing)" : "")).second) {
         out.block(name);
-        out.block(m_packings.bytesOf(mesh));
+        out.block(m_packings.bytesOf(node.mesh));
       }
+    }
     for (const Node& node : scene.nodes())
       if (const std::string name = paintName(node.id);
           node.paint && m_written.insert(name).second) {

@@ -45,6 +45,18 @@ std::string filmText(const render::ExportNote& note) {
          " seconds, as it has whole frames alone. Give --seconds that --fps divides evenly";
 }
 
+/// Returns the text of a note on a film, or on what pixels of a kind of file cannot hold.
+std::string pixelText(const render::ExportNote& note) {
+  if (note.kind == render::ExportNote::Kind::filmRounded ||
+      note.kind == render::ExportNote::Kind::filmStretched)
+    return filmText(note);
+  if (note.kind == render::ExportNote::Kind::standsOnWhite)
+    return "what is transparent stands on white, as files of this kind have no transparency. "
+           "Take --png, --tiff, --svg or --webp for that";
+  return "a channel has fewer than " + plain(note.detail) +
+         " bits, as in all files of this kind. Take --png or --tiff for more";
+}
+
 /// Returns the text of a note on a students' page.
 std::string pageText(const render::ExportNote& note) {
   if (note.kind == render::ExportNote::Kind::pageLarge)
@@ -110,14 +122,10 @@ std::string textOf(const render::ExportNote& note) {
       return counted(count, "structure is", "structures are") + " drawn without noise" + names +
              "It is made of pixels: write a picture, or take --technique streamline_hatching";
     case Kind::standsOnWhite:
-      return "what is transparent stands on white, as files of this kind have no transparency. "
-             "Take --png, --tiff, --svg or --webp for that";
     case Kind::depthNotKept:
-      return "a channel has fewer than " + plain(note.detail) +
-             " bits, as in all files of this kind. Take --png or --tiff for more";
     case Kind::filmRounded:
     case Kind::filmStretched:
-      return filmText(note);
+      return pixelText(note);
     case Kind::pageLarge:
     case Kind::pageSimplified:
     case Kind::quizEmpty:

@@ -5,7 +5,9 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "model/anatomy/laterality_words.h"
 #include "render/export/order/view_orders.h"
+#include "render/export/plate/legend.h"
 #include "render/labels/seen_map.h"
 
 namespace sline::render {
@@ -32,6 +34,8 @@ std::vector<model::Annotation> seenLabels(const ExportOrder& order) {
     Candidate& one = all.emplace_back();
     one.label = SeenMap::labelAt(node.id, *place);
     one.label.text = node.name;
+    for (const std::string_view tag : model::nameLanguageTags)
+      one.label.texts[std::string(tag)] = structureName(node.name, std::string(tag));
     one.size = glm::length(node.mesh->bounds().size());
   }
   std::stable_sort(all.begin(), all.end(),

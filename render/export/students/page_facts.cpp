@@ -56,7 +56,7 @@ class FactsMaker {
   FactsMaker(const ExportOrder& order, const StudentsOptions& own)
       : m_order(order), m_scene(order.scene), m_own(own), m_words(order, own) {}
 
-  Json make() {
+  Json make(const std::vector<WordsByLanguage>& seen) {
     Json facts{{"schema", 1},
                {"title", m_words.title()},
                {"language", m_words.language()},
@@ -68,8 +68,8 @@ class FactsMaker {
                {"alt", descriptionsOf(m_order, m_words)}};
     for (const model::Node& node : m_scene.nodes())
       facts["nodes"].push_back(nodeFacts(node));
-    for (const model::View& view : m_scene.views())
-      facts["views"].push_back(viewFacts(view));
+    for (std::size_t i = 0; i < m_scene.views().size(); ++i)
+      facts["views"].push_back(viewFacts(m_scene.views()[i], seen[i]));
     for (const model::Annotation& annotation : m_scene.annotations())
       facts["labels"].push_back({{"id", annotation.id.value},
                                  {"structures", structuresOf(annotation)},
@@ -121,10 +121,10 @@ class FactsMaker {
     return note;
   }
 
-  Json viewFacts(const model::View& view) const {
+  Json viewFacts(const model::View& view, const WordsByLanguage& seen) const {
     return {{"title", m_words.titleOf(view)},
             {"words", m_words.linesOf(view.words.text)},
-            {"alt", descriptionsOf(orderOfView(m_order, view), m_words)},
+            {"alt", seen},
             {"seconds", flightSeconds}};
   }
 
@@ -189,7 +189,7 @@ std::string withoutTags(const std::string& json) {
 
 std::string pageFacts(const ExportOrder& order, const StudentsOptions& own,
                       const FactsExtras& extras) {
-  Json facts = FactsMaker(order, own).make();
+  Json facts = FactsMaker(order, own).make(extras.views);
   if (extras.simplifiedMm > 0.0f)
     facts["simplifiedMm"] = rounded(extras.simplifiedMm);
   // What is no UTF-8 becomes U+FFFD.
@@ -208,6 +208,13 @@ WordsByLanguage descriptionsOf(const ExportOrder& order, const PageWords& words)
     said[tag] = words.silent() || byHand ? altTextOf(one).text : describedPicture(one);
   }
   return said;
+}
+
+std::vector<WordsByLanguage> descriptionsOfViews(const ExportOrder& order, const PageWords& words) {
+  std::vector<WordsByLanguage> all;
+  for (const model::View& view : order.scene.views())
+    all.push_back(descriptionsOf(orderOfView(order, view), words));
+  return all;
 }
 
 std::vector<std::string> creditsOf(const ExportOrder& order) {

@@ -7,7 +7,6 @@
 #include "render/export/pixels/webp_image.h"
 #include "render/export/plate/plate_image.h"
 #include "render/export/students/answer_hash.h"
-#include "render/export/students/page_facts.h"
 #include "render/lettering/typesetting.h"
 #include "render/picture/headless/headless_picture.h"
 
@@ -22,6 +21,12 @@ constexpr float stillQuality = 72.0f;
 /// Returns the order of a view's still, with numbers for its labels.
 ExportOrder stillOrder(const ExportOrder& order, const model::View& view, const PageWords& words) {
   ExportOrder still = orderOfView(order, view);
+  // Labels are called as the page calls them.
+  std::vector<model::Annotation> labels = still.scene.annotations();
+  for (model::Annotation& label : labels)
+    if (label.kind == model::AnnotationKind::label || label.kind == model::AnnotationKind::pin)
+      label.texts[words.language()] = words.ofLabel(label).at(words.language());
+  still.scene.setAnnotations(std::move(labels));
   const float aspect = float(stillSize.x) / float(stillSize.y);
   still.page.sizeMm = {aspect * stillHeightMm, stillHeightMm};
   still.camera = fittedToPage(still.scene, still.camera, aspect);
@@ -63,6 +68,7 @@ std::string textIn(const WordsByLanguage& words, const std::string& language) {
 }  // namespace
 
 Result<std::string> pageStills(const ExportOrder& order, const PageWords& words,
+                               const std::vector<WordsByLanguage>& shown,
                                const ExportProgress& progress) {
   const auto typesetting = Typesetting::create();
   if (!typesetting.ok())
@@ -85,8 +91,7 @@ Result<std::string> pageStills(const ExportOrder& order, const PageWords& words,
     const Result<std::string> webp = webpOf(*image, stillQuality);
     if (!webp.ok())
       return webp.error();
-    const std::string alt =
-        textIn(descriptionsOf(orderOfView(order, views[i]), words), words.language());
+    const std::string alt = textIn(shown[i], words.language());
     html += "<figure>\n<img width=\"" + std::to_string(stillSize.x) + "\" height=\"" +
             std::to_string(stillSize.y) + "\" alt=\"" + xmlText(alt) +
             "\" src=\"data:image/webp;base64," + base64(*webp) + "\">\n<figcaption>\n<h2>" +

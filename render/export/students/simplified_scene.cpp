@@ -31,7 +31,7 @@ std::size_t trianglesOf(const Replacements& fewer) {
   return triangles;
 }
 
-/// Finds a bound that leaves as many triangles as wanted, or up to a sixth fewer.
+/// Finds a bound that leaves no more triangles than wanted, within a tenth of the smallest such.
 Replacements withTriangles(const model::Scene& scene, std::size_t most,
                            const std::function<bool()>& goesOn) {
   constexpr float smallest = 0.0005f;  // mm
@@ -45,7 +45,7 @@ Replacements withTriangles(const model::Scene& scene, std::size_t most,
   Replacements best = found;
   for (int turn = 0; turn < 7 && goesOn(); ++turn) {
     const bool enough = trianglesOf(found) <= most;
-    if (enough)
+    if (enough && (trianglesOf(best) > most || trianglesOf(best) < trianglesOf(found)))
       best = found;
     (enough ? high : low) = bound;
     if (high < 1.1f * low || (enough && 6 * trianglesOf(found) >= 5 * most))

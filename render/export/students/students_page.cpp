@@ -168,16 +168,20 @@ Result<StudentsPage> studentsPage(const ExportOrder& order, const StudentsOption
               .scene = gzipped(packed.first),
               .context = packed.rest.empty() ? std::string() : gzipped(packed.rest)};
   const PageWords words(shown, own);
-  const Result<std::string> stills = pageStills(shown, words, progress);
+  if (!goesOn(0.2, "describing pictures"))
+    return givenUp({});
+  const std::vector<WordsByLanguage> seen = descriptionsOfViews(shown, words);
+  const Result<std::string> stills = pageStills(shown, words, seen, progress);
   if (!stills.ok())
     return stills.error();
   if (!goesOn(0.85, "writing the page"))
     return givenUp({});
-  std::vector<Filling> fillings{{"LANGUAGE", xmlText(words.language())},
-                                {"DIRECTION", directionOf(words.language())},
-                                {"TITLE", xmlText(words.title())},
-                                {"STILLS", *stills},
-                                {"FACTS", pageFacts(shown, own, {.simplifiedMm = simple.errorMm})}};
+  std::vector<Filling> fillings{
+      {"LANGUAGE", xmlText(words.language())},
+      {"DIRECTION", directionOf(words.language())},
+      {"TITLE", xmlText(words.title())},
+      {"STILLS", *stills},
+      {"FACTS", pageFacts(shown, own, {.simplifiedMm = simple.errorMm, .views = seen})}};
   StudentsPage made;
   if (own.folder)
     made.files = putBeside(parts, own.report, fillings);
