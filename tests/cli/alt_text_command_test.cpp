@@ -181,7 +181,7 @@ class AltTextCommandTest : public QObject {
     const QString scene = path("printed.sline");
     QVERIFY(QFile::copy(m_scene, scene));
     QCOMPARE(runSline({"credit", scene, "--source", "QZXSOURCE"}).code, 0);
-    QCOMPARE(kindsThatSay("QZXSOURCE", scene, {}), QString("glb page"));
+    QCOMPARE(kindsThatSay("QZXSOURCE", scene, {}), QString("cmi5 glb page scorm12 scorm2004"));
     QCOMPARE(kindsThatSay("QZXSOURCE", scene, {"--credits", "off"}), QString());
     QCOMPARE(kindsThatSay("QZXSOURCE", scene, {"--credits", "line"}), all());
     QCOMPARE(kindsThatSay("QZXSOURCE", scene, {"--credits", "page"}), all());

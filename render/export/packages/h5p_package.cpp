@@ -224,10 +224,10 @@ class Content {
 
   /// Returns the content of the main library, which is then the first of those used.
   Json assembled() {
-    const Json set{{"introPage", {{"showIntroPage", false}}},
-                   {"progressType", "dots"},
-                   {"passPercentage", m_book.passing},
-                   {"questions", m_questions}};
+    Json set{{"introPage", {{"showIntroPage", false}}},
+             {"progressType", "dots"},
+             {"passPercentage", m_book.passing},
+             {"questions", m_questions}};
     if (m_hotspots.empty()) {
       m_main = &questionSet;
       return set;
@@ -249,14 +249,15 @@ class Content {
                               {"majorVersion", library->major},
                               {"minorVersion", library->minor}});
     const std::string primary = m_book.language.substr(0, m_book.language.find_first_of("-_+"));
-    Json json{{"title", shortened(plainLine(m_book.title))},
+    std::string title = shortened(plainLine(m_book.title));
+    if (title.empty())
+      title = "Sline";
+    Json json{{"title", title},
               {"language", primary.empty() ? "und" : primary.substr(0, 10)},
               {"mainLibrary", m_main->name},
               {"embedTypes", {"div"}},
               {"license", "U"},
               {"preloadedDependencies", dependencies}};
-    if (json["title"] == "")
-      json["title"] = "Sline";
     const ExportCredit& credit = m_book.credit;
     if (!credit.author.empty())
       json["authors"] = {{{"name", shortened(credit.author)}, {"role", "Author"}}};

@@ -190,10 +190,13 @@ class SheetMaker {
     for (const model::Question& question : m_questions) {
       SheetThing thing{.words = plainWords(question)};
       const model::AnnotationId* shown = nullptr;
+      bool hidden = false;
       for (const model::AnnotationId& id : question.labels) {
         const PlacedLabel* placed = plate.labels->layout.find(id);
-        if (placed && !placed->hidden && !shown)
+        if (placed && (!shown || (hidden && !placed->hidden))) {
           shown = &id;
+          hidden = placed->hidden;
+        }
         if (const auto number = m_numbers.find(id); number != m_numbers.end())
           thing.numbers.push_back(number->second);
       }
@@ -203,6 +206,8 @@ class SheetMaker {
       thing.id = std::to_string(shown->value);
       names.fill(thing, *shown);
       thing.zone = zoneOf(seen.areaOf(question.structures), m_order.page.sizeMm);
+      if (hidden && thing.zone.outline.empty())
+        continue;  // nobody sees what it is
       Result<QuestionPicture> marked = markedPicture(plate, *shown, sheet.ground.size);
       if (!marked.ok())
         return marked.error();

@@ -41,6 +41,13 @@ std::string coordinates(const QuestionZone& zone, const glm::ivec2& size) {
   return list;
 }
 
+/// What an item asks, and how that is judged.
+struct ItemParts {
+  std::string declared;
+  std::string body;
+  const char* processing;
+};
+
 struct Item {
   std::string id;  ///< also the file's name
   std::string xml;
@@ -85,16 +92,16 @@ class Package {
 
   /// Adds an item; its title names nothing, as students see it.
   void addItem(const std::string& kind, const SheetThing& thing, const QuestionPicture& picture,
-               const std::string& declared, const std::string& body, const char* processing) {
+               const ItemParts& parts) {
     addPicture(picture);
     Item item{.id = "q-" + thing.id + '-' + kind, .xml = {}, .pictures = {picture.name}};
-    item.xml = std::string(xmlHead) + "<assessmentItem " + qtiSpace +
-               xmlAttribute("identifier", item.id) +
-               xmlAttribute("title", std::to_string(++m_number)) +
-               xmlAttribute("xml:lang", m_book.language) +
-               " adaptive=\"false\" timeDependent=\"false\" toolName=\"Sline\">\n" + declared +
-               outcome() + "  <itemBody>\n" + body + "  </itemBody>\n  <responseProcessing" +
-               " template=\"" + templates + processing + "\"/>\n</assessmentItem>\n";
+    item.xml =
+        std::string(xmlHead) + "<assessmentItem " + qtiSpace + xmlAttribute("identifier", item.id) +
+        xmlAttribute("title", std::to_string(++m_number)) +
+        xmlAttribute("xml:lang", m_book.language) +
+        " adaptive=\"false\" timeDependent=\"false\" toolName=\"Sline\">\n" + parts.declared +
+        outcome() + "  <itemBody>\n" + parts.body + "  </itemBody>\n  <responseProcessing" +
+        " template=\"" + templates + parts.processing + "\"/>\n</assessmentItem>\n";
     m_sections.back().push_back(std::move(item));
   }
 
@@ -127,7 +134,7 @@ class Package {
               coordinates(each.zone, ground.size) + "\"/>\n";
     }
     body += "    </hotspotInteraction>\n";
-    addItem("find", thing, ground, oneRight(right), body, "match_correct");
+    addItem("find", thing, ground, {oneRight(right), body, "match_correct"});
   }
 
   std::string choices(const std::string& prompt, bool shuffled,
@@ -158,10 +165,11 @@ class Package {
       if (numbers == thing.numbers)
         right = "C" + std::to_string(texts.size());
     }
-    addItem("number", thing, sheet.numbered, oneRight(right),
-            image(sheet.numbered, sheet.shows) +
-                choices(withName(m_words.whichNumber, thing.words), false, texts),
-            "match_correct");
+    addItem("number", thing, sheet.numbered,
+            {oneRight(right),
+             image(sheet.numbered, sheet.shows) +
+                 choices(withName(m_words.whichNumber, thing.words), false, texts),
+             "match_correct"});
   }
 
   void addTextEntry(const QuestionSheet& sheet, const SheetThing& thing) {
@@ -177,19 +185,21 @@ class Package {
                   " mappedValue=\"1\" caseSensitive=\"false\"/>";
       longest = std::max(longest, name.size());
     }
-    addItem("name", thing, thing.marked, declared + "</mapping></responseDeclaration>\n",
-            image(thing.marked, sheet.shows) + "    <p>" + lineElementText(m_words.nameIt) +
-                " <textEntryInteraction responseIdentifier=\"RESPONSE\" expectedLength=\"" +
-                std::to_string(longest) + "\"/></p>\n",
-            "map_response");
+    addItem("name", thing, thing.marked,
+            {declared + "</mapping></responseDeclaration>\n",
+             image(thing.marked, sheet.shows) + "    <p>" + lineElementText(m_words.nameIt) +
+                 " <textEntryInteraction responseIdentifier=\"RESPONSE\" expectedLength=\"" +
+                 std::to_string(longest) + "\"/></p>\n",
+             "map_response"});
   }
 
   void addChoice(const QuestionSheet& sheet, const SheetThing& thing) {
     std::vector<std::string> texts{thing.words};
     texts.insert(texts.end(), thing.wrong.begin(), thing.wrong.end());
-    addItem("choose", thing, thing.marked, oneRight("C1"),
-            image(thing.marked, sheet.shows) + choices(m_words.chooseIt, true, texts),
-            "match_correct");
+    addItem(
+        "choose", thing, thing.marked,
+        {oneRight("C1"), image(thing.marked, sheet.shows) + choices(m_words.chooseIt, true, texts),
+         "match_correct"});
   }
 
   std::string test() const {

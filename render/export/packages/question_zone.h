@@ -22,7 +22,7 @@ struct QuestionZone {
   float thickness = 0.0f;  ///< of its thickest place, as a share of the picture's height
 
   /// Tells whether a finger or a mouse hits it.
-  bool canBeHit() const { return !outline.empty() && thickness >= 0.014f; }
+  bool canBeHit() const { return !outline.empty() && thickness >= 0.02f; }
 };
 
 /// Returns the zone of what is seen; specks of it are left out. `sizeMm` is the picture's size.

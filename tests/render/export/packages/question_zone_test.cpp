@@ -103,7 +103,7 @@ class QuestionZoneTest : public QObject {
       rows[50][x] = '#';  // a hair
     QVERIFY(!zoneOf(areaOf(rows), {200.0f, 200.0f}).canBeHit());
     for (std::size_t x = 0; x < 180; ++x)
-      rows[51][x] = rows[52][x] = '#';
+      rows[51][x] = rows[52][x] = rows[53][x] = rows[54][x] = '#';
     QVERIFY(zoneOf(areaOf(rows), {200.0f, 200.0f}).canBeHit());
   }
 };
