@@ -2050,7 +2050,7 @@
     </message>
     <message>
         <source>Beside names and labels</source>
-        <translation>Neben Namen und Beschriftungen</translation>
+        <translation>Neben den Namen</translation>
     </message>
     <message>
         <source>Nothing else, no names</source>

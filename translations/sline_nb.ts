@@ -2050,7 +2050,7 @@
     </message>
     <message>
         <source>Beside names and labels</source>
-        <translation>Ved siden av navn og etiketter</translation>
+        <translation>Ved siden av navnene</translation>
     </message>
     <message>
         <source>Nothing else, no names</source>

@@ -2054,7 +2054,7 @@
     </message>
     <message>
         <source>Nothing else, no names</source>
-        <translation>Niets anders, geen namen</translation>
+        <translation>Alleen, zonder namen</translation>
     </message>
     <message>
         <source>&amp;Quiz</source>

@@ -49,6 +49,14 @@ void applyBlend(Blend blend) {
   }
 }
 
+void bindCopy(const Target& from, const Target& to) {
+  // Both are bound first: after a page was shown, Chromium takes one of the two for bound that is
+  // not, and refuses to copy a framebuffer to itself.
+  glBindFramebuffer(GL_FRAMEBUFFER, to.handle());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
+  glDisable(GL_SCISSOR_TEST);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Device>> Device::create() {
@@ -140,9 +148,7 @@ void Device::quads(const Draw& draw, std::size_t instances) {
 }
 
 void Device::copyDepth(const Target& from, const Target& to, const PixelRect& area) {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.handle());
-  glDisable(GL_SCISSOR_TEST);
+  bindCopy(from, to);
   glBlitFramebuffer(area.x, area.y, area.right(), area.top(), area.x, area.y, area.right(),
                     area.top(), GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
@@ -150,9 +156,7 @@ void Device::copyDepth(const Target& from, const Target& to, const PixelRect& ar
 void Device::copyColour(const Target& from, const PixelRect& area, const Target& to,
                         const PixelRect& place) {
   assert(area.width == place.width && area.height == place.height);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.handle());
-  glDisable(GL_SCISSOR_TEST);
+  bindCopy(from, to);
   glBlitFramebuffer(area.x, area.y, area.right(), area.top(), place.x, place.y, place.right(),
                     place.top(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }

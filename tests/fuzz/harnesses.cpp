@@ -15,6 +15,7 @@
 #include "model/import/slicer/bundle.h"
 #include "model/import/slicer/fiducials.h"
 #include "model/import/slicer/mrml_scene.h"
+#include "model/packed_scene/packed_scene.h"
 #include "model/scene_file/journal_content.h"
 #include "model/scene_file/mesh_codec.h"
 #include "model/scene_file/scan_codec.h"
@@ -292,6 +293,21 @@ std::string figure(std::string_view bytes) {
   return *again == *read ? "" : "it changes when it is written";
 }
 
+/// Takes a packed scene, as the students' page does; one that is taken can be packed again.
+std::string pageScene(std::string_view bytes) {
+  model::UnpackedScene unpacked;
+  const Status taken = unpacked.take(bytes);
+  if (!taken.ok())
+    return faultOf(taken.error());
+  model::UnpackedScene again;
+  const Status retaken = again.take(model::packedScene(unpacked.scene()).first);
+  if (!retaken.ok())
+    return "what was packed is refused: " + retaken.error().text();
+  return again.scene().nodes().size() == unpacked.scene().nodes().size()
+             ? ""
+             : "it changes when it is packed";
+}
+
 /// Takes the whole way in: the reader's result is mended, smoothed and refined, or decimated, and
 /// saved. Refinement makes much of little by design, so the input is kept small.
 std::string wholeImport(std::string_view bytes) {
@@ -358,6 +374,7 @@ constexpr Harness table[] = {
     {"credit", credit},
     {"markup", markup},
     {"figure", figure},
+    {"page_scene", pageScene},
     {"import", wholeImport},
 };
 }  // namespace

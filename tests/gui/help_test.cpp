@@ -26,8 +26,10 @@ class HelpTest : public QObject {
     return f.window.findChild<widgets::HelpBrowser*>(QStringLiteral("helpPage"));
   }
   /// Returns the targets of links and pictures of a page.
-  static QStringList targets(const QString& text) {
+  static QStringList targets(QString text) {
+    static const QRegularExpression code(QStringLiteral("`[^`]*`"));  // shows what links look like
     static const QRegularExpression link(QStringLiteral("\\]\\(([^)]+)\\)"));
+    text.remove(code);
     QStringList found;
     for (auto match = link.globalMatch(text); match.hasNext();)
       found << match.next().captured(1);
@@ -126,7 +128,7 @@ class HelpTest : public QObject {
     QVERIFY(page->toPlainText().contains(QStringLiteral("mmCIF"), Qt::CaseInsensitive));
     QVERIFY(page->textCursor().hasSelection());
     search->clear();
-    QTest::keyClicks(search, QStringLiteral("nothing like it anywhere"));
+    QTest::keyClicks(search, QStringLiteral("nothing like zebras anywhere"));
     QCOMPARE(contents->count(), 0);
   }
 
