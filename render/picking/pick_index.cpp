@@ -168,11 +168,12 @@ class BoxSearch {
         return true;
     // Large triangles have their corners elsewhere.
     constexpr int rows = 16;
-    for (int i = 0; i < rows * rows; ++i) {
-      const glm::vec2 part = (glm::vec2(float(i % rows), float(i / rows)) + 0.5f) / float(rows);
-      if (seenAt(m_box.low + part * (m_box.high - m_box.low), candidate))
-        return true;
-    }
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < rows; ++column) {
+        const glm::vec2 part = (glm::vec2(column, row) + 0.5f) / float(rows);
+        if (seenAt(m_box.low + part * (m_box.high - m_box.low), candidate))
+          return true;
+      }
     return false;
   }
 
@@ -262,6 +263,7 @@ std::vector<model::Ray> sightsAround(const model::Camera& camera, const glm::vec
                                                        {0, -reach},
                                                        {diagonal, -diagonal}}};
   std::vector<model::Ray> rays;
+  rays.reserve(steps.size());
   for (const auto& [x, y] : steps)
     rays.push_back(sightThrough(camera, pixel + glm::vec2(x, y), size));
   return rays;
