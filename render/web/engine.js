@@ -262,7 +262,8 @@ class Engine {
 
   /** Breaks paragraphs between words. @param {string[]} paragraphs @returns {SetText} */
   broken(paragraphs) {
-    const widest = Math.min(220, Math.max(84, 0.28 * this.width));
+    // Beside the anatomy there is room for about a sixth of the width; upright telephones have none.
+    const widest = Math.min(220, Math.max(84, (this.width < 500 ? 0.28 : 0.17) * this.width));
     const lines = [];
     for (const paragraph of paragraphs) {
       let line = "";

@@ -51,7 +51,7 @@ Status PageEngine::take(std::string_view part) {
                                                               m_shown.visibleBounds(), 4.0f / 3.0f);
     if (!m_shown.views().empty())
       goTo(0, 0.0);
-    setCamera(model::withSides(first, aspect(), {}));
+    setCamera(model::withSides(first, aspect(), freeSides()));
   }
   return Unit{};
 }
@@ -62,6 +62,14 @@ void PageEngine::setSize(const PageSize& size) {
 
 glm::vec2 PageEngine::pageSize() const {
   return glm::vec2(m_size.width, m_size.height) / m_size.ratio;
+}
+
+model::FreeSides PageEngine::freeSides() const {
+  // Labels stand beside the anatomy where there is width for them, as on paper; upright telephones
+  // have none to give.
+  constexpr double room = 0.17;
+  const bool wide = aspect() >= 0.9f && !m_shown.annotations().empty();
+  return wide ? model::FreeSides{.left = room, .right = room} : model::FreeSides{};
 }
 
 glm::vec3 PageEngine::pivot() const {
@@ -93,11 +101,14 @@ void PageEngine::fit(std::span<const model::NodeId> ids) {
   const model::Box bounds =
       ids.empty() ? m_shown.visibleBounds() : model::visibleBounds(m_shown, ids);
   if (!bounds.empty())
-    setCamera(model::fitted(m_camera, cornersOf(bounds), aspect()));
+    setCamera(model::fitted(m_camera, cornersOf(bounds), aspect(), freeSides()));
 }
 
 void PageEngine::look(model::AnatomicalView from) {
-  setCamera(model::anatomicalCamera(from, m_shown.visibleBounds(), aspect()));
+  const model::Box bounds = m_shown.visibleBounds();
+  const model::Camera camera = model::anatomicalCamera(from, bounds, aspect());
+  setCamera(bounds.empty() ? camera
+                           : model::fitted(camera, cornersOf(bounds), aspect(), freeSides()));
 }
 
 void PageEngine::setCamera(const model::Camera& camera) {
@@ -119,7 +130,7 @@ void PageEngine::goTo(std::size_t view, double share) {
     show();
     return;
   }
-  const model::Camera to = model::withSides(views[view].camera, aspect(), {});
+  const model::Camera to = model::withSides(views[view].camera, aspect(), freeSides());
   setCamera(model::CameraFlight(m_flightFrom, to).at(std::min(share, 1.0)));
 }
 

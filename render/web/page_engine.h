@@ -13,6 +13,7 @@
 
 #include "model/geometry/mesh_trees.h"
 #include "model/packed_scene/packed_scene.h"
+#include "model/scene/free_sides.h"
 #include "render/gpu/device.h"
 #include "render/labels/layout.h"
 #include "render/picking/pick_index.h"
@@ -102,6 +103,8 @@ class PageEngine {
  private:
   float aspect() const { return float(m_size.width) / float(m_size.height); }
   glm::vec2 pageSize() const;
+  /// Returns the room that cameras leave for labels.
+  model::FreeSides freeSides() const;
   glm::vec3 pivot() const;
   void show();
 
