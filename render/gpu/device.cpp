@@ -2,9 +2,14 @@
 #include "render/gpu/device.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <string_view>
 
 #include "render/gpu/gl.h"
+#ifdef __EMSCRIPTEN__
+#include <emscripten/html5_webgl.h>
+#endif
 
 namespace sline::render::gpu {
 
@@ -13,6 +18,26 @@ namespace {
 std::string text(GLenum name) {
   const auto* s = reinterpret_cast<const char*>(glGetString(name));
   return s ? s : "";
+}
+
+/// Returns who draws. Browsers tell it apart from what they call themselves.
+std::string rendererName() {
+#ifdef __EMSCRIPTEN__
+  constexpr GLenum unmaskedRenderer = 0x9246;
+  if (emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(),
+                                        "WEBGL_debug_renderer_info"))
+    return text(unmaskedRenderer);
+#endif
+  return text(GL_RENDERER);
+}
+
+/// Mesa's, Chromium's and Windows' drivers for machines without a graphics card.
+bool isSoftware(std::string_view renderer) {
+  constexpr std::array<std::string_view, 6> names{
+      "llvmpipe", "softpipe", "swrast", "SwiftShader", "Microsoft Basic Render", "GDI Generic"};
+  return std::any_of(names.begin(), names.end(), [renderer](std::string_view name) {
+    return renderer.find(name) != std::string_view::npos;
+  });
 }
 
 void enable(GLenum what, bool on) {
@@ -72,6 +97,7 @@ Result<std::unique_ptr<Device>> Device::create() {
   const bool es = version.starts_with("OpenGL ES");
   const std::string number = std::to_string(major) + "." + std::to_string(minor);
   device->m_driver = text(GL_RENDERER) + (es ? ", OpenGL ES " : ", OpenGL ") + number;
+  device->m_software = isSoftware(rendererName());
   if (es ? major < 3 : major * 10 + minor < 33)
     return Error{.reason = "the driver " + device->m_driver +
                            " is too old: OpenGL 3.3 or OpenGL ES 3.0 is needed",

@@ -30,6 +30,8 @@ class Device {
   /// Returns "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5".
   const std::string& driver() const { return m_driver; }
   Dialect dialect() const { return m_dialect; }
+  /// Tells whether the driver draws on the processor, as far as its name says.
+  bool software() const { return m_software; }
 
   struct Clear {
     std::optional<glm::vec4> colour;  ///< that of every colour texture
@@ -69,6 +71,7 @@ class Device {
   Limits m_limits;
   std::string m_driver;
   Dialect m_dialect = Dialect::desktop330;
+  bool m_software = false;
 };
 
 }  // namespace sline::render::gpu

@@ -7,7 +7,6 @@
 
 #include "model/base/parallel.h"
 #include "render/picture/printed_hatching.h"
-#include "render/picture/surface_depths.h"
 #include "render/picture/visible_triangles.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/hidden_lines.h"
@@ -69,10 +68,7 @@ SurfacePlace surfacePlace(const Layer& layer, const PixelRect& slot) {
           coarse};
 }
 
-bool findDepths(Layer& layer, const PictureView& view, const PixelRect& region) {
-  const PreparedStructure& shown = layer.members.front();
-  if (layer.filled || layer.members.size() > 1 || shown.printedHatching || shown.cut)
-    return false;
+SampleArea sampledArea(const Layer& layer, const PixelRect& region) {
   const SampleGrid grid = sampleGrid(region, layer.surfaceStep);
   const SurfacePlace place = surfacePlace(layer, layer.slot);
   const PixelRect samples{(place.pixels.x - grid.corner.x) / grid.step,
@@ -80,12 +76,7 @@ bool findDepths(Layer& layer, const PictureView& view, const PixelRect& region) 
                           place.slot.height};
   assert(grid.corner.x + grid.step * samples.x == place.pixels.x &&
          grid.corner.y + grid.step * samples.y == place.pixels.y);
-  auto depths = surfaceDepths(shown, view, layer.touched, {grid, samples});
-  if (!depths)
-    return false;
-  layer.depths = std::move(*depths);
-  layer.triangles.resize(layer.members.size());
-  return true;
+  return {grid, samples};
 }
 
 void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region) {

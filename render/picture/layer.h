@@ -11,6 +11,7 @@
 #include "render/picture/layer_caps.h"
 #include "render/picture/surface_cache.h"
 #include "render/picture/tile_lists.h"
+#include "render/software/layer_pixels.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/picture_settings.h"
 #include "render/strokes/structure_lines.h"
@@ -34,9 +35,11 @@ struct Layer {
   std::vector<PreparedStructure>
       members;  ///< one structure, or by id all that are opaque and without lines
   std::vector<std::vector<std::uint32_t>> triangles;  ///< of each member: see `findTriangles`
-  std::vector<float> depths;                          ///< of its surface instead: see `findDepths`
-  PixelRect area;                                     ///< in pixels of the whole picture
-  PixelRect slot;                                     ///< in the atlas
+  LayerPixels pixels;        ///< what of it the processor drew instead: see `drawOnProcessor`
+  bool onProcessor = false;  ///< that is all of it
+  bool uploaded = false;     ///< and the atlas has it, too
+  PixelRect area;            ///< in pixels of the whole picture
+  PixelRect slot;            ///< in the atlas
   PictureContent parts;
   int surfaceStep = 1;  ///< see PictureSettings
   TileMask mask;        ///< where it shows, of the region's grid and within its area
@@ -76,10 +79,9 @@ std::vector<ListedLayer> listedLayers(std::span<const Layer> layers, const Pixel
 /// show.
 std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const PictureView& view,
                               const PixelRect& region, const PictureContent& parts);
-/// Finds how deep the surface lies in the layer's place, `slot`, where nothing else is drawn of it.
-/// Returns false where it has a fill, a section or a place behind the eye, so that a driver must
-/// draw it.
-bool findDepths(Layer& layer, const PictureView& view, const PixelRect& region);
+/// Says where the layer's surface is sampled: at which of the region's samples its place, `slot`,
+/// begins.
+SampleArea sampledArea(const Layer& layer, const PixelRect& region);
 /// Finds the members' triangles within the squares that the layer touches. As they are many, only
 /// layers about to be drawn need them, and only until they are drawn.
 void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region);

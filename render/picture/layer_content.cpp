@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/base/parallel.h"
+#include "render/picture/processor_drawing.h"
 #include "render/strokes/face_patterns.h"
 
 namespace sline::render {
@@ -37,8 +38,6 @@ void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
   std::map<CachedSurface*, LineNeeds> needs;
   for (const std::size_t i : changed)
     for (const PreparedStructure& shown : layers[i].members) {
-      if (shownFill(input, shown).byForm || shown.printedHatching)
-        shown.cached->needShape();
       if (needsLines(input, shown)) {
         LineNeeds& own = needs[shown.cached];
         own.kinds.add(shownKinds(shown.style));
@@ -154,12 +153,13 @@ void completeLayers(const PictureInput& input, const PixelRect& region, std::spa
       for (const AbsentLines& absent : work.absent)
         *absent.lines = {};
     at = times.add(strokePart, at);
-    if (!findDepths(*work.layer, input.view, region))
+    if (!drawOnProcessor(input, region, *work.layer))
       findTriangles(*work.layer, input.view, region);
     times.add(trianglePart, at);
   });
   stopwatch.shared(times.share(linePart),
-                   {{"strokes", times.share(strokePart)}, {"plan", times.share(trianglePart)}});
+                   {{"strokes", times.share(strokePart)},
+                    {input.processor ? "surface" : "plan", times.share(trianglePart)}});
 }
 
 }  // namespace sline::render

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/picture/layer_content.h"
+#include "render/picture/layer_ink.h"
 #include "render/picture/layer_painter.h"
 #include "render/strokes/section_caps.h"
 #include "render/strokes/surface_fill.h"
@@ -10,14 +11,6 @@
 namespace sline::render {
 
 namespace {
-
-// The grain of drawing paper, λ.
-constexpr float grainSize = 1.1f;
-
-/// Returns the direction towards the key light, in the camera's frame.
-glm::vec3 keyLight(const PictureInput& input) {
-  return input.keyLight ? input.light : glm::vec3(0.0f);
-}
 
 /// Appends squares of the layer as they lie in the atlas.
 void appendSquares(const Layer& layer, const TileMask& squares,
@@ -38,15 +31,6 @@ std::vector<PixelRect> surfaceSquares(const Layer& layer) {
     for (PixelRect& rect : squares)
       rect = grown(coarser(rect, layer.surfaceStep), 1);
   return squares;
-}
-
-/// Says how the edges of a structure's fill are drawn.
-void paintEdges(const PictureInput& input, const PreparedStructure& shown, passes::InkDraw& draw) {
-  const SurfaceFill fill = shownFill(input, shown);
-  // A fill that is enlarged is trimmed instead: its pixels have no edges to be softened.
-  draw.kind = draw.surfaceStep > 1 ? passes::InkKind::trims : passes::InkKind::edges;
-  draw.paint = glm::vec4(fill.colour, (fill.gammaOffsets ? 1.0f : fill.complete) * fill.opacity);
-  draw.key = keyLight(input);
 }
 
 }  // namespace
@@ -71,7 +55,7 @@ void LayerPainter::drawMember(gpu::Device& device, const MemberDraw& member,
     shown.cached->showGammaOffsets(member.fill.gammaOffsets);
   const std::vector<glm::vec4> sections =
       shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
-  passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
+  passes::SurfaceDraw draw{.surface = shown.cached->geometry(member.fill.byForm),
                            .triangles = {},
                            .layer = member.place.pixels,
                            .slot = member.place.slot,
@@ -117,11 +101,11 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
   const bool enlarged = input.surfaceStep > 1;
   // Found depths come before all that is drawn, for which a driver would have to wait.
   for (const std::size_t i : changed)
-    if (layers[i].shows() && !layers[i].depths.empty())
-      m_atlas.surfaceDepths().upload(std::as_bytes(std::span(layers[i].depths)),
+    if (layers[i].shows() && !layers[i].pixels.empty())
+      m_atlas.surfaceDepths().upload(std::as_bytes(std::span(layers[i].pixels.surfaceDepths)),
                                      surfacePlace(layers[i], layers[i].slot).slot);
   for (const std::size_t i : changed)
-    if (layers[i].shows() && layers[i].depths.empty()) {
+    if (layers[i].shows() && layers[i].pixels.empty()) {
       m_wipePass->draw(device, m_atlas.surfaceTarget(),
                        {surfaceSquares(layers[i]), layers[i].filled, true});
       drawSurface(device, input, layers[i], queue);
@@ -168,65 +152,23 @@ void LayerPainter::enlargeSurfaces(gpu::Device& device, const PictureInput& inpu
                surfacePlace(layers[i], layers[i].slot));
 }
 
-passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& layer,
-                                      const PreparedStructure& shown) {
-  ContourProbes probes = contourProbes(shown.surface(), input.view, shown.style);
-  // Pixels of a surface with a step reach farther beyond its outline.
-  const float more = float(input.surfaceStep - 1);
-  probes.probe += more;
-  probes.reach += more;
-  return {.layer = layer.area,
-          .slot = layer.slot,
-          .surfaceStep = input.surfaceStep,
-          .projection = input.view.depthTerms(),
-          .probe = probes.probe,
-          .reach = probes.reach,
-          .grain = shown.style.grain,
-          .grainSize = std::max(1.0f, grainSize * input.view.outputUnit()),
-          .sheet = probes.sheet};
-}
-
 Status LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
                              std::vector<Layer>& layers, std::span<const std::size_t> changed) {
   // All edges, then all strokes, so that the target changes once.
-  std::vector<passes::InkDraw> draws;
-  std::vector<passes::InkDraw> strokes;
-  for (const std::size_t i : changed)
-    for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
-      const PreparedStructure& shown = layers[i].members[k];
-      passes::InkDraw draw = inkDraw(input, layers[i], shown);
-      paintEdges(input, shown, draw);
-      draw.strokes = layers[i].edges[k];
-      draws.push_back(draw);
-    }
+  std::vector<InkDraw> draws;
+  std::vector<InkDraw> strokes;
+  const auto append = [](std::vector<InkDraw>& to, const std::vector<InkDraw>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
   for (const std::size_t i : changed) {
-    passes::InkDraw draw = inkDraw(input, layers[i], layers[i].members.front());
-    const auto add = [&](passes::InkKind kind, std::span<const Stroke> of) {
-      draw.kind = kind;
-      draw.strokes = of;
-      strokes.push_back(draw);
-    };
-    // Halos first: their depth gives way to that of lines.
-    add(passes::InkKind::halos, layers[i].halos);
-    add(passes::InkKind::hidden, layers[i].hidden);
-    const std::span<const Stroke> all = layers[i].strokes;
-    const std::size_t contours = firstContour(all);
-    add(passes::InkKind::surfaceLines, all.first(contours));
-    add(passes::InkKind::contours, all.subspan(contours));
-    if (layers[i].surfaceStep > 1 && layers[i].filled) {
-      draws.push_back(strokes.back());
-      draws.back().kind = passes::InkKind::trims;
-    }
+    append(draws, edgeDraws(input, layers[i]));
+    append(strokes, strokeDraws(input, layers[i]));
   }
   draws.insert(draws.end(), strokes.begin(), strokes.end());
   Status drawn = m_inkPass->draw(device, {m_atlas.edgeTarget(), m_atlas.inkTarget()},
                                  m_atlas.surfaceDepths(), draws);
-  for (const std::size_t i : changed) {
-    Layer& layer = layers[i];
-    layer.edges.assign(layer.edges.size(), {});
-    for (std::vector<Stroke>* each : {&layer.halos, &layer.hidden, &layer.strokes})
-      *each = {};
-  }
+  for (const std::size_t i : changed)
+    forgetStrokes(layers[i]);
   return drawn;
 }
 

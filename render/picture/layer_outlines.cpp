@@ -8,6 +8,7 @@
 #include "model/base/parallel.h"
 #include "render/picture/layer_content.h"
 #include "render/picture/layer_painter.h"
+#include "render/software/surface_raster.h"
 #include "render/strokes/section_caps.h"
 
 namespace sline::render {
@@ -52,14 +53,54 @@ std::vector<ListedLayer> hidingLayers(std::span<const Layer> kept, std::span<con
   return hiding;
 }
 
+/// Draws the numbers on the processor. Returns false where a driver must.
+bool rasteriseNumbers(const PictureInput& input, std::span<const Layer> layers,
+                      const PixelRect& region, const PictureCanvas& numbers) {
+  std::vector<RasterMember> members;
+  std::vector<PixelRect> rectangles;
+  for (const Layer& layer : layers) {
+    for (const PreparedStructure& shown : layer.members) {
+      if (shown.cut)
+        return false;
+      members.push_back({shown, numberFill(members.size())});
+    }
+    PixelRect seen = intersection(layer.area, region);
+    seen.x -= region.x;
+    seen.y -= region.y;
+    rectangles.push_back(seen);
+  }
+  TileMask squares(region);
+  squares.markAll();
+  const std::size_t count = std::size_t(region.width) * std::size_t(region.height);
+  std::vector<float> depths(count, 1.0f);
+  std::vector<std::uint32_t> colours(count);
+  if (!rasterise(members,
+                 {.view = input.view,
+                  .squares = squares,
+                  .samples = {{}, region},
+                  .rectangles = rectangles},
+                 {depths, colours}))
+    return false;
+  const PixelRect all{0, 0, region.width, region.height};
+  numbers.colour->upload(std::as_bytes(std::span(colours)), all);
+  numbers.depth->upload(std::as_bytes(std::span(depths)), all);
+  return true;
+}
+
 }  // namespace
 
 void LayerPainter::drawNumbers(gpu::Device& device, const PictureInput& input,
-                               std::span<const Layer> layers, const PixelRect& region) const {
+                               std::span<Layer> layers, const PixelRect& region) const {
   const passes::SurfaceView view{.viewProjection = input.view.viewProjection(),
                                  .eye = input.view.eyeVector(),
                                  .pictureSize = input.view.size()};
+  parallelFor(layers.size(), 1, [&](std::size_t i) {
+    layers[i].touched = TileMask(region, layers[i].area);
+    layers[i].touched.markAll();
+    findTriangles(layers[i], input.view, region);
+  });
   const gpu::Target& target = *m_numbers.target;
+  device.clear(target, {.colour = glm::vec4(0.0f), .depth = 1.0f});
   gpu::DrawQueue queue;
   std::size_t place = 0;
   for (const Layer& layer : layers)
@@ -89,16 +130,13 @@ Status LayerPainter::outline(gpu::Device& device, const PictureInput& input,
     return Unit{};
   std::vector<std::size_t> all(layers.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
-  parallelFor(layers.size(), 1, [&](std::size_t i) {
-    layers[i].touched = TileMask(region, layers[i].area);
-    layers[i].touched.markAll();
-    findTriangles(layers[i], input.view, region);
-  });
   completeSurfaces(input, layers, all);
+  if (Status s = upload(device, m_kept); !s)
+    return s;
   if (Status s = m_numbers.resize({region.width, region.height}, true); !s)
     return s;
-  device.clear(*m_numbers.target, {.colour = glm::vec4(0.0f), .depth = 1.0f});
-  drawNumbers(device, input, layers, region);
+  if (!input.processor || !rasteriseNumbers(input, layers, region, m_numbers))
+    drawNumbers(device, input, layers, region);
 
   const float half = 0.5f * outline.width;
   const float casing = half + outline.casingWidth;

@@ -2,9 +2,11 @@
 #include "render/picture/layer_painter.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "render/picture/layer_content.h"
+#include "render/picture/processor_drawing.h"
 #include "render/strokes/surface_fill.h"
 
 namespace sline::render {
@@ -50,10 +52,16 @@ std::unique_ptr<LayerPainter> LayerPainter::another(const AtlasLimits& limits) c
   return painter;
 }
 
+void LayerPainter::forget() {
+  for (Layer& old : m_kept)
+    m_spares.push_back(std::move(old.pixels));
+  m_kept.clear();
+}
+
 std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const Key& key) {
   std::vector<std::size_t> changed;
   if (key != m_key)
-    m_kept.clear();
+    forget();
   m_key = key;
   std::vector<bool> gone(m_kept.size(), true);
   for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -77,8 +85,10 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
   m_freshAtlas = changed.size() == layers.size();
   m_left = TileMask(key.region);
   for (std::size_t i = 0; i < m_kept.size(); ++i)
-    if (gone[i])
+    if (gone[i]) {
       m_left.mark(m_kept[i].mask);
+      m_spares.push_back(std::move(m_kept[i].pixels));
+    }
   m_kept.clear();
   return changed;
 }
@@ -121,6 +131,14 @@ class AlignedPlaces {
 
 }  // namespace
 
+namespace {
+
+std::size_t areaOf(const PixelRect& rect) {
+  return std::size_t(rect.width) * std::size_t(rect.height);
+}
+
+}  // namespace
+
 bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& changed) {
   const AlignedPlaces places(m_key.region, m_key.surfaceStep);
   if (!m_freshAtlas) {
@@ -146,15 +164,18 @@ bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& c
     places.put(layers[i], slots[i]);
   changed.resize(layers.size());
   std::iota(changed.begin(), changed.end(), std::size_t(0));
+  for (Layer& layer : layers)
+    layer.uploaded = layer.onProcessor = false;
   m_freshAtlas = true;
   return true;
 }
 
 LayerPainter::Canvas LayerPainter::canvas(const gpu::Target& target, const PixelRect& region,
                                           std::span<const Layer> layers,
-                                          std::span<const std::size_t> changed) {
+                                          std::span<const std::size_t> changed, bool blends) {
   // A resized target belongs to another region, and one that another paint had is no longer ours.
-  const bool keeps = !m_freshAtlas && &target == m_target;
+  const bool keeps = !m_freshAtlas && &target == m_target && (m_blended || !blends);
+  m_blended = blends;
   TileMask wanted = keeps ? m_left : TileMask(region);
   if (keeps)
     for (const std::size_t i : changed)
@@ -230,9 +251,75 @@ Status LayerPainter::makeRoom(gpu::Device& device) {
   return m_atlas.allocate();
 }
 
+void LayerPainter::takeSpares(std::vector<Layer>& layers, std::span<const std::size_t> changed) {
+  std::vector<std::size_t> order(changed.begin(), changed.end());
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return areaOf(layers[a].area) > areaOf(layers[b].area);
+  });
+  std::stable_sort(m_spares.begin(), m_spares.end(),
+                   [](const LayerPixels& a, const LayerPixels& b) {
+                     return a.depths.capacity() > b.depths.capacity();
+                   });
+  for (std::size_t i = 0; i < std::min(order.size(), m_spares.size()); ++i)
+    layers[order[i]].pixels = std::move(m_spares[i]);
+  m_spares.clear();
+}
+
+void LayerPainter::blendOnProcessor(Background background, const Canvas& canvas,
+                                    std::span<const Layer> layers, const gpu::Texture& pixels) {
+  const glm::vec4 ground = backgroundColour(background);
+  const PixelRect& region = canvas.region;
+  const std::size_t count = areaOf(region);
+  if (!canvas.keeps || m_picture.size() != count)
+    m_picture.assign(count, packedColour(ground));
+  const std::vector<BlendLayer> blended = blendLayers(layers, background);
+  blend({region, blended, canvas.wanted, ground}, m_picture);
+  pixels.upload(std::as_bytes(std::span(m_picture)), {0, 0, region.width, region.height});
+}
+
+Status LayerPainter::upload(gpu::Device& device, std::span<Layer> layers) {
+  if (Status s = makeRoom(device); !s)
+    return s;
+  for (Layer& layer : layers) {
+    if (!layer.onProcessor || layer.uploaded || layer.pixels.empty())
+      continue;
+    if (layer.filled)
+      m_atlas.colours().upload(std::as_bytes(std::span(layer.pixels.colours)), layer.slot);
+    m_atlas.inks().upload(std::as_bytes(std::span(layer.pixels.inks)), layer.slot);
+    m_atlas.layerDepths().upload(std::as_bytes(std::span(layer.pixels.depths)), layer.slot);
+    layer.uploaded = true;
+  }
+  return Unit{};
+}
+
+Result<LayerPainter::Outcome> LayerPainter::drive(gpu::Device& device, const PictureInput& input,
+                                                  std::vector<Layer>& layers,
+                                                  std::span<const std::size_t> driven,
+                                                  Stopwatch& stopwatch) {
+  if (Status s = upload(device, layers); !s)
+    return s.error();
+  drawSurfaces(device, input, layers, driven);
+  stopwatch.pass(device, "surface");
+  if (input.isUnwanted())
+    return Outcome::givenUp;
+  // Hatching comes before lines, which lie on it.
+  if (Status s = m_printedHatching.draw(device, {input.view, m_atlas, input.light}, layers, driven);
+      !s)
+    return s.error();
+  if (Status s = drawInk(device, input, layers, driven); !s)
+    return s.error();
+  stopwatch.pass(device, "ink");
+  for (const std::size_t i : driven) {
+    layers[i].triangles = {};
+    layers[i].pixels = {};
+  }
+  return Outcome::painted;
+}
+
 Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const PictureInput& input,
                                                   const PixelRect& region,
-                                                  const gpu::Target& target, Stopwatch& stopwatch) {
+                                                  const PictureCanvas& picture,
+                                                  Stopwatch& stopwatch) {
   std::vector<Layer> layers = planLayers(input.shown, input.view, region, input.parts);
   for (Layer& layer : layers)
     layer.surfaceStep = input.surfaceStep;
@@ -241,8 +328,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
                      input.light, input.keyLight, input.parts, input.surfaceStep, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
-  if (Status s = makeRoom(device); !s)
-    return s.error();
+  takeSpares(layers, changed);
   completeSurfaces(input, layers, changed);
   stopwatch.pass(device, "plan");
   if (input.isUnwanted())
@@ -252,24 +338,22 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   if (input.isUnwanted())
     return Outcome::givenUp;
 
-  drawSurfaces(device, input, layers, changed);
-  stopwatch.pass(device, "surface");
-  if (input.isUnwanted())
-    return Outcome::givenUp;
-  // Hatching comes before lines, which lie on it.
-  if (Status s =
-          m_printedHatching.draw(device, {input.view, m_atlas, input.light}, layers, changed);
-      !s)
-    return s.error();
-  if (Status s = drawInk(device, input, layers, changed); !s)
-    return s.error();
-  stopwatch.pass(device, "ink");
-  resolve(device, input.background, canvas(target, region, layers, changed), layers);
-  stopwatch.pass(device, "resolve");
-  for (Layer& layer : layers) {
-    layer.triangles = {};
-    layer.depths = {};
+  const auto drawn = [&](const Layer& layer) { return layer.onProcessor; };
+  std::vector<std::size_t> driven;
+  std::copy_if(changed.begin(), changed.end(), std::back_inserter(driven),
+               [&](std::size_t i) { return !drawn(layers[i]); });
+  const bool blends = input.processor && std::all_of(layers.begin(), layers.end(), drawn);
+  if (!blends) {
+    const auto outcome = drive(device, input, layers, driven, stopwatch);
+    if (!outcome || *outcome != Outcome::painted)
+      return outcome;
   }
+  const Canvas all = canvas(*picture.target, region, layers, changed, blends);
+  if (blends)
+    blendOnProcessor(input.background, all, layers, *picture.colour);
+  else
+    resolve(device, input.background, all, layers);
+  stopwatch.pass(device, "resolve");
   m_layersDrawn = int(changed.size());
   m_kept = std::move(layers);
   return Outcome::painted;

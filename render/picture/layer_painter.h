@@ -29,7 +29,8 @@ struct PictureInput {
   glm::vec3 light{0.0f};
   bool keyLight = false;
   PictureContent parts;
-  int surfaceStep = 1;  ///< see PictureSettings
+  int surfaceStep = 1;     ///< see PictureSettings
+  bool processor = false;  ///< what can be drawn on the processor is drawn there
   /// Keeps lines between the regions of one picture, by structure; null to keep none.
   std::map<model::NodeId, StructureLines>* lines = nullptr;
   /// Set from another thread when the picture is no longer wanted; may be null.
@@ -48,20 +49,21 @@ class LayerPainter {
   std::unique_ptr<LayerPainter> another(const AtlasLimits& limits) const;
 
   enum class Outcome { painted, tooLarge, givenUp };
-  /// Draws the region (in picture pixels) so that it fills the target. Where the target still has
+  /// Draws the region (in picture pixels) so that it fills the canvas. Where the canvas still has
   /// what the last `paint` drew, only squares are drawn anew that a changed layer touches or
   /// touched. It returns `tooLarge`, with nothing drawn, where the layers exceed the atlas (a
-  /// smaller region may do), and `givenUp` where the input asked to stop; the target's contents are
+  /// smaller region may do), and `givenUp` where the input asked to stop; the canvas' contents are
   /// then undefined.
   Result<Outcome> paint(gpu::Device& device, const PictureInput& input, const PixelRect& region,
-                        const gpu::Target& target, Stopwatch& stopwatch);
+                        const PictureCanvas& canvas, Stopwatch& stopwatch);
   /// Draws lines around structures, seen or not, over the region's place in the target of the whole
   /// picture. The region is the one of the last `paint`, whose layers hide what lies behind them.
   Status outline(gpu::Device& device, const PictureInput& input, const PixelRect& region,
                  const gpu::Target& target, const Outline& outline);
   /// Returns how many layers the last `paint` drew anew.
   int layersDrawn() const { return m_layersDrawn; }
-  void forget() { m_kept.clear(); }
+  /// Has the next `paint` draw all layers anew.
+  void forget();
 
  private:
   /// Holds what all layers of a region depend on.
@@ -104,8 +106,6 @@ class LayerPainter {
                        gpu::DrawQueue& queue) const;
   void drawSurfaces(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
                     std::span<const std::size_t> changed) const;
-  static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer,
-                                 const PreparedStructure& shown);
   Status drawInk(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
                  std::span<const std::size_t> changed);
   /// Tells which part of a target is to be blended anew; the rest stays as it is.
@@ -116,10 +116,19 @@ class LayerPainter {
     bool keeps = false;  ///< the parts outside `wanted` are still good
   };
   Canvas canvas(const gpu::Target& target, const PixelRect& region, std::span<const Layer> layers,
-                std::span<const std::size_t> changed);
+                std::span<const std::size_t> changed, bool blends);
   void resolve(gpu::Device& device, Background background, const Canvas& canvas,
                std::span<const Layer> layers);
-  void drawNumbers(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
+  /// Blends layers that the processor drew, and puts the region's pixels into the texture.
+  void blendOnProcessor(Background background, const Canvas& canvas, std::span<const Layer> layers,
+                        const gpu::Texture& pixels);
+  /// Gives the atlas what only the processor has of the layers.
+  Status upload(gpu::Device& device, std::span<Layer> layers);
+  /// Draws the layers on the graphics card.
+  Result<Outcome> drive(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
+                        std::span<const std::size_t> driven, Stopwatch& stopwatch);
+  void takeSpares(std::vector<Layer>& layers, std::span<const std::size_t> changed);
+  void drawNumbers(gpu::Device& device, const PictureInput& input, std::span<Layer> layers,
                    const PixelRect& region) const;
 
   Atlas m_atlas;
@@ -132,9 +141,12 @@ class LayerPainter {
   PrintedHatching m_printedHatching;
   Key m_key;
   std::vector<Layer> m_kept;
-  TileMask m_left;          ///< squares touched by layers that have since changed or gone
-  PictureCanvas m_numbers;  ///< which marked structure is where, as deep as it is
+  TileMask m_left;                    ///< squares touched by layers that have since changed or gone
+  std::vector<LayerPixels> m_spares;  ///< of layers that have changed or gone
+  std::vector<std::uint32_t> m_picture;   ///< the region's pixels, where the processor blends
+  PictureCanvas m_numbers;                ///< which marked structure is where, as deep as it is
   const gpu::Target* m_target = nullptr;  ///< that of the last `paint`
+  bool m_blended = false;                 ///< by the processor, in the last `paint`
   bool m_freshAtlas = true;
   int m_layersDrawn = 0;
 };

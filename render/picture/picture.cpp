@@ -61,6 +61,7 @@ struct Picture::Data {
   std::optional<std::vector<PreparedStructure>> prepareStructures(const model::Scene& scene,
                                                                   const Output& output = {});
   int regionSide() const;
+  bool processor() const;
   Easel& easel(const Output& output);
   Status paint(const PictureInput& input, const PixelRect& region, Stopwatch& stopwatch,
                const Output& output);
@@ -108,6 +109,14 @@ int Picture::Data::regionSide() const {
   return options.maximumSide > 0 ? std::min(options.maximumSide, driver) : driver;
 }
 
+bool Picture::Data::processor() const {
+  using Painter = PictureOptions::Painter;
+  if (options.deep)  // it has 8 bits per channel
+    return false;
+  return options.painter == Painter::processor ||
+         (options.painter == Painter::automatic && device->software());
+}
+
 Easel& Picture::Data::easel(const Output& output) {
   if (!output.aside)
     return main;
@@ -127,7 +136,7 @@ Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
   if (std::max(region.width, region.height) <= regionSide()) {
     if (Status s = canvas.resize({region.width, region.height}, false); !s)
       return s;
-    outcome = used.painter->paint(*device, input, region, *canvas.target, stopwatch);
+    outcome = used.painter->paint(*device, input, region, canvas, stopwatch);
     if (!outcome)
       return outcome.error();
   }
@@ -201,6 +210,7 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
                            .keyLight = settings.environment.keyLight.value_or(own.shades),
                            .parts = settings.parts,
                            .surfaceStep = step,
+                           .processor = processor(),
                            .lines = whole ? nullptr : &lines,
                            .unwanted = output.unwanted};
   Status done = Unit{};

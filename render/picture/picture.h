@@ -45,6 +45,9 @@ struct PictureTimings {
 struct PictureOptions {
   int maximumSide = 0;                   ///< of a piece, in pixels; 0: the driver's own limit
   std::size_t atlasPixels = 20'000'000;  ///< of all layers together, 13 bytes each
+  /// What draws: the processor where the driver would draw on it, too, but more slowly, or as said.
+  enum class Painter { automatic, driver, processor };
+  Painter painter = Painter::automatic;
   /// Intermediate colours have 16 bits per channel (17 bytes then); needs OpenGL, ES is not enough.
   bool deep = false;
 };

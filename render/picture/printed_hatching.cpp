@@ -133,7 +133,7 @@ void PrintedHatching::draw(gpu::Device& device, const Sight& sight, const Layer&
   const passes::SurfaceView surfaceView{
       .viewProjection = view.viewProjection(), .eye = view.eyeVector(), .pictureSize = view.size()};
   const passes::SurfaceDraw surface{
-      .surface = *shown.cached->geometry,
+      .surface = shown.cached->geometry(true),
       .triangles = layer.triangles.front(),
       .layer = layer.area,
       .slot = layer.slot,

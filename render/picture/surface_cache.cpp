@@ -29,9 +29,11 @@ std::unique_ptr<passes::SurfaceGeometry> upload(const model::Surface& surface) {
 
 }  // namespace
 
-void CachedSurface::needShape() {
-  if (geometry->hasShape())
-    return;
+passes::SurfaceGeometry& CachedSurface::geometry(bool withShape) {
+  if (!m_geometry)
+    m_geometry = upload(*surface);
+  if (!withShape || m_geometry->hasShape())
+    return *m_geometry;
   const model::CurvatureColumns& curvature = surface->curvature;
   const std::vector<std::uint32_t>& places = surface->clusters.vertices;
   std::vector<passes::PackedShape> shape(places.size());
@@ -43,7 +45,8 @@ void CachedSurface::needShape() {
     shape[i] =
         passes::packedShape(k.x * glm::outerProduct(e1, e1) + k.y * glm::outerProduct(e2, e2));
   });
-  geometry->addShape(shape);
+  m_geometry->addShape(shape);
+  return *m_geometry;
 }
 
 void CachedSurface::showGammaOffsets(const GammaOffsetsPtr& offsets) {
@@ -52,7 +55,7 @@ void CachedSurface::showGammaOffsets(const GammaOffsetsPtr& offsets) {
   std::vector<float> placed(surface->clusters.vertices.size());
   std::transform(surface->clusters.vertices.begin(), surface->clusters.vertices.end(),
                  placed.begin(), [&](std::uint32_t v) { return (*offsets)[v]; });
-  geometry->setGammaOffsets(placed);
+  geometry(false).setGammaOffsets(placed);
   m_shownOffsets = offsets;
 }
 
@@ -87,8 +90,6 @@ CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, const model::Provena
   CachedSurface& cached = m_surfaces[mesh];
   if (!cached.surface)
     cached.take(mesh, provenance);
-  if (!cached.geometry)
-    cached.geometry = upload(*cached.surface);
   return cached;
 }
 

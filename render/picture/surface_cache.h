@@ -17,14 +17,14 @@
 namespace sline::render {
 
 struct CachedSurface : PreparedSurface {
-  std::unique_ptr<passes::SurfaceGeometry> geometry;  ///< its vertices are `Clusters::vertices`
-
-  /// Uploads the curvature that fills at 3 < Γ < 4 need, once.
-  void needShape();
+  /// Returns the surface as the GPU has it; its vertices are `Clusters::vertices`. What is missing
+  /// there is uploaded, also the curvature that fills at 3 < Γ < 4 need where `withShape` says so.
+  passes::SurfaceGeometry& geometry(bool withShape);
   /// Uploads by how much Γ differs at each vertex, unless that is what was uploaded last.
   void showGammaOffsets(const GammaOffsetsPtr& offsets);
 
  private:
+  std::unique_ptr<passes::SurfaceGeometry> m_geometry;
   GammaOffsetsPtr m_shownOffsets;
 };
 

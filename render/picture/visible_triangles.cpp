@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
-#include "render/picture/seen_cluster.h"
+#include "render/software/seen_cluster.h"
 #include "render/strokes/coverage.h"
 
 namespace sline::render {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/picture/seen_cluster.h"
 #include "render/picture/tile_lists.h"
+#include "render/software/seen_cluster.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/picture_view.h"
 

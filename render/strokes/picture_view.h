@@ -55,6 +55,11 @@ class PictureView {
   glm::vec3 toPatient(const glm::vec3& direction) const {
     return glm::transpose(glm::mat3(m_view)) * direction;
   }
+  /// Returns the direction from a place of the picture to the eye, in the patient's frame and of
+  /// any length; it is linear in the place.
+  glm::vec3 towardsEye(const glm::vec2& pixel) const {
+    return m_eye.atInfinity ? m_eye.value : toPatient({(0.5f * m_size - pixel) / m_focal, 1.0f});
+  }
   /// Returns the pixels that the sphere can touch; the whole picture where it reaches behind the
   /// eye.
   PixelRect bounds(const model::Sphere& sphere) const;

@@ -8,34 +8,12 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
-#include "render/lines/stages.h"
 #include "render/lines/view_fields.h"
+#include "render/strokes/fill_shading.h"
 
 namespace sline::render {
 
 namespace {
-
-constexpr float quarterTurn = 1.5707963268f;
-
-// The following three functions are those of phong.glsl.
-glm::vec3 inShadow(const glm::vec3& colour) {
-  const float chroma =
-      std::max({colour.r, colour.g, colour.b}) - std::min({colour.r, colour.g, colour.b});
-  return (colour * colour * 0.42f + colour * 0.08f) * (1.0f - 0.4f * chroma * chroma);
-}
-
-glm::vec3 phong(const glm::vec3& colour, float facing) {
-  const float light = facing * (1.3f - 0.3f * facing);
-  return glm::mix(inShadow(colour), colour * 1.02f, light) + 0.16f * std::pow(facing, 36.0f);
-}
-
-glm::vec3 phongWithKey(const glm::vec3& colour, float facing, float lit, float glint) {
-  const float key = std::max((lit + 0.3f) / 1.3f, 0.0f);
-  const float head = facing * (1.3f - 0.3f * facing);
-  const float light = std::min(0.22f * head + std::sqrt(head) * key, 1.0f);
-  return glm::mix(inShadow(colour), colour * 1.02f, light) +
-         0.16f * std::pow(std::max(glint, 0.0f), 36.0f);
-}
 
 float luminance(const glm::vec4& colour) {
   return glm::dot(glm::vec3(colour), glm::vec3(0.299f, 0.587f, 0.114f));
@@ -59,14 +37,14 @@ int gridTone(const glm::vec4& colour, float dither) {
   return step(colour.a) * gridSide + step(luminance(colour) / std::max(colour.a, 1e-4f));
 }
 
-/// Shades as surface.frag.glsl does, on the CPU.
+/// Shades one pixel after the other.
 class Shader {
  public:
   Shader(const DrawnStructure& shown, const LayerInput& input)
       : m_surface(shown.surface()),
         m_input(input),
         m_fill(surfaceFill(shown, input.view, input.background)),
-        m_even(transitions(Gamma::clamped(m_fill.gamma))) {
+        m_shading(m_fill, input.keyLight) {
     if (m_fill.kind == SurfaceFill::Kind::phong && m_fill.byForm)
       findGradients();
   }
@@ -99,9 +77,8 @@ class Shader {
       if (m_fill.gammaOffsets)
         offset += w[k] * (*m_fill.gammaOffsets)[vertex];
     }
-    const Transitions t =
-        m_fill.gammaOffsets ? transitions(Gamma::clamped(m_fill.gamma + offset)) : m_even;
-    return shaded(glm::normalize(normal), directionTo(m_input.view.eye(), place), gradient, t);
+    return m_shading.colourAt(glm::normalize(normal), directionTo(m_input.view.eye(), place),
+                              gradient, offset);
   }
 
  private:
@@ -120,33 +97,10 @@ class Shader {
     });
   }
 
-  glm::vec4 shaded(const glm::vec3& normal, const glm::vec3& towardsEye, float gradient,
-                   const Transitions& t) const {
-    float nv = glm::dot(normal, towardsEye);
-    const float side = m_fill.twoSided && nv < 0.0f ? -1.0f : 1.0f;
-    nv = std::clamp(nv * side, 0.0f, 1.0f);
-    const float threshold = quarterTurn * (1.0f - t.shading);
-    const float angle = m_fill.darkGround ? std::asin(nv) : std::acos(nv);
-    const float byAngle =
-        std::clamp((angle - threshold) / std::max(quarterTurn - threshold, 1e-4f), 0.0f, 1.0f);
-    const float byLight = std::clamp(gradient * side, 0.0f, 1.0f) * (1.0f - t.shading) + t.shading;
-    const float entered = glm::mix(byAngle * byLight, 1.0f, t.complete);
-    const float opacity = entered * m_fill.opacity;
-    glm::vec3 colour = phong(m_fill.colour, nv);
-    if (const glm::vec3& key = m_input.keyLight; key != glm::vec3(0.0f)) {
-      const glm::vec3 n = normal * side;
-      const glm::vec3 half = glm::normalize(key + towardsEye);
-      colour = phongWithKey(m_fill.colour, nv, glm::dot(n, key), glm::dot(n, half));
-    }
-    if (!m_fill.darkGround)
-      colour = glm::mix(colour, glm::max(colour, m_fill.colour), 1.0f - entered);
-    return glm::vec4(glm::min(colour, 1.0f) * opacity, opacity) + m_fill.wash * (1.0f - opacity);
-  }
-
   const model::Surface& m_surface;
   const LayerInput& m_input;
   SurfaceFill m_fill;
-  Transitions m_even;  ///< where Γ is the structure's
+  FillShading m_shading;
   std::vector<float> m_gradients;
 };
 

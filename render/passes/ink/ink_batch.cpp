@@ -10,9 +10,6 @@ namespace sline::render::passes {
 
 namespace {
 
-// What pieces of a straight stroke lie over each other, px.
-constexpr float pieceOverlap = 0.25f;
-
 float kindOf(const Stroke& stroke) {
   switch (stroke.kind) {
     case StrokeKind::contour:
@@ -29,54 +26,7 @@ bool isOutside(InkKind kind) {
   return kind != InkKind::surfaceLines;
 }
 
-int stepsOf(const Stroke& s) {
-  return int(std::ceil(std::min(glm::distance(s.a, s.b), float(mostInkSteps))));
-}
-
-glm::vec2 outside(float halfWidth, const glm::vec2& outward) {
-  return std::max(halfWidth - 0.5f, 0.0f) * outward;
-}
-
-/// Makes the stroke end at the share `t` of its way, or begin there. The pen's way stays straight.
-struct Cut {
-  glm::vec2 at, outward, move;
-  float depth, halfWidth, opacity;
-
-  Cut(const Stroke& s, float t)
-      : at(glm::mix(s.a, s.b, t)),
-        outward(glm::mix(s.outwardA, s.outwardB, t)),
-        depth(glm::mix(s.depthA, s.depthB, t)),
-        halfWidth(glm::mix(s.halfWidthA, s.halfWidthB, t)),
-        opacity(glm::mix(s.opacityA, s.opacityB, t)) {
-    const glm::vec2 pen = glm::mix(s.a + s.moveA + outside(s.halfWidthA, s.outwardA),
-                                   s.b + s.moveB + outside(s.halfWidthB, s.outwardB), t);
-    move = pen - at - outside(halfWidth, outward);
-  }
-  void begin(Stroke& s) const {
-    s.a = at, s.outwardA = outward, s.moveA = move, s.depthA = depth;
-    s.halfWidthA = halfWidth, s.opacityA = opacity, s.capA = pieceOverlap;
-  }
-  void end(Stroke& s) const {
-    s.b = at, s.outwardB = outward, s.moveB = move, s.depthB = depth;
-    s.halfWidthB = halfWidth, s.opacityB = opacity, s.capB = pieceOverlap;
-  }
-};
-
 }  // namespace
-
-int inkPieces(const Stroke& stroke) {
-  const float length = std::min(glm::distance(stroke.a, stroke.b), 1e6f);
-  return std::max(1, int(std::ceil(length / float(mostInkSteps))));
-}
-
-Stroke inkPiece(const Stroke& stroke, int piece, int pieces) {
-  Stroke result = stroke;
-  if (piece > 0)
-    Cut(stroke, float(piece) / float(pieces)).begin(result);
-  if (piece + 1 < pieces)
-    Cut(stroke, float(piece + 1) / float(pieces)).end(result);
-  return result;
-}
 
 void InkBatch::clear() {
   m_vertices.clear();
@@ -94,7 +44,7 @@ void InkBatch::add(const InkDraw& draw, const Stroke& s) {
     m_looks.emplace_back(draw.probe, draw.sheet, isOutside(draw.kind) ? 1.0f : 0.0f, 0.0f);
   }
   ++m_runs.back().count;
-  const int steps = stepsOf(s);
+  const int steps = inkSteps(s);
   m_vertices.push_back({s.a, s.b, s.depthA, s.depthB, s.tolerance, kindOf(s), s.outwardA,
                         s.outwardB, s.moveA, s.moveB, s.halfWidthA, s.halfWidthB, s.opacityA,
                         s.opacityB, s.capA, s.capB, float(steps)});

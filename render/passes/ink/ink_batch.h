@@ -11,31 +11,9 @@
 #include <vector>
 
 #include "render/gpu/device.h"
-#include "render/strokes/stroke.h"
+#include "render/strokes/ink.h"
 
 namespace sline::render::passes {
-
-/// Tells what strokes draw: ink, the soft edges of a fill along its contours, outlines that show
-/// through what lies before them, where lines behind an outline stop, or where a fill ends that was
-/// enlarged.
-enum class InkKind { surfaceLines, contours, edges, hidden, halos, trims };
-inline constexpr std::size_t inkKindCount = 6;
-
-struct InkDraw {
-  InkKind kind = InkKind::surfaceLines;  ///< that of all its strokes
-  std::span<const Stroke> strokes;       ///< farthest first
-  PixelRect layer;                       ///< as in SurfaceDraw
-  PixelRect slot;
-  int surfaceStep = 1;         ///< pixels of the layer for one of its surface's depth, each way
-  glm::vec4 projection{0.0f};  ///< projection matrix [2][2], [3][2], [2][3], [3][3]
-  float probe = 3.0f;  ///< px outside a contour at which its own mask makes it an inner contour
-  glm::vec2 reach{1.0f, 4.0f};  ///< px outside a contour at which the surface has fallen away
-  glm::vec4 paint{0.0f};        ///< a fill's colour and opacity, for edges
-  glm::vec3 key{0.0f};     ///< the surfaces' key light in the camera's frame, for edges; 0: none
-  float grain = 0.0f;      ///< of a pencil on paper, 0 … 1, for ink
-  float grainSize = 1.0f;  ///< px
-  float sheet = 0.0f;  ///< mm in front of a contour within which its own sheet may lie (see .glsl)
-};
 
 /// A stroke as ink.vert.glsl reads it.
 struct InkVertex {
@@ -59,14 +37,6 @@ struct InkVertex {
   float capB;
   float steps;  ///< places at which it is looked for, less one
 };
-
-/// Sight is looked for at so many places of a stroke, less one; longer strokes, in pixels, become
-/// several.
-inline constexpr int mostInkSteps = 15;
-
-/// Returns the number of such pieces, and one of them; together they draw what the stroke draws.
-int inkPieces(const Stroke& stroke);
-Stroke inkPiece(const Stroke& stroke, int piece, int pieces);
 
 class InkBatch {
  public:

@@ -10,6 +10,7 @@
 
 #include "model/base/units.h"
 #include "render/gpu/device.h"
+#include "render/raster/tile_mask.h"
 
 namespace sline::render::passes {
 
@@ -70,7 +71,7 @@ struct OutlineInputs {
 
 class ResolvePass {
  public:
-  static constexpr int tileSide = 16;
+  static constexpr int tileSide = TileMask::side;
   static Result<std::unique_ptr<ResolvePass>> create(gpu::Dialect dialect);
 
   void upload(std::span<const ResolveTile> tiles, std::span<const ResolveEntry> entries);

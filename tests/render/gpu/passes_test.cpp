@@ -130,7 +130,7 @@ class PassesTest : public QObject {
   std::vector<std::uint8_t> resolved(const Case& c, const glm::vec4& background);
   /// Returns the ink's coverage, 0 … 255, where something nearer lies in the rectangle.
   std::vector<int> inked(std::span<const Stroke> segments,
-                         passes::InkKind kind = passes::InkKind::surfaceLines,
+                         InkKind kind = InkKind::surfaceLines,
                          const PixelRect& nearer = {});
   std::unique_ptr<gpu::HeadlessContext> m_context;
   std::unique_ptr<gpu::Device> m_device;
@@ -230,7 +230,7 @@ void PassesTest::resolvesLikeTheReference() {
     }
 }
 
-std::vector<int> PassesTest::inked(std::span<const Stroke> segments, passes::InkKind kind,
+std::vector<int> PassesTest::inked(std::span<const Stroke> segments, InkKind kind,
                                    const PixelRect& nearer) {
   const gpu::TextureSize size{64, 64};
   gpu::Texture ink(gpu::TextureFormat::rg8, size, "ink");
@@ -243,7 +243,7 @@ std::vector<int> PassesTest::inked(std::span<const Stroke> segments, passes::Ink
   auto pass = std::move(passes::InkPass::create(m_device->dialect()).value());
   if (!nearer.empty())
     m_device->clear(*surface, {.depth = 0.3f, .area = nearer});
-  const passes::InkDraw draw{.kind = kind,
+  const InkDraw draw{.kind = kind,
                              .strokes = segments,
                              .layer = {0, 0, 64, 64},
                              .slot = {0, 0, 64, 64},
@@ -372,8 +372,8 @@ void PassesTest::longStrokesAreOneCapsule() {
                  .halfWidthB = 4.0f,
                  .opacityA = 0.9f,
                  .opacityB = 0.4f};
-  QVERIFY(passes::inkPieces(s) > 3);
-  const std::vector<int> coverage = inked({&s, 1}, passes::InkKind::contours);
+  QVERIFY(inkPieces(s) > 3);
+  const std::vector<int> coverage = inked({&s, 1}, InkKind::contours);
   const glm::vec2 a = s.a + s.moveA + (s.halfWidthA - 0.5f) * s.outwardA;
   const glm::vec2 b = s.b + s.moveB + (s.halfWidthB - 0.5f) * s.outwardB;
   for (int i = 0; i < 64 * 64; ++i) {
@@ -397,8 +397,8 @@ void PassesTest::linesEndWhereTheirSurfaceHidesThem_data() {
   QTest::addColumn<float>("piece");
   for (const float piece : {44.0f, 11.0f, 2.75f, 0.5f}) {
     QTest::addRow("lines on the surface, %g px", double(piece))
-        << int(passes::InkKind::surfaceLines) << piece;
-    QTest::addRow("contours, %g px", double(piece)) << int(passes::InkKind::contours) << piece;
+        << int(InkKind::surfaceLines) << piece;
+    QTest::addRow("contours, %g px", double(piece)) << int(InkKind::contours) << piece;
   }
 }
 
@@ -411,7 +411,7 @@ void PassesTest::linesEndWhereTheirSurfaceHidesThem() {
                     .b = {x + piece, 32.5f},
                     .depthA = 0.5f,
                     .depthB = 0.5f,
-                    .kind = kind == int(passes::InkKind::surfaceLines) ? StrokeKind::surfaceLine
+                    .kind = kind == int(InkKind::surfaceLines) ? StrokeKind::surfaceLine
                                                                        : StrokeKind::contour,
                     .outwardA = {0.0f, 1.0f},
                     .outwardB = {0.0f, 1.0f},
@@ -422,7 +422,7 @@ void PassesTest::linesEndWhereTheirSurfaceHidesThem() {
   const auto at = [&](const std::vector<int>& coverage, int x) {
     return coverage[33 * 64 + std::size_t(x)];
   };
-  const auto inkKind = passes::InkKind(kind);
+  const auto inkKind = InkKind(kind);
   const auto all = inked(line, inkKind);
   const auto some = inked(line, inkKind, {30, 0, 17, 64});
   for (int x = 12; x < 52; ++x) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares depths with those of the nearest triangle, looked for one by one.
-#include "render/picture/surface_depths.h"
+#include "render/software/surface_raster.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -8,6 +8,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
 
 #include "render/strokes/prepared_surface.h"
 #include "tests/support/shapes.h"
@@ -73,9 +75,19 @@ struct Ball {
   }
 };
 
+std::optional<std::vector<float>> depthsOf(const DrawnStructure& shown, const PictureView& view,
+                                           const TileMask& squares, const SampleArea& samples) {
+  const RasterMember member{shown, {}};
+  const PixelRect all{0, 0, samples.area.width, samples.area.height};
+  std::vector<float> depths(std::size_t(all.width) * std::size_t(all.height), 1.0f);
+  if (!rasterise({&member, 1}, {view, squares, samples, {&all, 1}}, {depths, {}}))
+    return std::nullopt;
+  return depths;
+}
+
 }  // namespace
 
-class SurfaceDepthsTest : public QObject {
+class SurfaceRasterTest : public QObject {
   Q_OBJECT
  private slots:
   void areThoseOfTheNearestFront_data() {
@@ -101,7 +113,7 @@ class SurfaceDepthsTest : public QObject {
     TileMask squares(view.whole());
     squares.markAll();
     const SampleArea samples{{{0, step / 2}, step}, {2, 1, height / step - 4, height / step - 3}};
-    const auto depths = surfaceDepths(ball.shown, view, squares, samples);
+    const auto depths = depthsOf(ball.shown, view, squares, samples);
     QVERIFY(depths && depths->size() == std::size_t(samples.area.width * samples.area.height));
     std::size_t covered = 0;
     std::size_t sure = 0;
@@ -133,7 +145,7 @@ class SurfaceDepthsTest : public QObject {
     TileMask squares(view.whole());
     const SampleArea samples{{}, view.whole()};
     const auto count = [&] {
-      const auto depths = surfaceDepths(ball.shown, view, squares, samples);
+      const auto depths = depthsOf(ball.shown, view, squares, samples);
       return std::count_if(depths->begin(), depths->end(), [](float d) { return d < 1.0f; });
     };
     QCOMPARE(count(), 0);
@@ -151,9 +163,9 @@ class SurfaceDepthsTest : public QObject {
     TileMask squares(view.whole());
     squares.markAll();
     DrawnStructure shown = ball.shown;
-    QVERIFY(!surfaceDepths(shown, view, squares, {{}, view.whole()}));
+    QVERIFY(!depthsOf(shown, view, squares, {{}, view.whole()}));
   }
 };
 
-SLINE_TEST(SurfaceDepthsTest)
-#include "surface_depths_test.moc"
+SLINE_TEST(SurfaceRasterTest)
+#include "surface_raster_test.moc"

@@ -33,6 +33,7 @@ struct SeenCluster {
   Vertices x;
   Vertices y;
   Vertices depth;  ///< of the window: 0 … 1
+  Vertices w;      ///< the distance from the eye's plane, or 1 in a parallel projection
   std::array<Triangles, 3> cornerX;
   std::array<Triangles, 3> cornerY;
   Triangles area;  ///< doubled; positive: turned to the eye

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture/seen_cluster.h"
+#include "render/software/seen_cluster.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +36,14 @@ bool SeenCluster::project(const model::Cluster& cluster, const model::Surface& s
   constexpr float nearest = 1e-6f;
   std::int32_t lost = 0;
   for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
-    const float w = m[0][3] * px[i] + m[1][3] * py[i] + m[2][3] * pz[i] + m[3][3];
+    w[i] = m[0][3] * px[i] + m[1][3] * py[i] + m[2][3] * pz[i] + m[3][3];
     const float clipX = m[0][0] * px[i] + m[1][0] * py[i] + m[2][0] * pz[i] + m[3][0];
     const float clipY = m[0][1] * px[i] + m[1][1] * py[i] + m[2][1] * pz[i] + m[3][1];
     const float clipZ = m[0][2] * px[i] + m[1][2] * py[i] + m[2][2] * pz[i] + m[3][2];
-    x[i] = (clipX / w + 1.0f) * half.x;
-    y[i] = (clipY / w + 1.0f) * half.y;
-    depth[i] = 0.5f * (clipZ / w) + 0.5f;
-    lost |= std::int32_t(!(w > nearest)) | std::int32_t(!(std::abs(x[i]) < farthest)) |
+    x[i] = (clipX / w[i] + 1.0f) * half.x;
+    y[i] = (clipY / w[i] + 1.0f) * half.y;
+    depth[i] = 0.5f * (clipZ / w[i]) + 0.5f;
+    lost |= std::int32_t(!(w[i] > nearest)) | std::int32_t(!(std::abs(x[i]) < farthest)) |
             std::int32_t(!(std::abs(y[i]) < farthest));
     x[i] = (x[i] - corner.x) * perPixel;
     y[i] = (y[i] - corner.y) * perPixel;

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/software/layer_pixels.h"
+
+#include <algorithm>
+#include <array>
+
+#include "model/base/parallel.h"
+
+namespace sline::render {
+
+namespace {
+
+/// Calls `body(first, end, y)` for the rows of the rectangles: places in the area, and the row in
+/// the picture.
+template <class Body>
+void forEachRow(const LayerPixels& pixels, std::span<const PixelRect> rectangles,
+                const Body& body) {
+  for (const PixelRect& rect : rectangles)
+    for (int y = rect.y; y < rect.top(); ++y) {
+      const std::size_t first = pixels.at(rect.x, y);
+      body(first, first + std::size_t(rect.width), y);
+    }
+}
+
+template <class Value>
+void fillRow(std::vector<Value>& values, std::size_t first, std::size_t end, Value value) {
+  std::fill(values.begin() + std::ptrdiff_t(first), values.begin() + std::ptrdiff_t(end), value);
+}
+
+/// The samples on two sides of a place, and how far it lies from the first to the second.
+struct Between {
+  int low, high;
+  float t;
+};
+
+Between between(int pixel, int corner, int step, int samples) {
+  const float at = (float(pixel - corner) + 0.5f) / float(step) - 0.5f;
+  const int below = int(std::floor(at));
+  return {std::clamp(below, 0, samples - 1), std::clamp(below + 1, 0, samples - 1),
+          at - float(below)};
+}
+
+/// Enlarges by mixing the four samples around each pixel.
+class Enlarger {
+ public:
+  explicit Enlarger(LayerPixels& pixels) : m_pixels(pixels) {
+    const SampleArea& samples = pixels.samples;
+    m_columns.reserve(std::size_t(pixels.area.width));
+    for (int x = pixels.area.x; x < pixels.area.right(); ++x)
+      m_columns.push_back(between(x, samples.grid.corner.x + pixels.step() * samples.area.x,
+                                  pixels.step(), samples.area.width));
+  }
+
+  void row(std::size_t first, std::size_t end, int y) const {
+    const SampleArea& samples = m_pixels.samples;
+    const Between row = between(y, samples.grid.corner.y + m_pixels.step() * samples.area.y,
+                                m_pixels.step(), samples.area.height);
+    const std::size_t low = std::size_t(row.low) * std::size_t(samples.area.width);
+    const std::size_t high = std::size_t(row.high) * std::size_t(samples.area.width);
+    const std::size_t begin = m_pixels.at(m_pixels.area.x, y);
+    for (std::size_t i = first; i < end; ++i) {
+      const Between& column = m_columns[i - begin];
+      const std::array<std::size_t, 4> at{
+          low + std::size_t(column.low), low + std::size_t(column.high),
+          high + std::size_t(column.low), high + std::size_t(column.high)};
+      put(i, at, {column.t, row.t});
+    }
+  }
+
+ private:
+  void put(std::size_t i, const std::array<std::size_t, 4>& at, const glm::vec2& t) const {
+    const std::array<float, 4> depth{m_pixels.surfaceDepths[at[0]], m_pixels.surfaceDepths[at[1]],
+                                     m_pixels.surfaceDepths[at[2]], m_pixels.surfaceDepths[at[3]]};
+    if (std::min({depth[0], depth[1], depth[2], depth[3]}) >= 1.0f)
+      return;
+    std::array<float, 4> weight{(1.0f - t.x) * (1.0f - t.y), t.x * (1.0f - t.y), (1.0f - t.x) * t.y,
+                                t.x * t.y};
+    float covered = 0.0f;
+    for (std::size_t k = 0; k < 4; ++k) {
+      weight[k] = depth[k] < 1.0f ? weight[k] : 0.0f;
+      covered += weight[k];
+    }
+    // It fades over one pixel, outside the line between samples that have the surface and those
+    // that have not.
+    const float share =
+        covered > 0.0f ? std::clamp((covered - 0.5f) * float(m_pixels.step()) + 1.5f, 0.0f, 1.0f)
+                       : 0.0f;
+    if (!(share > 0.0f))
+      return;
+    std::array<float, 4> colour{};
+    float mixed = 0.0f;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float part = weight[k] / covered;
+      mixed += part * depth[k];
+      const std::uint32_t word = m_pixels.surfaceColours[at[k]];
+      for (std::size_t c = 0; c < 4; ++c)
+        colour[c] += part * float((word >> (8 * c)) & 255u);
+    }
+    std::uint32_t word = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+      word |= std::uint32_t(std::min(colour[c] * share + 0.5f, 255.0f)) << (8 * c);
+    m_pixels.colours[i] = word;
+    m_pixels.depths[i] = mixed;
+  }
+
+  LayerPixels& m_pixels;
+  std::vector<Between> m_columns;
+};
+
+}  // namespace
+
+std::uint32_t packedColour(const glm::vec4& colour) {
+  std::uint32_t word = 0;
+  for (int c = 0; c < 4; ++c)
+    word |= std::uint32_t(255.0f * std::clamp(colour[c], 0.0f, 1.0f) + 0.5f) << (8 * c);
+  return word;
+}
+
+void wipeSurface(LayerPixels& pixels, std::span<const PixelRect> rectangles) {
+  if (pixels.step() > 1) {
+    const PixelRect& samples = pixels.samples.area;
+    const std::size_t count = std::size_t(samples.width) * std::size_t(samples.height);
+    pixels.surfaceDepths.assign(count, 1.0f);
+    pixels.surfaceColours.assign(pixels.filled ? count : 0, 0);
+    return;
+  }
+  const std::size_t count = std::size_t(pixels.area.width) * std::size_t(pixels.area.height);
+  pixels.surfaceDepths.resize(count);
+  pixels.colours.resize(pixels.filled ? count : 0);
+  forEachRow(pixels, rectangles, [&](std::size_t first, std::size_t end, int) {
+    fillRow(pixels.surfaceDepths, first, end, 1.0f);
+    if (pixels.filled)
+      fillRow(pixels.colours, first, end, 0u);
+  });
+}
+
+void wipe(LayerPixels& pixels, std::span<const PixelRect> rectangles) {
+  const std::size_t count = std::size_t(pixels.area.width) * std::size_t(pixels.area.height);
+  const bool colours = pixels.filled && pixels.step() > 1;
+  pixels.inks.resize(count);
+  pixels.depths.resize(count);
+  pixels.colours.resize(pixels.filled ? count : 0);
+  forEachRow(pixels, rectangles, [&](std::size_t first, std::size_t end, int) {
+    fillRow(pixels.inks, first, end, std::uint16_t(0));
+    fillRow(pixels.depths, first, end, 1.0f);
+    if (colours)
+      fillRow(pixels.colours, first, end, 0u);
+  });
+}
+
+void takeSurface(LayerPixels& pixels, std::span<const PixelRect> rectangles) {
+  if (pixels.step() == 1) {
+    forEachRow(pixels, rectangles, [&](std::size_t first, std::size_t end, int) {
+      std::copy_n(pixels.surfaceDepths.begin() + std::ptrdiff_t(first), std::ptrdiff_t(end - first),
+                  pixels.depths.begin() + std::ptrdiff_t(first));
+    });
+    return;
+  }
+  const Enlarger enlarger(pixels);
+  parallelFor(rectangles.size(), 4, [&](std::size_t i) {
+    forEachRow(pixels, rectangles.subspan(i, 1),
+               [&](std::size_t first, std::size_t end, int y) { enlarger.row(first, end, y); });
+  });
+}
+
+}  // namespace sline::render

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Holds a layer as the processor draws it: the same values that an atlas has on a graphics card
+// (METHOD §10).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "render/raster/pixel_rect.h"
+#include "render/software/seen_cluster.h"
+
+namespace sline::render {
+
+/// Names the samples of a grid from `area`'s corner on: sample (0, 0) has the grid's own corner.
+struct SampleArea {
+  SampleGrid grid;
+  PixelRect area;
+};
+
+/// Only the squares that a layer touches hold anything; elsewhere pixels are left as they were.
+/// Rows follow each other from the bottom.
+struct LayerPixels {
+  PixelRect area;      ///< in pixels of the picture
+  SampleArea samples;  ///< of its surface
+  bool filled = false;
+  std::vector<float> surfaceDepths;           ///< at the samples; 1: nothing is there
+  std::vector<std::uint32_t> surfaceColours;  ///< at the samples, where these are not the pixels
+  std::vector<std::uint32_t> colours;         ///< red in the lowest 8 bits, premultiplied
+  /// Coverage in the lowest 8 bits, and above up to 127 that of hidden lines, or 255 for a halo.
+  std::vector<std::uint16_t> inks;
+  std::vector<float> depths;  ///< of the layer: 1 where it has nothing
+
+  bool empty() const { return surfaceDepths.empty(); }
+  int step() const { return samples.grid.step; }
+  /// Returns the place of a pixel of the area.
+  std::size_t at(int x, int y) const {
+    return std::size_t(y - area.y) * std::size_t(area.width) + std::size_t(x - area.x);
+  }
+  /// Returns how deep the surface lies at a pixel; 1 outside the area.
+  float surfaceDepthAt(const glm::vec2& pixel) const {
+    const glm::ivec2 at(int(std::floor(pixel.x)), int(std::floor(pixel.y)));
+    if (at.x < area.x || at.y < area.y || at.x >= area.right() || at.y >= area.top())
+      return 1.0f;
+    const glm::ivec2 from = at - samples.grid.corner;
+    return surfaceDepths[std::size_t(from.y / step() - samples.area.y) *
+                             std::size_t(samples.area.width) +
+                         std::size_t(from.x / step() - samples.area.x)];
+  }
+};
+
+/// Returns a premultiplied colour as pixels hold it.
+std::uint32_t packedColour(const glm::vec4& colour);
+/// Makes the surface's samples ready: within the rectangles, which are pixels of the area, there is
+/// nothing then.
+void wipeSurface(LayerPixels& pixels, std::span<const PixelRect> rectangles);
+/// Makes all else ready likewise.
+void wipe(LayerPixels& pixels, std::span<const PixelRect> rectangles);
+/// Takes the surface's fill and depth over into the pixels of the rectangles. Where samples stand
+/// for several pixels, they are enlarged as enlarge.frag.glsl does.
+void takeSurface(LayerPixels& pixels, std::span<const PixelRect> rectangles);
+
+}  // namespace sline::render

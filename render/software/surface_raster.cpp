@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/software/surface_raster.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <memory>
+
+#include "model/base/parallel.h"
+#include "render/lines/view_fields.h"
+#include "render/strokes/coverage.h"
+#include "render/strokes/fill_shading.h"
+
+namespace sline::render {
+
+namespace {
+
+struct SeenDepths {
+  float a, b, c;
+  float least() const { return std::min(a, std::min(b, c)); }
+  float most() const { return std::max(a, std::max(b, c)); }
+};
+
+/// What a fill's shading needs to know of a place.
+enum Value : std::size_t { normalX, normalY, normalZ, gradient, gammaOffset, valueCount };
+
+/// A member, ready to be drawn.
+struct Member {
+  const DrawnStructure* shown;
+  SurfaceFill fill;
+  FillShading shading;
+  bool cull;
+  std::array<bool, valueCount> needs{};
+
+  Member(const RasterMember& member, const RasterSight& sight)
+      : shown(&member.shown),
+        fill(member.fill),
+        shading(member.fill, sight.key),
+        cull(cullsBack(member.shown, sight.view)) {
+    if (!shaded())
+      return;
+    needs = {true, true, true, fill.byForm, fill.gammaOffsets != nullptr};
+  }
+  bool shaded() const { return fill.kind == SurfaceFill::Kind::phong; }
+};
+
+/// A cluster of a member's, with the rows of samples that it may touch, the last one not included.
+struct PlacedCluster {
+  const model::Cluster* cluster;
+  std::uint16_t member;
+  int bottom, top;
+};
+
+/// Draws rows of samples. Bands of rows can be drawn at the same time.
+class SurfaceBand {
+ public:
+  SurfaceBand(std::span<const Member> members, const RasterSight& sight,
+              const RasterSurface& surface)
+      : m_members(members),
+        m_view(sight.view),
+        m_samples(sight.samples),
+        m_rectangles(sight.rectangles),
+        m_depths(surface.depths.data()),
+        m_colours(surface.colours.empty() ? nullptr : surface.colours.data()) {
+    for (const Member& member : members)
+      for (std::size_t value = 0; value < valueCount; ++value)
+        m_needs[value] = m_needs[value] || member.needs[value];
+  }
+
+  void setRows(int first, int end) {
+    m_first = first;
+    m_end = end;
+    const std::size_t samples = std::size_t(end - first) * std::size_t(m_samples.area.width);
+    for (std::size_t value = 0; value < valueCount; ++value)
+      if (m_needs[value])
+        m_values[value].resize(samples);
+    if (m_colours && m_members.size() > 1)
+      m_owners.resize(samples);
+  }
+
+  /// Has the memory fetch what will be looked at soon.
+  void fetch(const PlacedCluster& placed) const {
+    const model::Surface& surface = m_members[placed.member].shown->surface();
+    const model::Cluster& cluster = *placed.cluster;
+    const std::uint32_t* vertices = surface.clusters.vertices.data() + cluster.firstVertex;
+    const glm::vec3* positions = surface.mesh->positions().data();
+    const bool shaded = m_colours && m_members[placed.member].shaded();
+    for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
+      __builtin_prefetch(positions + vertices[i]);
+      if (shaded)
+        __builtin_prefetch(&surface.vertices[vertices[i]]);
+    }
+    __builtin_prefetch(surface.clusters.localTriangles.data() + cluster.firstTriangle);
+  }
+
+  /// Returns false where the cluster has to be clipped.
+  bool add(const PlacedCluster& placed) {
+    const Member& member = m_members[placed.member];
+    const model::Cluster& cluster = *placed.cluster;
+    const model::Surface& surface = member.shown->surface();
+    if (!m_seen.project(cluster, surface, m_view, m_samples.grid))
+      return false;
+    m_member = placed.member;
+    const auto* triangles = surface.clusters.localTriangles.data() + cluster.firstTriangle;
+    m_seen.findBoxes({triangles, cluster.triangleCount});
+    const bool mixed = member.cull && model::facing(cluster, m_view.eye()) != model::Facing::front;
+    const bool shaded = m_colours && member.shaded();
+    bool loaded = false;
+    for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
+      if (mixed && !(m_seen.area[i] > 0.0f))
+        continue;
+      const auto [a, b, c] = triangles[i];
+      const SeenDepths depths{m_seen.depth[a], m_seen.depth[b], m_seen.depth[c]};
+      if (!(depths.least() >= 0.0f && depths.most() <= 1.0f))
+        return false;
+      if (m_seen.columns[i] <= 0 || m_seen.rows[i] <= 0)
+        continue;
+      if (!shaded) {
+        draw<false>(i, triangles[i], depths);
+        continue;
+      }
+      if (!loaded)
+        load(cluster, member);
+      loaded = true;
+      draw<true>(i, triangles[i], depths);
+    }
+    return true;
+  }
+
+  /// Finds the colours of all that was added.
+  void shade() {
+    if (!m_colours)
+      return;
+    for (const PixelRect& rect : m_rectangles)
+      for (int row = std::max(rect.y, m_first); row < std::min(rect.top(), m_end); ++row)
+        shade(row, rect.x, rect.right());
+  }
+
+ private:
+  std::size_t bandIndex(int column, int row) const {
+    return std::size_t(row - m_first) * std::size_t(m_samples.area.width) + std::size_t(column);
+  }
+  std::uint16_t ownerAt(int column, int row) const {
+    return m_owners.empty() ? std::uint16_t(0) : m_owners[bandIndex(column, row)];
+  }
+
+  void shade(int row, int first, int end) {
+    const float* depths = m_depths + std::size_t(row) * std::size_t(m_samples.area.width);
+    for (int column = first; column < end;) {
+      if (!(depths[column] < 1.0f)) {
+        ++column;
+        continue;
+      }
+      const std::uint16_t owner = ownerAt(column, row);
+      int next = column + 1;
+      while (next < end && depths[next] < 1.0f && ownerAt(next, row) == owner)
+        ++next;
+      shade(m_members[owner], row, column, next);
+      column = next;
+    }
+  }
+
+  void shade(const Member& member, int row, int column, int end) {
+    std::uint32_t* colours =
+        m_colours + std::size_t(row) * std::size_t(m_samples.area.width) + column;
+    if (!member.shaded()) {
+      std::fill(colours, colours + (end - column), packedColour(member.fill.wash));
+      return;
+    }
+    const std::size_t at = bandIndex(column, row);
+    const auto from = [&](Value value) {
+      return member.needs[value] ? m_values[value].data() + at : nullptr;
+    };
+    const PixelRect& area = m_samples.area;
+    const SampleGrid& grid = m_samples.grid;
+    const auto middle = [&](int x) {
+      return glm::vec2(grid.corner) +
+             float(grid.step) * (glm::vec2(float(x), float(area.y + row)) + 0.5f);
+    };
+    const glm::vec3 first = m_view.towardsEye(middle(0));
+    member.shading.shade({.normal = {from(normalX), from(normalY), from(normalZ)},
+                          .gradient = from(gradient),
+                          .gammaOffset = from(gammaOffset),
+                          .towardsEye = first,
+                          .step = m_view.towardsEye(middle(1)) - first,
+                          .column = area.x + column,
+                          .count = std::size_t(end - column)},
+                         colours);
+  }
+
+  /// Takes the values of the cluster's vertices.
+  void load(const model::Cluster& cluster, const Member& member) {
+    const model::Surface& surface = member.shown->surface();
+    const std::uint32_t* vertices = surface.clusters.vertices.data() + cluster.firstVertex;
+    float nearest = std::numeric_limits<float>::max();
+    float farthest = 0.0f;
+    for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
+      const model::SurfaceVertex& vertex = surface.vertices[vertices[i]];
+      const glm::vec3 normal = surface.normals[vertices[i]];
+      m_corner[normalX][i] = normal.x;
+      m_corner[normalY][i] = normal.y;
+      m_corner[normalZ][i] = normal.z;
+      if (member.needs[gradient])
+        m_corner[gradient][i] = gradientAt(surface, vertices[i], vertex.position, member.fill);
+      if (member.needs[gammaOffset])
+        m_corner[gammaOffset][i] = (*member.fill.gammaOffsets)[vertices[i]];
+      nearest = std::min(nearest, m_seen.w[i]);
+      farthest = std::max(farthest, m_seen.w[i]);
+    }
+    // Across little depth values are as good as linear in the picture.
+    m_even = farthest <= 1.01f * nearest;
+  }
+
+  float gradientAt(const model::Surface& surface, std::uint32_t vertex, const glm::vec3& place,
+                   const SurfaceFill& fill) const {
+    const model::EyePoint& eye = m_view.eye();
+    const glm::vec3 v = directionTo(eye, place);
+    const glm::vec3 n = surface.normals[vertex];
+    const float distance =
+        eye.atInfinity ? std::numeric_limits<float>::infinity() : glm::distance(eye.value, place);
+    const glm::vec3 k =
+        lightGradient(n, surface.curvature.e1[vertex], surface.curvature.k[vertex], v, distance);
+    return fill.filigree * glm::dot(k, v - glm::dot(n, v) * n);
+  }
+
+  template <bool shaded>
+  void draw(std::size_t i, const std::array<std::uint8_t, 3>& corners, const SeenDepths& seen) {
+    const PixelRect& area = m_samples.area;
+    const int left = std::max(m_seen.left[i], area.x) - m_seen.left[i];
+    const int right = std::min(m_seen.left[i] + m_seen.columns[i], area.right()) - m_seen.left[i];
+    const int bottom = std::max(m_seen.bottom[i], area.y + m_first) - m_seen.bottom[i];
+    const int top = std::min(m_seen.bottom[i] + m_seen.rows[i], area.y + m_end) - m_seen.bottom[i];
+    if (left >= right || bottom >= top)
+      return;
+    const TriangleEdges edges(m_seen, i, TriangleEdges::Corners::exact);
+    const glm::vec3& e0 = edges.inside(0);
+    const glm::vec3& e1 = edges.inside(1);
+    const glm::vec3& e2 = edges.inside(2);
+    const glm::vec3 slope = depthSlope(i, seen);
+    // A sliver's slope is steep, and samples may lie beside it by the slack.
+    const float least = seen.least();
+    const float most = seen.most();
+    const float perArea = 1.0f / std::max(std::abs(m_seen.area[i]), 1e-20f);
+    for (int row = bottom; row < top; ++row) {
+      const auto y = float(row);
+      const int line = m_seen.bottom[i] + row - area.y;
+      const int start = m_seen.left[i] - area.x;
+      float* out = m_depths + std::size_t(line) * std::size_t(area.width) + start;
+      for (int column = left; column < right; ++column) {
+        const auto x = float(column);
+        const float in0 = e0.x * x + e0.y * y + e0.z;
+        const float in2 = e2.x * x + e2.y * y + e2.z;
+        const float inside = std::min(in0, std::min(e1.x * x + e1.y * y + e1.z, in2));
+        const float depth = std::min(most, std::max(least, slope.x * x + slope.y * y + slope.z));
+        if (!shaded && m_owners.empty()) {
+          out[column] = inside >= 0.0f && depth < out[column] ? depth : out[column];
+          continue;
+        }
+        if (!(inside >= 0.0f && depth < out[column]))
+          continue;
+        if (!m_owners.empty())
+          m_owners[bandIndex(start + column, line)] = m_member;
+        if (!shaded) {
+          out[column] = depth;
+          continue;
+        }
+        out[column] = depth;
+        const float b = std::min(in2 * perArea, 1.0f);
+        put(bandIndex(start + column, line), corners, {b, std::min(in0 * perArea, 1.0f - b)});
+      }
+    }
+  }
+
+  /// Writes the values of a place that has these shares of the second corner and of the third.
+  void put(std::size_t at, const std::array<std::uint8_t, 3>& corners, glm::vec2 share) {
+    if (!m_even) {
+      const glm::vec3 nearness((1.0f - share.x - share.y) / m_seen.w[corners[0]],
+                               share.x / m_seen.w[corners[1]], share.y / m_seen.w[corners[2]]);
+      share = glm::vec2(nearness.y, nearness.z) / (nearness.x + nearness.y + nearness.z);
+    }
+    const Member& member = m_members[m_member];
+    for (std::size_t value = 0; value < valueCount; ++value) {
+      if (!member.needs[value])
+        continue;
+      const auto& corner = m_corner[value];
+      const float a = corner[corners[0]];
+      m_values[value][at] =
+          a + share.x * (corner[corners[1]] - a) + share.y * (corner[corners[2]] - a);
+    }
+  }
+
+  /// Returns the depth's rise per column and per row, and its value at the first middle.
+  glm::vec3 depthSlope(std::size_t i, const SeenDepths& corners) const {
+    const auto& [ax, bx, cx] = m_seen.cornerX;
+    const auto& [ay, by, cy] = m_seen.cornerY;
+    const float area = m_seen.area[i];
+    if (area == 0.0f)
+      return {0.0f, 0.0f, corners.least()};
+    const float ab = corners.b - corners.a;
+    const float ac = corners.c - corners.a;
+    const float x = (ab * (cy[i] - ay[i]) - ac * (by[i] - ay[i])) / area;
+    const float y = (ac * (bx[i] - ax[i]) - ab * (cx[i] - ax[i])) / area;
+    return {x, y,
+            corners.a + x * (float(m_seen.left[i]) + 0.5f - ax[i]) +
+                y * (float(m_seen.bottom[i]) + 0.5f - ay[i])};
+  }
+
+  std::span<const Member> m_members;
+  const PictureView& m_view;
+  const SampleArea& m_samples;
+  std::span<const PixelRect> m_rectangles;
+  float* m_depths;
+  std::uint32_t* m_colours;  ///< null: only depths are wanted
+  std::array<bool, valueCount> m_needs{};
+  int m_first = 0;
+  int m_end = 0;
+  std::uint16_t m_member = 0;  ///< that is being drawn
+  bool m_even = true;
+  SeenCluster m_seen;
+  std::array<SeenCluster::Vertices, valueCount> m_corner;
+  std::array<std::vector<float>, valueCount> m_values;  ///< at the band's samples
+  std::vector<std::uint16_t> m_owners;                  ///< who is seen there, of several
+};
+
+/// Returns the clusters that may be seen, in the members' order.
+std::vector<PlacedCluster> placedClusters(std::span<const Member> members,
+                                          const RasterSight& sight) {
+  const SampleArea& samples = sight.samples;
+  std::vector<PlacedCluster> clusters;
+  for (std::size_t m = 0; m < members.size(); ++m)
+    for (const model::Cluster& cluster : members[m].shown->surface().clusters.items) {
+      if (members[m].cull && model::facing(cluster, sight.view.eye()) == model::Facing::back)
+        continue;
+      const PixelRect bounds = sight.view.bounds(cluster.bounds);
+      if (!sight.squares.marksAny(bounds))
+        continue;
+      // One more on each side: drivers and the bounds round.
+      const PixelRect rows =
+          coarser({bounds.x - samples.grid.corner.x, bounds.y - samples.grid.corner.y, bounds.width,
+                   bounds.height},
+                  samples.grid.step);
+      clusters.push_back({&cluster, std::uint16_t(m), std::max(rows.y - 1 - samples.area.y, 0),
+                          std::min(rows.top() + 1 - samples.area.y, samples.area.height)});
+    }
+  return clusters;
+}
+
+}  // namespace
+
+bool rasterise(std::span<const RasterMember> members, const RasterSight& sight,
+               const RasterSurface& surface) {
+  const PixelRect& area = sight.samples.area;
+  std::vector<Member> ready;
+  ready.reserve(members.size());
+  for (const RasterMember& member : members)
+    ready.emplace_back(member, sight);
+  const std::vector<PlacedCluster> clusters = placedClusters(ready, sight);
+  constexpr int bandRows = 32;
+  const auto bands = std::size_t((area.height + bandRows - 1) / bandRows);
+  std::vector<std::vector<const PlacedCluster*>> lists(bands);
+  for (const PlacedCluster& placed : clusters)
+    for (int band = placed.bottom / bandRows; band * bandRows < placed.top; ++band)
+      lists[std::size_t(band)].push_back(&placed);
+  std::atomic<bool> whole = true;
+  parallelChunks(bands, 1, [&](std::size_t begin, std::size_t end) {
+    const auto band = std::make_unique<SurfaceBand>(ready, sight, surface);
+    for (std::size_t i = begin; i < end && whole; ++i) {
+      if (lists[i].empty())
+        continue;
+      const int first = int(i) * bandRows;
+      band->setRows(first, std::min(first + bandRows, area.height));
+      for (std::size_t k = 0; k < lists[i].size(); ++k) {
+        if (k + 2 < lists[i].size())
+          __builtin_prefetch(lists[i][k + 2]->cluster);
+        if (k + 1 < lists[i].size())
+          band->fetch(*lists[i][k + 1]);
+        if (!band->add(*lists[i][k])) {
+          whole = false;
+          return;
+        }
+      }
+      band->shade();
+    }
+  });
+  return whole;
+}
+
+}  // namespace sline::render

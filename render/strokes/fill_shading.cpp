@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/strokes/fill_shading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace sline::render {
+
+namespace {
+
+constexpr float quarterTurn = 1.5707963268f;
+constexpr std::size_t rowPiece = 64;
+
+/// The functions of phong.glsl, one number at a time so that compilers work on several samples at
+/// once.
+glm::vec3 inShadow(const glm::vec3& colour) {
+  const float chroma =
+      std::max({colour.r, colour.g, colour.b}) - std::min({colour.r, colour.g, colour.b});
+  return (colour * colour * 0.42f + colour * 0.08f) * (1.0f - 0.4f * chroma * chroma);
+}
+
+inline float headlight(float facing) {
+  return facing * (1.3f - 0.3f * facing);
+}
+
+inline float keyLight(float facing, float lit) {
+  const float key = std::max((lit + 0.3f) / 1.3f, 0.0f);
+  const float head = headlight(facing);
+  return std::min(0.22f * head + std::sqrt(head) * key, 1.0f);
+}
+
+/// Returns 0.16·x³⁶.
+inline float highlight(float x) {
+  const float x2 = x * x;
+  const float x4 = x2 * x2;
+  const float x8 = x4 * x4;
+  const float x16 = x8 * x8;
+  return 0.16f * (x16 * x16 * x4);
+}
+
+/// Returns the arc cosine of 0 … 1, within 7·10⁻⁵ (Abramowitz and Stegun 1964, 4.4.45).
+inline float arcCosine(float x) {
+  return std::sqrt(1.0f - x) * (1.5707288f + x * (-0.2121144f + x * (0.0742610f - 0.0187293f * x)));
+}
+
+inline float clamp01(float x) {
+  return std::min(std::max(x, 0.0f), 1.0f);
+}
+
+/// What of a place's light decides how its fill looks.
+struct Lit {
+  float entered;    ///< the share of shading that has entered there
+  float light;      ///< 0: the colour in shadow, 1: in full light
+  float highlight;  ///< is added
+};
+
+/// S eq. 11 with the last term's sign as METHOD §7 reads it; θ_c = π/2 at T_P = 0 means w_a = 0.
+/// Paper is light by itself and shading enters from the dark rim; on a dark ground light enters,
+/// from the parts that face the eye.
+inline float enteredAt(const SurfaceFill& fill, float facing, float gradient, float shading,
+                       float complete) {
+  const float turned = arcCosine(facing);
+  const float angle = fill.darkGround ? quarterTurn - turned : turned;
+  const float threshold = quarterTurn * (1.0f - shading);
+  const float byAngle = clamp01((angle - threshold) / std::max(quarterTurn - threshold, 1e-4f));
+  const float byLight = clamp01(gradient) * (1.0f - shading) + shading;
+  const float entered = shading > 0.0f ? byAngle * byLight : 0.0f;
+  return entered * (1.0f - complete) + complete;
+}
+
+/// Mixes one channel. A thin glaze shows the colour itself; its shadows, which would grey the
+/// paper, deepen as it closes.
+inline float channel(const SurfaceFill& fill, const Lit& lit, float shadow, float colour,
+                     float wash) {
+  float shaded = shadow * (1.0f - lit.light) + 1.02f * colour * lit.light + lit.highlight;
+  const float glazed = shaded * lit.entered + std::max(shaded, colour) * (1.0f - lit.entered);
+  shaded = std::min(fill.darkGround ? shaded : glazed, 1.0f);
+  const float opacity = lit.entered * fill.opacity;
+  return shaded * opacity + wash * (1.0f - opacity);
+}
+
+inline std::uint32_t byte(float value) {
+  return std::uint32_t(std::int32_t(255.0f * std::min(value, 1.0f) + 0.5f));
+}
+
+}  // namespace
+
+glm::vec3 edgeColour(const glm::vec3& colour, const glm::vec3& key, const glm::vec2& outward) {
+  constexpr float facing = 0.1f;
+  const bool keyed = key != glm::vec3(0.0f);
+  const float light = keyed ? keyLight(facing, glm::dot(outward, glm::vec2(key)) + facing * key.z)
+                            : headlight(facing);
+  return glm::mix(inShadow(colour), 1.02f * colour, light) + highlight(keyed ? 0.0f : facing);
+}
+
+FillShading::FillShading(const SurfaceFill& fill, const glm::vec3& key)
+    : m_fill(fill), m_key(key), m_shadow(inShadow(fill.colour)) {
+  if (fill.gammaOffsets)
+    m_stages = fillStages();
+}
+
+FillShading::Stages FillShading::stagesAt(float offset) const {
+  const float gamma = std::clamp(m_fill.gamma + offset, 0.0f, 5.0f);
+  const float at = gamma < 4.0f ? 16.0f * std::sqrt(std::max(gamma - 3.0f, 0.0f))
+                                : 16.0f + 16.0f * (gamma - 4.0f);
+  const std::size_t low = std::min<std::size_t>(std::size_t(at), m_stages.size() - 2);
+  const glm::vec4 stage = glm::mix(m_stages[low], m_stages[low + 1], at - float(low));
+  return {stage.x, stage.y};
+}
+
+glm::vec4 FillShading::colourAt(const glm::vec3& normal, const glm::vec3& towardsEye,
+                                float gradient, float offset) const {
+  const float turned = glm::dot(normal, towardsEye);
+  const float side = m_fill.twoSided && turned < 0.0f ? -1.0f : 1.0f;
+  const float facing = clamp01(turned * side);
+  const Stages stages =
+      m_fill.gammaOffsets ? stagesAt(offset) : Stages{m_fill.shading, m_fill.complete};
+  Lit lit{.entered = enteredAt(m_fill, facing, gradient * side, stages.shading, stages.complete),
+          .light = headlight(facing),
+          .highlight = highlight(facing)};
+  if (m_key != glm::vec3(0.0f)) {
+    const glm::vec3 half = glm::normalize(m_key + towardsEye);
+    lit.light = keyLight(facing, side * glm::dot(normal, m_key));
+    lit.highlight = highlight(std::max(side * glm::dot(normal, half), 0.0f));
+  }
+  glm::vec4 colour(0.0f);
+  for (int c = 0; c < 3; ++c)
+    colour[c] = channel(m_fill, lit, m_shadow[c], m_fill.colour[c], m_fill.wash[c]);
+  const float opacity = lit.entered * m_fill.opacity;
+  colour.a = opacity + m_fill.wash.a * (1.0f - opacity);
+  return colour;
+}
+
+template <bool keyed, bool varies, bool byForm>
+void FillShading::shadeRow(const SampleRow& row, std::uint32_t* colours) const {
+  std::array<float, rowPiece> shading;
+  std::array<float, rowPiece> complete;
+  if (varies)
+    for (std::size_t i = 0; i < row.count; ++i) {
+      const Stages stages = stagesAt(row.gammaOffset[i]);
+      shading[i] = stages.shading;
+      complete[i] = stages.complete;
+    }
+  const SurfaceFill& fill = m_fill;
+  const float* nx = row.normal[0];
+  const float* ny = row.normal[1];
+  const float* nz = row.normal[2];
+  for (std::size_t i = 0; i < row.count; ++i) {
+    // From the same column wherever a row begins, so that pieces of a picture fit together.
+    const auto column = float(row.column + int(i));
+    const float vx = row.towardsEye.x + column * row.step.x;
+    const float vy = row.towardsEye.y + column * row.step.y;
+    const float vz = row.towardsEye.z + column * row.step.z;
+    const float away = 1.0f / std::sqrt(vx * vx + vy * vy + vz * vz);
+    const float unit =
+        1.0f / std::sqrt(std::max(nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i], 1e-20f));
+    const float turned = (nx[i] * vx + ny[i] * vy + nz[i] * vz) * unit * away;
+    const float side = fill.twoSided && turned < 0.0f ? -1.0f : 1.0f;
+    const float facing = clamp01(turned * side);
+    Lit lit{.entered =
+                enteredAt(fill, facing, byForm ? row.gradient[i] * side : 0.0f,
+                          varies ? shading[i] : fill.shading, varies ? complete[i] : fill.complete),
+            .light = headlight(facing),
+            .highlight = highlight(facing)};
+    if (keyed) {
+      const float hx = m_key.x + vx * away;
+      const float hy = m_key.y + vy * away;
+      const float hz = m_key.z + vz * away;
+      const float half = 1.0f / std::sqrt(std::max(hx * hx + hy * hy + hz * hz, 1e-20f));
+      lit.light =
+          keyLight(facing, side * unit * (nx[i] * m_key.x + ny[i] * m_key.y + nz[i] * m_key.z));
+      lit.highlight =
+          highlight(std::max(side * unit * half * (nx[i] * hx + ny[i] * hy + nz[i] * hz), 0.0f));
+    }
+    const float opacity = lit.entered * fill.opacity;
+    const std::uint32_t red = byte(channel(fill, lit, m_shadow.r, fill.colour.r, fill.wash.r));
+    const std::uint32_t green = byte(channel(fill, lit, m_shadow.g, fill.colour.g, fill.wash.g));
+    const std::uint32_t blue = byte(channel(fill, lit, m_shadow.b, fill.colour.b, fill.wash.b));
+    const std::uint32_t alpha = byte(opacity + fill.wash.a * (1.0f - opacity));
+    colours[i] = red | green << 8 | blue << 16 | alpha << 24;
+  }
+}
+
+template <bool keyed>
+void FillShading::shadeKeyed(const SampleRow& row, std::uint32_t* colours) const {
+  if (m_fill.gammaOffsets && m_fill.byForm)
+    shadeRow<keyed, true, true>(row, colours);
+  else if (m_fill.gammaOffsets)
+    shadeRow<keyed, true, false>(row, colours);
+  else if (m_fill.byForm)
+    shadeRow<keyed, false, true>(row, colours);
+  else
+    shadeRow<keyed, false, false>(row, colours);
+}
+
+void FillShading::shade(const SampleRow& row, std::uint32_t* colours) const {
+  for (std::size_t first = 0; first < row.count; first += rowPiece) {
+    SampleRow piece = row;
+    for (const float*& normal : piece.normal)
+      normal += first;
+    piece.gradient = m_fill.byForm ? row.gradient + first : nullptr;
+    piece.gammaOffset = m_fill.gammaOffsets ? row.gammaOffset + first : nullptr;
+    piece.column += int(first);
+    piece.count = std::min(row.count - first, rowPiece);
+    if (m_key != glm::vec3(0.0f))
+      shadeKeyed<true>(piece, colours + first);
+    else
+      shadeKeyed<false>(piece, colours + first);
+  }
+}
+
+}  // namespace sline::render

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compares pictures that the processor draws (render/software) with those of the driver's shaders:
+// both draw the same, but for pixels whose middle lies on an edge.
+#include <QtTest>
+#include <cmath>
+#include <functional>
+
+#include "tests/render/picture/section_scenes.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::test;
+using render::Background;
+using render::Image;
+using render::PictureOptions;
+using render::PictureSettings;
+
+namespace {
+
+using Change = std::function<void(model::Style&, int)>;
+
+/// Returns bodies of several forms in, behind and through each other.
+model::Scene bodies(float gamma, const Change& change) {
+  model::Scene scene;
+  auto put = [&, i = 0](model::MeshPtr mesh) mutable {
+    model::Style style = gammaStyle(gamma);
+    style.lineVariation = 1.0f;
+    style.colour = Colour{std::uint8_t(60 + 30 * i), std::uint8_t(190 - 25 * i), 120};
+    if (change)
+      change(style, i);
+    add(scene, std::move(mesh), style);
+    ++i;
+  };
+  put(torus(50.0f, 20.0f, 120, 48));
+  put(moved(*sphere(26.0f, 5), 1.0f, {18.0f, -30.0f, 12.0f}));
+  put(moved(*sphere(30.0f, 3), 1.0f, {-40.0f, 40.0f, 5.0f}));
+  put(moved(*torus(30.0f, 9.0f, 80, 32), 1.0f, {-20.0f, -20.0f, -20.0f}));
+  put(moved(*sphere(12.0f, 4), 1.0f, {52.0f, -14.0f, -30.0f}));
+  return scene;
+}
+
+model::Camera slanted(bool perspective) {
+  model::Camera camera = frontal(190.0f);
+  camera.eye = {60.0f, -320.0f, 170.0f};
+  if (perspective)
+    camera.projection = model::Projection::perspective;
+  return camera;
+}
+
+struct Row {
+  const char* name;
+  float gamma;
+  Change change = {};
+  PictureSettings settings = {};
+  bool perspective = false;
+};
+
+std::vector<Row> rows() {
+  const auto moving = [](int step) {
+    PictureSettings settings;
+    settings.surfaceStep = step;
+    return settings;
+  };
+  const auto ground = [](Background background, bool key = false) {
+    PictureSettings settings;
+    settings.environment.background = background;
+    settings.environment.keyLight = key;
+    return settings;
+  };
+  const Change mixed = [](model::Style& style, int i) {
+    style.gamma = Gamma::clamped(1.2f * float(i));
+  };
+  return {
+      {"silhouettes", 0.0f},
+      {"lines", 2.0f},
+      {"lines in perspective", 2.0f, {}, {}, true},
+      {"hatching", 3.0f},
+      {"shading enters", 3.4f},
+      {"shading on a dark ground", 3.6f, {}, ground(Background::dark)},
+      {"complete", 5.0f},
+      {"complete, lit by a key light, in perspective",
+       5.0f,
+       {},
+       ground(Background::paper, true),
+       true},
+      {"edges of fills", 4.6f, {}, ground(Background::transparent)},
+      {"each of its own", 0.0f, mixed},
+      {"each of its own, moving", 0.0f, mixed, moving(3), true},
+      {"moving by two", 4.4f, {}, moving(2)},
+      {"paper, tint and veil", 2.0f,
+       [](model::Style& style, int i) { style.fill = model::Fill(1 + i % 3); }},
+      {"glass", 5.0f,
+       [](model::Style& style, int i) {
+         style.opacity = Opacity::clamped(0.3f + 0.1f * float(i));
+       }},
+      {"hidden outlines", 2.0f,
+       [](model::Style& style, int i) {
+         style.fill = model::Fill::paper;
+         style.hiddenLines = model::HiddenLines(1 + i % 2);
+       }},
+      {"halos", 2.0f, [](model::Style& style, int) { style.halo = 2.0f; }},
+      {"pencils", 2.5f, [](model::Style& style, int) { style.grain = 0.8f; }},
+  };
+}
+
+}  // namespace
+
+class ProcessorPictureTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase() {
+    m_driver = openStudio({.painter = PictureOptions::Painter::driver});
+    if (!m_driver.absent.empty())
+      QSKIP(m_driver.absent.c_str());
+    QVERIFY2(m_driver.fault.empty(), m_driver.fault.c_str());
+    auto picture = render::Picture::create({.painter = PictureOptions::Painter::processor});
+    QVERIFY(picture.ok());
+    m_processor = std::move(*picture);
+  }
+
+  void isThatOfTheDriver_data() {
+    QTest::addColumn<int>("row");
+    const std::vector<Row> all = rows();
+    for (std::size_t i = 0; i < all.size(); ++i)
+      QTest::newRow(all[i].name) << int(i);
+  }
+
+  void isThatOfTheDriver() {
+    QFETCH(int, row);
+    const Row r = rows()[std::size_t(row)];
+    PictureSettings settings = r.settings;
+    settings.width = 500;
+    settings.height = 420;
+    compare(bodies(r.gamma, r.change), slanted(r.perspective), settings);
+  }
+
+  /// A structure that is cut has to be drawn by the driver; the others are as before.
+  void cutStructuresAreAmongTheOthers() {
+    model::Scene scene = bodies(3.6f, {});
+    cut(scene, model::AnatomicalView::posterior, 0.0f, scene.nodes()[1].id);
+    compare(scene, slanted(false), {.width = 500, .height = 420});
+  }
+
+  /// Only what has changed is drawn anew, and a driver takes over what it needs.
+  void layersAreKept() {
+    model::Scene scene = bodies(2.0f, {});
+    const PictureSettings settings{.width = 500, .height = 420};
+    const model::Camera camera = slanted(false);
+    QVERIFY(m_processor->render(scene, camera, settings).ok());
+    std::vector<model::Node> nodes = scene.nodes();
+    nodes[1].style.gamma = Gamma::clamped(4.2f);
+    scene.setNodes(nodes);
+    compare(scene, camera, settings);
+    QCOMPARE(m_processor->timings().layersDrawn, 1);
+    nodes[2].style.visible = false;
+    scene.setNodes(nodes);
+    compare(scene, camera, settings);
+    QCOMPARE(m_processor->timings().layersDrawn, 0);
+  }
+
+  void piecesHaveNoSeams() {
+    const model::Scene scene = bodies(3.5f, {});
+    const model::Camera camera = slanted(true);
+    const PictureSettings settings{.width = 500, .height = 420};
+    const auto whole = m_processor->render(scene, camera, settings);
+    auto small = render::Picture::create(
+        {.maximumSide = 160, .painter = PictureOptions::Painter::processor});
+    QVERIFY(whole.ok() && small.ok());
+    const auto pieces = (*small)->render(scene, camera, settings);
+    QVERIFY(pieces.ok());
+    QCOMPARE(difference(*whole, *pieces).largest, 0);
+  }
+
+  void whatReachesBehindTheEyeIsDrawnByTheDriver() {
+    const model::Scene scene = bodies(5.0f, {});
+    model::Camera camera = slanted(true);
+    camera.eye = {10.0f, -45.0f, 10.0f};
+    compare(scene, camera, {.width = 500, .height = 420});
+  }
+
+ private:
+  void compare(const model::Scene& scene, const model::Camera& camera,
+               const PictureSettings& settings) {
+    const auto expected = m_driver.picture->render(scene, camera, settings);
+    const auto found = m_processor->render(scene, camera, settings);
+    QVERIFY(expected.ok() && found.ok());
+    const Difference apart = difference(*expected, *found);
+    if (const QByteArray folder = qgetenv("SLINE_PICTURES"); !folder.isEmpty()) {
+      const QString name =
+          QString(folder + "/%1 %2.png").arg(QTest::currentTestFunction(), QTest::currentDataTag());
+      const auto save = [](const Image& image, const QString& to) {
+        QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).save(to);
+      };
+      save(*expected, QString(name).replace(".png", " driver.png"));
+      save(*found, name);
+    }
+    QVERIFY2(apart.share < 0.002 && apart.mean < 0.2,
+             qPrintable(QString("%1 % of pixels, mean %2, largest %3")
+                            .arg(100.0 * apart.share)
+                            .arg(apart.mean)
+                            .arg(apart.largest)));
+  }
+
+  Studio m_driver;
+  std::unique_ptr<render::Picture> m_processor;
+};
+
+SLINE_TEST(ProcessorPictureTest)
+#include "processor_picture_test.moc"
