@@ -2,6 +2,7 @@
 #include "render/software/layer_blend.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "model/base/parallel.h"
@@ -37,9 +38,9 @@ struct Found {
 class SquareBlender {
  public:
   SquareBlender(const LayerBlend& what, std::span<std::uint32_t> picture)
-      : m_what(what), m_picture(picture) {
+      : m_what(what), m_picture(picture), m_ground(packedColour(what.background)) {
     m_here.reserve(what.layers.size());
-    m_found.resize(what.layers.size());
+    m_found.resize(what.layers.size() * TileMask::side);
   }
 
   /// Takes the square's place in the region's grid, and its pixels in the region.
@@ -50,50 +51,73 @@ class SquareBlender {
                            square.height};
     for (const BlendLayer& layer : m_what.layers)
       if (layer.mask->marked(column, row) && !intersection(layer.pixels->area, pixels).empty()) {
-        m_here.push_back({&layer, glm::vec4(glm::vec3(float(layer.ink.red), float(layer.ink.green),
-                                                      float(layer.ink.blue)) /
-                                                255.0f,
-                                            1.0f)});
+        const glm::vec3 ink(float(layer.ink.red), float(layer.ink.green), float(layer.ink.blue));
+        m_here.push_back({&layer, glm::vec4(ink / 255.0f, 1.0f)});
         m_hidden = m_hidden || layer.hiddenInk;
       }
     for (int y = pixels.y; y < pixels.top(); ++y) {
       std::uint32_t* out = m_picture.data() +
                            std::size_t(y - m_what.region.y) * std::size_t(m_what.region.width) +
                            std::size_t(pixels.x - m_what.region.x);
-      for (int x = pixels.x; x < pixels.right(); ++x)
-        *out++ = packedColour(colourAt(x, y));
+      find(pixels.x, pixels.right(), y);
+      for (int i = 0; i < pixels.width; ++i)
+        out[i] = colourAt(i, pixels.x + i, y);
     }
   }
 
  private:
-  glm::vec4 colourAt(int x, int y) {
-    const std::size_t count = find(x, y);
-    glm::vec4 sum(0.0f);
-    float lines = 1.0f;  // the share of lines that is left behind the halos of nearer layers
-    for (std::size_t i = 0; i < count && sum.a <= opaque; ++i)
-      sum += layerColour(m_found[i], lines) * (1.0f - sum.a);
-    glm::vec4 colour = sum + m_what.background * (1.0f - sum.a);
-    return m_hidden ? withHiddenLines(colour, x, y) : colour;
+  std::span<const Found> foundAt(int i) const {
+    return {m_found.data() + std::size_t(i) * m_what.layers.size(), m_counts[std::size_t(i)]};
   }
 
-  /// Finds the layers that have something there, the nearest first; returns how many.
-  std::size_t find(int x, int y) {
-    std::size_t count = 0;
+  std::uint32_t colourAt(int i, int x, int y) const {
+    const std::span<const Found> found = foundAt(i);
+    if (found.empty() && !m_hidden)
+      return m_ground;
+    // Most often one layer has no ink there and hides all that lies behind it.
+    if (!found.empty() && !m_hidden) {
+      const BlendLayer& nearest = *found.front().here->layer;
+      const std::size_t at = found.front().at;
+      if (nearest.filled && nearest.pixels->colours[at] >> 24 == 255 &&
+          (nearest.pixels->inks[at] & 0xff) == 0)
+        return nearest.pixels->colours[at];
+    }
+    glm::vec4 sum(0.0f);
+    float lines = 1.0f;  // the share of lines that is left behind the halos of nearer layers
+    for (const Found& each : found) {
+      sum += layerColour(each, lines) * (1.0f - sum.a);
+      if (sum.a > opaque)
+        break;
+    }
+    const glm::vec4 colour = sum + m_what.background * (1.0f - sum.a);
+    return packedColour(m_hidden ? withHiddenLines(colour, x, y) : colour);
+  }
+
+  /// Finds for each pixel of the row the layers that have something there, the nearest first.
+  void find(int left, int right, int y) {
+    m_counts.fill(0);
+    const std::size_t most = m_what.layers.size();
     for (const Here& here : m_here) {
       const LayerPixels& pixels = *here.layer->pixels;
       const PixelRect& area = pixels.area;
-      if (x < area.x || y < area.y || x >= area.right() || y >= area.top())
+      const int first = std::max(left, area.x);
+      const int end = std::min(right, area.right());
+      if (y < area.y || y >= area.top() || first >= end)
         continue;
-      const std::size_t at = pixels.at(x, y);
-      const float depth = pixels.depths[at];
-      if (!(depth < 1.0f))
-        continue;
-      std::size_t place = count++;
-      for (; place > 0 && m_found[place - 1].depth > depth; --place)
-        m_found[place] = m_found[place - 1];
-      m_found[place] = {depth, &here, at};
+      const std::size_t at = pixels.at(first, y);
+      const float* depths = pixels.depths.data() + at;
+      for (int i = 0; i < end - first; ++i) {
+        const float depth = depths[i];
+        if (!(depth < 1.0f))
+          continue;
+        const auto k = std::size_t(first - left + i);
+        Found* found = m_found.data() + k * most;
+        std::size_t place = m_counts[k]++;
+        for (; place > 0 && found[place - 1].depth > depth; --place)
+          found[place] = found[place - 1];
+        found[place] = {depth, &here, at + std::size_t(i)};
+      }
     }
-    return count;
   }
 
   static glm::vec4 layerColour(const Found& found, float& lines) {
@@ -129,8 +153,10 @@ class SquareBlender {
 
   const LayerBlend& m_what;
   std::span<std::uint32_t> m_picture;
+  std::uint32_t m_ground;
   std::vector<Here> m_here;
-  std::vector<Found> m_found;
+  std::vector<Found> m_found;  ///< as many for each pixel of a row as there are layers
+  std::array<std::size_t, TileMask::side> m_counts{};
   bool m_hidden = false;  ///< one of them has hidden lines
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <glm/common.hpp>
 
 #include "model/base/parallel.h"
 
@@ -58,27 +60,68 @@ class Enlarger {
     const std::size_t low = std::size_t(row.low) * std::size_t(samples.area.width);
     const std::size_t high = std::size_t(row.high) * std::size_t(samples.area.width);
     const std::size_t begin = m_pixels.at(m_pixels.area.x, y);
-    for (std::size_t i = first; i < end; ++i) {
+    for (std::size_t i = first; i < end;) {
       const Between& column = m_columns[i - begin];
-      const std::array<std::size_t, 4> at{
-          low + std::size_t(column.low), low + std::size_t(column.high),
-          high + std::size_t(column.low), high + std::size_t(column.high)};
-      put(i, at, {column.t, row.t});
+      std::size_t next = i + 1;
+      while (next < end && m_columns[next - begin].low == column.low &&
+             m_columns[next - begin].high == column.high)
+        ++next;
+      const Corners corners{low + std::size_t(column.low), low + std::size_t(column.high),
+                            high + std::size_t(column.low), high + std::size_t(column.high)};
+      const std::size_t covered = coveredOf(corners);
+      if (covered == corners.size())
+        mix(i, next, corners, row.t);
+      else if (covered > 0)
+        for (; i < next; ++i)
+          put(i, corners, {m_columns[i - begin].t, row.t});
+      i = next;
     }
   }
 
  private:
-  void put(std::size_t i, const std::array<std::size_t, 4>& at, const glm::vec2& t) const {
-    const std::array<float, 4> depth{m_pixels.surfaceDepths[at[0]], m_pixels.surfaceDepths[at[1]],
-                                     m_pixels.surfaceDepths[at[2]], m_pixels.surfaceDepths[at[3]]};
-    if (std::min({depth[0], depth[1], depth[2], depth[3]}) >= 1.0f)
-      return;
-    std::array<float, 4> weight{(1.0f - t.x) * (1.0f - t.y), t.x * (1.0f - t.y), (1.0f - t.x) * t.y,
-                                t.x * t.y};
+  using Corners = std::array<std::size_t, 4>;  ///< samples around a place
+
+  std::size_t coveredOf(const Corners& corners) const {
+    return std::size_t(std::count_if(corners.begin(), corners.end(), [this](std::size_t corner) {
+      return m_pixels.surfaceDepths[corner] < 1.0f;
+    }));
+  }
+
+  glm::vec4 colourOf(std::size_t sample) const {
+    const std::uint32_t word = m_pixels.surfaceColours[sample];
+    return {float(word & 255u), float((word >> 8) & 255u), float((word >> 16) & 255u),
+            float(word >> 24)};
+  }
+
+  /// Mixes pixels between four samples that all have the surface.
+  void mix(std::size_t first, std::size_t end, const Corners& at, float t) const {
+    const std::vector<float>& depths = m_pixels.surfaceDepths;
+    const glm::vec4 left = glm::mix(colourOf(at[0]), colourOf(at[2]), t) + 0.5f;
+    const glm::vec4 right = glm::mix(colourOf(at[1]), colourOf(at[3]), t) + 0.5f;
+    const float leftDepth = glm::mix(depths[at[0]], depths[at[2]], t);
+    const float rightDepth = glm::mix(depths[at[1]], depths[at[3]], t);
+    const std::size_t begin = first - (first % std::size_t(m_pixels.area.width));
+    for (std::size_t i = first; i < end; ++i) {
+      const float across = m_columns[i - begin].t;
+      const glm::vec4 colour = left + across * (right - left);
+      m_pixels.colours[i] = std::uint32_t(colour.x) | std::uint32_t(colour.y) << 8 |
+                            std::uint32_t(colour.z) << 16 | std::uint32_t(colour.w) << 24;
+      m_pixels.depths[i] = leftDepth + across * (rightDepth - leftDepth);
+    }
+  }
+
+  void put(std::size_t i, const Corners& at, const glm::vec2& t) const {
+    const std::array<float, 4> weights{(1.0f - t.x) * (1.0f - t.y), t.x * (1.0f - t.y),
+                                       (1.0f - t.x) * t.y, t.x * t.y};
     float covered = 0.0f;
-    for (std::size_t k = 0; k < 4; ++k) {
-      weight[k] = depth[k] < 1.0f ? weight[k] : 0.0f;
-      covered += weight[k];
+    float depth = 0.0f;
+    glm::vec4 colour(0.0f);
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      if (!(m_pixels.surfaceDepths[at[k]] < 1.0f))
+        continue;
+      covered += weights[k];
+      depth += weights[k] * m_pixels.surfaceDepths[at[k]];
+      colour += weights[k] * colourOf(at[k]);
     }
     // It fades over one pixel, outside the line between samples that have the surface and those
     // that have not.
@@ -87,20 +130,8 @@ class Enlarger {
                        : 0.0f;
     if (!(share > 0.0f))
       return;
-    std::array<float, 4> colour{};
-    float mixed = 0.0f;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const float part = weight[k] / covered;
-      mixed += part * depth[k];
-      const std::uint32_t word = m_pixels.surfaceColours[at[k]];
-      for (std::size_t c = 0; c < 4; ++c)
-        colour[c] += part * float((word >> (8 * c)) & 255u);
-    }
-    std::uint32_t word = 0;
-    for (std::size_t c = 0; c < 4; ++c)
-      word |= std::uint32_t(std::min(colour[c] * share + 0.5f, 255.0f)) << (8 * c);
-    m_pixels.colours[i] = word;
-    m_pixels.depths[i] = mixed;
+    m_pixels.colours[i] = packedColour(colour * (share / (255.0f * covered)));
+    m_pixels.depths[i] = depth / covered;
   }
 
   LayerPixels& m_pixels;
