@@ -8,8 +8,7 @@ namespace sline::render {
 
 namespace {
 
-/// By how much a driver's vertices may lie beside ours, in pixels: it rounds them to 1/256.
-constexpr float slack = 1.0f / 256.0f;
+constexpr float slack = SeenCluster::slack;
 /// Farther from the picture's corner floats do not resolve the slack.
 constexpr float farthest = 8192.0f;
 
@@ -35,6 +34,7 @@ bool SeenCluster::project(const model::Cluster& cluster, const model::Surface& s
   const auto& [px, py, pz] = position;
   constexpr float nearest = 1e-6f;
   std::int32_t lost = 0;
+  std::int32_t beyond = 0;
   for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
     w[i] = m[0][3] * px[i] + m[1][3] * py[i] + m[2][3] * pz[i] + m[3][3];
     const float clipX = m[0][0] * px[i] + m[1][0] * py[i] + m[2][0] * pz[i] + m[3][0];
@@ -45,9 +45,11 @@ bool SeenCluster::project(const model::Cluster& cluster, const model::Surface& s
     depth[i] = 0.5f * (clipZ / w[i]) + 0.5f;
     lost |= std::int32_t(!(w[i] > nearest)) | std::int32_t(!(std::abs(x[i]) < farthest)) |
             std::int32_t(!(std::abs(y[i]) < farthest));
+    beyond |= std::int32_t(!(depth[i] >= 0.0f)) | std::int32_t(!(depth[i] <= 1.0f));
     x[i] = (x[i] - corner.x) * perPixel;
     y[i] = (y[i] - corner.y) * perPixel;
   }
+  withinDepths = beyond == 0;
   return lost == 0;
 }
 
@@ -67,25 +69,6 @@ void SeenCluster::findBoxes(std::span<const std::array<std::uint8_t, 3>> triangl
     bottom[i] = -below(slack + 0.5f - std::min(ay[i], std::min(by[i], cy[i])));
     rows[i] = below(std::max(ay[i], std::max(by[i], cy[i])) + slack - 0.5f) - bottom[i] + 1;
   }
-}
-
-TriangleEdges::TriangleEdges(const SeenCluster& seen, std::size_t triangle, Corners corners) {
-  const float turn = seen.area[triangle] < 0.0f ? -1.0f : 1.0f;
-  const glm::vec2 first(float(seen.left[triangle]) + 0.5f, float(seen.bottom[triangle]) + 0.5f);
-  float around = 0.0f;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const std::size_t next = (c + 1) % 3;
-    const float dx = turn * (seen.cornerX[next][triangle] - seen.cornerX[c][triangle]);
-    const float dy = turn * (seen.cornerY[next][triangle] - seen.cornerY[c][triangle]);
-    m_inside[c] = {
-        -dy, dx,
-        dx * (first.y - seen.cornerY[c][triangle]) - dy * (first.x - seen.cornerX[c][triangle])};
-    around += std::abs(dx) + std::abs(dy);
-  }
-  // By no more than this do moves of corners within the slack change what lies within the box.
-  const float moves = corners == Corners::rounded ? slack * around : 0.0f;
-  for (glm::vec3& edge : m_inside)
-    edge.z += slack * (std::abs(edge.x) + std::abs(edge.y)) + moves;
 }
 
 }  // namespace sline::render

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -28,12 +29,15 @@ struct SeenCluster {
   using Vertices = std::array<float, model::Clusters::maximumVertices>;
   using Triangles = std::array<float, model::Clusters::maximumTriangles>;
   using Counts = std::array<std::int32_t, model::Clusters::maximumTriangles>;
+  /// By how much a driver's vertices may lie beside ours, in pixels: it rounds them to 1/256.
+  static constexpr float slack = 1.0f / 256.0f;
 
   std::array<Vertices, 3> position;
   Vertices x;
   Vertices y;
-  Vertices depth;  ///< of the window: 0 … 1
-  Vertices w;      ///< the distance from the eye's plane, or 1 in a parallel projection
+  Vertices depth;     ///< of the window: 0 … 1
+  Vertices w;         ///< the distance from the eye's plane, or 1 in a parallel projection
+  bool withinDepths;  ///< all of them lie within the view's depths
   std::array<Triangles, 3> cornerX;
   std::array<Triangles, 3> cornerY;
   Triangles area;  ///< doubled; positive: turned to the eye
@@ -56,7 +60,25 @@ class TriangleEdges {
   /// `rounded`: wherever a driver may round the corners to; `exact`: as they are, and a hair more,
   /// so that no gap is left between neighbours.
   enum class Corners { exact, rounded };
-  TriangleEdges(const SeenCluster& seen, std::size_t triangle, Corners corners);
+  TriangleEdges(const SeenCluster& seen, std::size_t triangle, Corners corners) {
+    const float turn = seen.area[triangle] < 0.0f ? -1.0f : 1.0f;
+    const glm::vec2 first(float(seen.left[triangle]) + 0.5f, float(seen.bottom[triangle]) + 0.5f);
+    float around = 0.0f;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t next = (c + 1) % 3;
+      const float dx = turn * (seen.cornerX[next][triangle] - seen.cornerX[c][triangle]);
+      const float dy = turn * (seen.cornerY[next][triangle] - seen.cornerY[c][triangle]);
+      m_inside[c] = {
+          -dy, dx,
+          dx * (first.y - seen.cornerY[c][triangle]) - dy * (first.x - seen.cornerX[c][triangle])};
+      around += std::abs(dx) + std::abs(dy);
+    }
+    // By no more than this do moves of corners within the slack change what lies within the box.
+    constexpr float slack = SeenCluster::slack;
+    const float moves = corners == Corners::rounded ? slack * around : 0.0f;
+    for (glm::vec3& edge : m_inside)
+      edge.z += slack * (std::abs(edge.x) + std::abs(edge.y)) + moves;
+  }
 
   /// Takes a middle's place in the box.
   bool hold(int column, int row) const {

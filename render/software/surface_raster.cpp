@@ -100,23 +100,21 @@ class SurfaceBand {
     const Member& member = m_members[placed.member];
     const model::Cluster& cluster = *placed.cluster;
     const model::Surface& surface = member.shown->surface();
+    m_member = placed.member;
+    if (m_samples.grid.step > 1 && splat(cluster, member))
+      return true;
     if (!m_seen.project(cluster, surface, m_view, m_samples.grid))
       return false;
-    m_member = placed.member;
     const auto* triangles = surface.clusters.localTriangles.data() + cluster.firstTriangle;
     m_seen.findBoxes({triangles, cluster.triangleCount});
     const bool mixed = member.cull && model::facing(cluster, m_view.eye()) != model::Facing::front;
     const bool shaded = m_colours && member.shaded();
     bool loaded = false;
-    for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
-      if (mixed && !(m_seen.area[i] > 0.0f))
-        continue;
+    for (const std::uint8_t i : holders(cluster, mixed)) {
       const auto [a, b, c] = triangles[i];
       const SeenDepths depths{m_seen.depth[a], m_seen.depth[b], m_seen.depth[c]};
-      if (!(depths.least() >= 0.0f && depths.most() <= 1.0f))
+      if (!m_seen.withinDepths && !(depths.least() >= 0.0f && depths.most() <= 1.0f))
         return false;
-      if (m_seen.columns[i] <= 0 || m_seen.rows[i] <= 0)
-        continue;
       if (!shaded) {
         draw<false>(i, triangles[i], depths);
         continue;
@@ -144,6 +142,18 @@ class SurfaceBand {
   }
   std::uint16_t ownerAt(int column, int row) const {
     return m_owners.empty() ? std::uint16_t(0) : m_owners[bandIndex(column, row)];
+  }
+
+  /// Lists those of the cluster's triangles that may hold the middle of a sample; of a mixed
+  /// cluster those that turn to the eye.
+  std::span<const std::uint8_t> holders(const model::Cluster& cluster, bool mixed) {
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
+      m_holders[count] = std::uint8_t(i);
+      count += std::size_t((m_seen.columns[i] > 0) & (m_seen.rows[i] > 0) &
+                           (!mixed | (m_seen.area[i] > 0.0f)));
+    }
+    return {m_holders.data(), count};
   }
 
   void shade(int row, int first, int end) {
@@ -188,6 +198,63 @@ class SurfaceBand {
                           .column = area.x + column,
                           .count = std::size_t(end - column)},
                          colours);
+  }
+
+  /// Draws a cluster that is hardly larger than a sample as a disc (Rusinkiewicz and Levoy 2000,
+  /// QSplat). It lies behind the cluster, so that it hides none of the surface's own lines. Returns
+  /// false, with nothing drawn, where the cluster is larger, reaches out of the view or lies at an
+  /// outline, which a disc would reach beyond.
+  bool splat(const model::Cluster& cluster, const Member& member) {
+    constexpr float largest = 0.75f;  // radius, in samples
+    if (model::facing(cluster, m_view.eye()) != model::Facing::front)
+      return false;
+    const model::Sphere& sphere = cluster.bounds;
+    const float pixel = m_view.millimetresPerPixel(sphere.centre);
+    const float step = float(m_samples.grid.step);
+    const float radius = sphere.radius / (pixel * step);
+    if (!(pixel > 0.0f && radius <= largest))
+      return false;
+    const glm::vec3 behind =
+        sphere.centre - sphere.radius * directionTo(m_view.eye(), sphere.centre);
+    const float depth = m_view.project(behind).depth;
+    if (!(depth > 0.0f && depth < 1.0f))
+      return false;
+    const glm::vec2 at =
+        (m_view.project(sphere.centre).pixel - glm::vec2(m_samples.grid.corner)) / step -
+        glm::vec2(float(m_samples.area.x), float(m_samples.area.y)) - 0.5f;
+    const int bottom = std::max(int(std::ceil(at.y - radius)), m_first);
+    const int top = std::min(int(std::floor(at.y + radius)) + 1, m_end);
+    const int left = std::max(int(std::ceil(at.x - radius)), 0);
+    const int right = std::min(int(std::floor(at.x + radius)) + 1, m_samples.area.width);
+    for (int row = bottom; row < top; ++row)
+      for (int column = left; column < right; ++column) {
+        const glm::vec2 away = glm::vec2(float(column), float(row)) - at;
+        float& there =
+            m_depths[std::size_t(row) * std::size_t(m_samples.area.width) + std::size_t(column)];
+        if (!(glm::dot(away, away) <= radius * radius && depth < there))
+          continue;
+        there = depth;
+        putDisc(bandIndex(column, row), cluster, member);
+      }
+    return true;
+  }
+
+  /// Writes the values of a cluster as a whole.
+  void putDisc(std::size_t at, const model::Cluster& cluster, const Member& member) {
+    if (!m_owners.empty())
+      m_owners[at] = m_member;
+    if (!m_colours || !member.shaded())
+      return;
+    const model::Surface& surface = member.shown->surface();
+    const std::uint32_t vertex = surface.clusters.vertices[cluster.firstVertex];
+    m_values[normalX][at] = cluster.coneAxis.x;
+    m_values[normalY][at] = cluster.coneAxis.y;
+    m_values[normalZ][at] = cluster.coneAxis.z;
+    if (member.needs[gradient])
+      m_values[gradient][at] =
+          gradientAt(surface, vertex, surface.mesh->positions()[vertex], member.fill);
+    if (member.needs[gammaOffset])
+      m_values[gammaOffset][at] = (*member.fill.gammaOffsets)[vertex];
   }
 
   /// Takes the values of the cluster's vertices.
@@ -300,8 +367,9 @@ class SurfaceBand {
       return {0.0f, 0.0f, corners.least()};
     const float ab = corners.b - corners.a;
     const float ac = corners.c - corners.a;
-    const float x = (ab * (cy[i] - ay[i]) - ac * (by[i] - ay[i])) / area;
-    const float y = (ac * (bx[i] - ax[i]) - ab * (cx[i] - ax[i])) / area;
+    const float perArea = 1.0f / area;
+    const float x = (ab * (cy[i] - ay[i]) - ac * (by[i] - ay[i])) * perArea;
+    const float y = (ac * (bx[i] - ax[i]) - ab * (cx[i] - ax[i])) * perArea;
     return {x, y,
             corners.a + x * (float(m_seen.left[i]) + 0.5f - ax[i]) +
                 y * (float(m_seen.bottom[i]) + 0.5f - ay[i])};
@@ -319,6 +387,7 @@ class SurfaceBand {
   std::uint16_t m_member = 0;  ///< that is being drawn
   bool m_even = true;
   SeenCluster m_seen;
+  std::array<std::uint8_t, model::Clusters::maximumTriangles> m_holders{};
   std::array<SeenCluster::Vertices, valueCount> m_corner;
   std::array<std::vector<float>, valueCount> m_values;  ///< at the band's samples
   std::vector<std::uint16_t> m_owners;                  ///< who is seen there, of several

@@ -171,6 +171,17 @@ class ProcessorPictureTest : public QObject {
     QCOMPARE(difference(*whole, *pieces).largest, 0);
   }
 
+  /// Of a mesh that is much finer than the samples, clusters are drawn as discs while the camera
+  /// moves; lines stay as they are.
+  void fineMeshesMoveAsDiscs() {
+    model::Scene scene;
+    model::Style style = gammaStyle(4.5f);
+    style.colour = Colour{200, 120, 80};
+    add(scene, sphere(14.0f, 7), style);
+    const PictureSettings settings{.width = 500, .height = 420, .surfaceStep = 4};
+    compare(scene, slanted(true), settings);
+  }
+
   void whatReachesBehindTheEyeIsDrawnByTheDriver() {
     const model::Scene scene = bodies(5.0f, {});
     model::Camera camera = slanted(true);
