@@ -222,6 +222,11 @@ class SurfaceBand {
     const glm::vec2 at =
         (m_view.project(sphere.centre).pixel - glm::vec2(m_samples.grid.corner)) / step -
         glm::vec2(float(m_samples.area.x), float(m_samples.area.y)) - 0.5f;
+    // Seen aslant it is narrower along its normal, but for what its cone of normals adds.
+    const float facing = glm::dot(cluster.coneAxis, directionTo(m_view.eye(), sphere.centre)) +
+                         std::sqrt(std::max(1.0f - cluster.coneCosine * cluster.coneCosine, 0.0f));
+    const glm::vec2 slant = m_view.projectedDirection(sphere.centre, cluster.coneAxis);
+    const float longer = 1.0f / std::clamp(facing, 0.01f, 1.0f);
     const int bottom = std::max(int(std::ceil(at.y - radius)), m_first);
     const int top = std::min(int(std::floor(at.y + radius)) + 1, m_end);
     const int left = std::max(int(std::ceil(at.x - radius)), 0);
@@ -231,7 +236,9 @@ class SurfaceBand {
         const glm::vec2 away = glm::vec2(float(column), float(row)) - at;
         float& there =
             m_depths[std::size_t(row) * std::size_t(m_samples.area.width) + std::size_t(column)];
-        if (!(glm::dot(away, away) <= radius * radius && depth < there))
+        const float across = glm::dot(away, slant);
+        const float reach = glm::dot(away, away) + (longer * longer - 1.0f) * across * across;
+        if (!(reach <= radius * radius && depth < there))
           continue;
         there = depth;
         putDisc(bandIndex(column, row), cluster, member);
