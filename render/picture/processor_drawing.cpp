@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/picture/processor_drawing.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "render/picture/layer_content.h"
 #include "render/picture/layer_ink.h"
+#include "render/software/cap_raster.h"
 #include "render/software/ink_raster.h"
 #include "render/software/surface_raster.h"
 
@@ -29,7 +34,7 @@ bool drawSurface(const PictureInput& input, const PixelRect& region, Layer& laye
                  std::span<const PixelRect> touched) {
   std::vector<RasterMember> members;
   for (const PreparedStructure& shown : layer.members) {
-    if (shown.cut || shown.printedHatching)
+    if (shown.printedHatching)
       return false;
     members.push_back({shown, shownFill(input, shown)});
   }
@@ -49,6 +54,34 @@ bool drawSurface(const PictureInput& input, const PixelRect& region, Layer& laye
       {pixels.surfaceDepths, pixels.step() > 1 ? pixels.surfaceColours : pixels.colours});
 }
 
+/// Returns the cut faces that are drawn of the layer.
+std::vector<RasterCap> capsOf(const PictureInput& input, const Layer& layer) {
+  std::vector<RasterCap> caps;
+  if (layer.filled)
+    for (const PreparedStructure& shown : layer.members)
+      if (hasCaps(shown)) {
+        std::vector<RasterCap> own = rasterCaps(shown, input.view, input.background);
+        std::move(own.begin(), own.end(), std::back_inserter(caps));
+      }
+  return caps;
+}
+
+/// Takes the surface over into the layer's pixels, with its cut faces. Where surfaces have a step
+/// these are drawn in the picture's own pixels, as they are few and flat, and for the lines that
+/// they hide in samples.
+void takeOver(const PictureInput& input, Layer& layer, std::span<const RasterCap> caps) {
+  LayerPixels& pixels = layer.pixels;
+  const std::vector<PixelRect> shown = layer.mask.rectangles();
+  if (pixels.step() == 1)
+    drawCaps(caps, input.view, pixels.samples, {pixels.surfaceDepths, pixels.colours});
+  if (layer.filled)
+    takeSurface(pixels, shown);
+  if (pixels.step() == 1)
+    return;
+  drawCaps(caps, input.view, {{}, pixels.area}, {pixels.depths, pixels.colours});
+  drawCaps(caps, input.view, pixels.samples, {pixels.surfaceDepths, {}});
+}
+
 }  // namespace
 
 bool drawOnProcessor(const PictureInput& input, const PixelRect& region, Layer& layer) {
@@ -58,8 +91,12 @@ bool drawOnProcessor(const PictureInput& input, const PixelRect& region, Layer& 
   }
   if (!input.processor && (layer.filled || layer.members.size() > 1))
     return false;
+  // A driver that has to draw the surface anyway draws its cut faces as well.
+  if (!input.processor && layer.members.front().cut)
+    return false;
   const std::vector<PixelRect> touched = layer.touched.rectangles();
-  if (!drawSurface(input, region, layer, touched)) {
+  const std::vector<RasterCap> caps = capsOf(input, layer);
+  if (!areBeforeTheEye(caps, input.view) || !drawSurface(input, region, layer, touched)) {
     layer.pixels = {};
     return false;
   }
@@ -67,9 +104,7 @@ bool drawOnProcessor(const PictureInput& input, const PixelRect& region, Layer& 
   if (!input.processor)
     return true;
   wipe(layer.pixels, touched);
-  const std::vector<PixelRect> shown = layer.mask.rectangles();
-  if (layer.filled)
-    takeSurface(layer.pixels, shown);
+  takeOver(input, layer, caps);
   std::vector<InkDraw> draws = edgeDraws(input, layer);
   const std::vector<InkDraw> strokes = strokeDraws(input, layer);
   draws.insert(draws.end(), strokes.begin(), strokes.end());

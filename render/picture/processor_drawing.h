@@ -11,7 +11,7 @@
 namespace sline::render {
 
 /// Draws the layer, whose squares and strokes are known, into its pixels. Returns false where a
-/// driver draws it better, or must, as it has cut faces, hatching by pixels or a place behind the
+/// driver draws it better, or must, as it has hatching by pixels or a place behind the
 /// eye. Of a layer without a fill the surface's depth is found even for a graphics card, which
 /// would have to draw it for nothing else; then `Layer::onProcessor` stays false.
 bool drawOnProcessor(const PictureInput& input, const PixelRect& region, Layer& layer);

@@ -10,8 +10,10 @@
 
 #include "model/base/parallel.h"
 #include "render/lines/view_fields.h"
+#include "render/software/cluster_cuts.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/fill_shading.h"
+#include "render/strokes/section_caps.h"
 
 namespace sline::render {
 
@@ -32,6 +34,7 @@ struct Member {
   SurfaceFill fill;
   FillShading shading;
   bool cull;
+  std::vector<glm::vec4> planes;  ///< sections: (normal, −offset), > 0 where they take away
   std::array<bool, valueCount> needs{};
 
   Member(const RasterMember& member, const RasterSight& sight)
@@ -39,6 +42,8 @@ struct Member {
         fill(member.fill),
         shading(member.fill, sight.key),
         cull(cullsBack(member.shown, sight.view)) {
+    if (member.shown.cut)
+      planes = sectionVectors(member.shown.cut->planes);
     if (!shaded())
       return;
     needs = {true, true, true, fill.byForm, fill.gammaOffsets != nullptr};
@@ -101,7 +106,8 @@ class SurfaceBand {
     const model::Cluster& cluster = *placed.cluster;
     const model::Surface& surface = member.shown->surface();
     m_member = placed.member;
-    if (m_samples.grid.step > 1 && splat(cluster, member))
+    m_cuts.find(cluster, member.planes);
+    if (m_samples.grid.step > 1 && m_cuts.empty() && splat(cluster, member))
       return true;
     if (!m_seen.project(cluster, surface, m_view, m_samples.grid))
       return false;
@@ -110,6 +116,10 @@ class SurfaceBand {
     const bool mixed = member.cull && model::facing(cluster, m_view.eye()) != model::Facing::front;
     const bool shaded = m_colours && member.shaded();
     bool loaded = false;
+    if (!m_cuts.empty())
+      m_cuts.measure(cluster, surface);
+    // Across little depth values are as good as linear in the picture.
+    m_even = isEven(cluster);
     for (const std::uint8_t i : holders(cluster, mixed)) {
       const auto [a, b, c] = triangles[i];
       const SeenDepths depths{m_seen.depth[a], m_seen.depth[b], m_seen.depth[c]};
@@ -268,8 +278,6 @@ class SurfaceBand {
   void load(const model::Cluster& cluster, const Member& member) {
     const model::Surface& surface = member.shown->surface();
     const std::uint32_t* vertices = surface.clusters.vertices.data() + cluster.firstVertex;
-    float nearest = std::numeric_limits<float>::max();
-    float farthest = 0.0f;
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
       const model::SurfaceVertex& vertex = surface.vertices[vertices[i]];
       const glm::vec3 normal = surface.normals[vertices[i]];
@@ -280,11 +288,22 @@ class SurfaceBand {
         m_corner[gradient][i] = gradientAt(surface, vertices[i], vertex.position, member.fill);
       if (member.needs[gammaOffset])
         m_corner[gammaOffset][i] = (*member.fill.gammaOffsets)[vertices[i]];
-      nearest = std::min(nearest, m_seen.w[i]);
-      farthest = std::max(farthest, m_seen.w[i]);
     }
-    // Across little depth values are as good as linear in the picture.
-    m_even = farthest <= 1.01f * nearest;
+  }
+
+  bool isEven(const model::Cluster& cluster) const {
+    const auto [nearest, farthest] =
+        std::minmax_element(m_seen.w.begin(), m_seen.w.begin() + cluster.vertexCount);
+    return *farthest <= 1.01f * *nearest;
+  }
+
+  /// Returns the shares of the second corner and the third at a place, from those in the picture.
+  glm::vec2 inSpace(const std::array<std::uint8_t, 3>& corners, const glm::vec2& share) const {
+    if (m_even)
+      return share;
+    const glm::vec3 nearness((1.0f - share.x - share.y) / m_seen.w[corners[0]],
+                             share.x / m_seen.w[corners[1]], share.y / m_seen.w[corners[2]]);
+    return glm::vec2(nearness.y, nearness.z) / (nearness.x + nearness.y + nearness.z);
   }
 
   float gradientAt(const model::Surface& surface, std::uint32_t vertex, const glm::vec3& place,
@@ -328,32 +347,27 @@ class SurfaceBand {
         const float in2 = e2.x * x + e2.y * y + e2.z;
         const float inside = std::min(in0, std::min(e1.x * x + e1.y * y + e1.z, in2));
         const float depth = std::min(most, std::max(least, slope.x * x + slope.y * y + slope.z));
-        if (!shaded && m_owners.empty()) {
+        if (!shaded && m_owners.empty() && m_cuts.empty()) {
           out[column] = inside >= 0.0f && depth < out[column] ? depth : out[column];
           continue;
         }
         if (!(inside >= 0.0f && depth < out[column]))
           continue;
+        const float b = std::min(in2 * perArea, 1.0f);
+        const glm::vec2 share = inSpace(corners, {b, std::min(in0 * perArea, 1.0f - b)});
+        if (!m_cuts.empty() && m_cuts.takeAway(corners, share))
+          continue;
+        out[column] = depth;
         if (!m_owners.empty())
           m_owners[bandIndex(start + column, line)] = m_member;
-        if (!shaded) {
-          out[column] = depth;
-          continue;
-        }
-        out[column] = depth;
-        const float b = std::min(in2 * perArea, 1.0f);
-        put(bandIndex(start + column, line), corners, {b, std::min(in0 * perArea, 1.0f - b)});
+        if (shaded)
+          put(bandIndex(start + column, line), corners, share);
       }
     }
   }
 
   /// Writes the values of a place that has these shares of the second corner and of the third.
-  void put(std::size_t at, const std::array<std::uint8_t, 3>& corners, glm::vec2 share) {
-    if (!m_even) {
-      const glm::vec3 nearness((1.0f - share.x - share.y) / m_seen.w[corners[0]],
-                               share.x / m_seen.w[corners[1]], share.y / m_seen.w[corners[2]]);
-      share = glm::vec2(nearness.y, nearness.z) / (nearness.x + nearness.y + nearness.z);
-    }
+  void put(std::size_t at, const std::array<std::uint8_t, 3>& corners, const glm::vec2& share) {
     const Member& member = m_members[m_member];
     for (std::size_t value = 0; value < valueCount; ++value) {
       if (!member.needs[value])
@@ -393,6 +407,7 @@ class SurfaceBand {
   int m_end = 0;
   std::uint16_t m_member = 0;  ///< that is being drawn
   bool m_even = true;
+  ClusterCuts m_cuts;
   SeenCluster m_seen;
   std::array<std::uint8_t, model::Clusters::maximumTriangles> m_holders{};
   std::array<SeenCluster::Vertices, valueCount> m_corner;
@@ -408,6 +423,8 @@ std::vector<PlacedCluster> placedClusters(std::span<const Member> members,
   for (std::size_t m = 0; m < members.size(); ++m)
     for (const model::Cluster& cluster : members[m].shown->surface().clusters.items) {
       if (members[m].cull && model::facing(cluster, sight.view.eye()) == model::Facing::back)
+        continue;
+      if (isCutAway(*members[m].shown, cluster.bounds))
         continue;
       const PixelRect bounds = sight.view.bounds(cluster.bounds);
       if (!sight.squares.marksAny(bounds))

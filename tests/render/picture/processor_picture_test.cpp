@@ -134,10 +134,40 @@ class ProcessorPictureTest : public QObject {
     compare(bodies(r.gamma, r.change), slanted(r.perspective), settings);
   }
 
-  /// A structure that is cut has to be drawn by the driver; the others are as before.
+  void cutStructuresAreAmongTheOthers_data() {
+    QTest::addColumn<float>("gamma");
+    QTest::addColumn<int>("step");
+    QTest::addColumn<bool>("hatched");
+    QTest::addColumn<bool>("perspective");
+    QTest::newRow("lines alone") << 2.0f << 1 << false << false;
+    QTest::newRow("shaded") << 4.2f << 1 << false << true;
+    QTest::newRow("hatched faces") << 3.6f << 1 << true << true;
+    QTest::newRow("moving") << 3.6f << 3 << true << true;
+  }
+
   void cutStructuresAreAmongTheOthers() {
-    model::Scene scene = bodies(3.6f, {});
+    QFETCH(float, gamma);
+    QFETCH(int, step);
+    QFETCH(bool, hatched);
+    QFETCH(bool, perspective);
+    model::Scene scene = bodies(gamma, {});
     cut(scene, model::AnatomicalView::posterior, 0.0f, scene.nodes()[1].id);
+    cut(scene, model::AnatomicalView::left, 8.0f, scene.nodes()[0].id);
+    cut(scene, model::AnatomicalView::posterior, -20.0f, scene.nodes()[0].id);
+    std::vector<model::Section> sections = scene.sections();
+    for (model::Section& section : sections)
+      section.hatched = hatched;
+    scene.setSections(sections);
+    PictureSettings settings{.width = 500, .height = 420, .surfaceStep = step};
+    compare(scene, slanted(perspective), settings);
+  }
+
+  /// Noise is drawn pixel by pixel, and by the driver; the others are as before.
+  void noiseIsAmongTheOthers() {
+    model::Scene scene = bodies(3.0f, [](model::Style& style, int i) {
+      if (i == 1)
+        style.technique = model::Technique::noiseLic;
+    });
     compare(scene, slanted(false), {.width = 500, .height = 420});
   }
 
