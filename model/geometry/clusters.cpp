@@ -53,26 +53,17 @@ void boundShape(Cluster& cluster, const Source& source, std::span<const std::uin
   const float length = glm::length(sum);
   if (!(length > 0.0f))
     return;
-  cluster.coneAxis = sum / length;
+  cluster.cone.axis = sum / length;
   float cosine = 1.0f;
   const auto include = [&](const glm::vec3& n) {
     if (n != glm::vec3(0.0f))
-      cosine = std::min(cosine, glm::dot(cluster.coneAxis, n));
+      cosine = std::min(cosine, glm::dot(cluster.cone.axis, n));
   };
   for (const std::uint32_t v : vertices)
     include(source.vertices[v].normal);
   for (const std::uint32_t f : faces)
     include(faceNormal(source.mesh, f));
-  cluster.coneCosine = cosine;
-}
-
-Matrix shapeOperator(const SurfaceVertex& v) {
-  const glm::vec3 e1 = v.e1;
-  const glm::vec3 e2 = glm::cross(v.normal, e1);
-  const glm::vec3 a = v.k.x * e1;
-  const glm::vec3 b = v.k.y * e2;
-  return {a.x * e1.x + b.x * e2.x, a.x * e1.y + b.x * e2.y, a.x * e1.z + b.x * e2.z,
-          a.y * e1.y + b.y * e2.y, a.y * e1.z + b.y * e2.z, a.z * e1.z + b.z * e2.z};
+  cluster.cone.cosine = cosine;
 }
 
 float norm(const Matrix& m) {
@@ -259,13 +250,13 @@ Clusters buildClusters(const Mesh& mesh, std::vector<std::uint32_t> order,
   return clusters;
 }
 
-Facing facing(const Cluster& cluster, const EyePoint& eye) {
-  const glm::vec3 toEye = eye.atInfinity ? eye.value : eye.value - cluster.bounds.centre;
+Facing facing(const Sphere& bounds, const NormalCone& cone, const EyePoint& eye) {
+  const glm::vec3 toEye = eye.atInfinity ? eye.value : eye.value - bounds.centre;
   const float distance = glm::length(toEye);
   // α is the opening of the normal cone; β is how much the line of sight turns within the bounding
   // sphere.
-  const float sinBeta = eye.atInfinity ? 0.0f : cluster.bounds.radius / std::max(distance, 1e-30f);
-  const float cosAlpha = cluster.coneCosine;
+  const float sinBeta = eye.atInfinity ? 0.0f : bounds.radius / std::max(distance, 1e-30f);
+  const float cosAlpha = cone.cosine;
   if (!(sinBeta < 1.0f) || !(cosAlpha > 0.0f))
     return Facing::mixed;
   const float cosBeta = std::sqrt(1.0f - sinBeta * sinBeta);
@@ -273,7 +264,7 @@ Facing facing(const Cluster& cluster, const EyePoint& eye) {
   if (cosAlpha * cosBeta - sinAlpha * sinBeta <= 0.0f)
     return Facing::mixed;
   const float sinSum = sinAlpha * cosBeta + cosAlpha * sinBeta + 1e-5f;
-  const float cosine = glm::dot(cluster.coneAxis, toEye) / distance;
+  const float cosine = glm::dot(cone.axis, toEye) / distance;
   if (cosine > sinSum)
     return Facing::front;
   return cosine < -sinSum ? Facing::back : Facing::mixed;

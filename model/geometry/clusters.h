@@ -23,6 +23,12 @@ struct TensorBounds {
   float step = 0.0f;     ///< of Clusters::samples
 };
 
+/// Bounds directions of normals.
+struct NormalCone {
+  glm::vec3 axis{0.0f};
+  float cosine = -1.0f;  ///< the smallest between the axis and any of them
+};
+
 struct Cluster {
   std::uint32_t firstTriangle = 0;  ///< index into Clusters::triangles
   std::uint32_t triangleCount = 0;
@@ -34,8 +40,7 @@ struct Cluster {
   std::uint32_t candidateVertices = 0;
   std::uint32_t firstSample = 0;  ///< index into Clusters::samples
   Sphere bounds;
-  glm::vec3 coneAxis{0.0f};   ///< mean direction of its normals
-  float coneCosine = -1.0f;   ///< smallest cosine between the axis and any vertex or face normal
+  NormalCone cone;            ///< of its vertex and face normals
   TensorBounds tensorBounds;  ///< of its candidate vertices
 };
 
@@ -61,13 +66,16 @@ struct Clusters {
 Clusters buildClusters(const Mesh& mesh, std::vector<std::uint32_t> order,
                        std::span<const SurfaceVertex> vertices);
 
-/// Says how a cluster faces a viewpoint, as far as its bounds alone tell.
+/// Says how a part of a surface faces a viewpoint, as far as its bounds alone tell.
 enum class Facing { front, back, mixed };
 /// `eye` is a position or, for a parallel projection, the unit direction towards the eye.
 struct EyePoint {
   glm::vec3 value;
   bool atInfinity = false;
 };
-Facing facing(const Cluster& cluster, const EyePoint& eye);
+Facing facing(const Sphere& bounds, const NormalCone& cone, const EyePoint& eye);
+inline Facing facing(const Cluster& cluster, const EyePoint& eye) {
+  return facing(cluster.bounds, cluster.cone, eye);
+}
 
 }  // namespace sline::model

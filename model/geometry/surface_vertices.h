@@ -3,6 +3,7 @@
 // there: they wait for memory once for each, and not once for each value.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -23,6 +24,9 @@ struct alignas(64) SurfaceVertex {
   glm::vec2 k{0.0f};
   glm::vec4 derivative{0.0f};
 };
+
+/// Returns the vertex' shape operator, a symmetric matrix in space (xx, xy, xz, yy, yz, zz; 1/mm).
+std::array<float, 6> shapeOperator(const SurfaceVertex& vertex);
 
 /// Reads one value of all vertices of a surface as a vector would; belongs to that surface.
 template <class Value, Value SurfaceVertex::*member>

@@ -25,20 +25,27 @@ std::uint32_t hashOf(const glm::vec3& p) {
 }
 
 /// Returns for each end the only other end at the same point; `none` where there is no other or
-/// where three or more meet. Open addressing: one slot per distinct point.
+/// where three or more meet. Open addressing: one slot per distinct point, with its hash, so that
+/// other points are rarely looked at.
 std::vector<std::uint32_t> partners(const std::vector<Segment>& segments) {
+  struct Slot {
+    std::uint32_t hash = 0;
+    std::uint32_t end = none;
+  };
   const std::uint32_t count = std::uint32_t(2 * segments.size());
-  const std::uint32_t mask = std::bit_ceil(std::max(2 * count, 16u)) - 1;
-  std::vector<std::uint32_t> slots(mask + 1, none);
+  const std::uint32_t mask = std::bit_ceil(std::max(count + count / 2, 16u)) - 1;
+  std::vector<Slot> slots(mask + 1);
   std::vector<std::uint32_t> partner(count, none);
   for (std::uint32_t end = 0; end < count; ++end) {
     const glm::vec3& p = pointOf(segments, end);
-    std::uint32_t slot = hashOf(p) & mask;
-    while (slots[slot] != none && pointOf(segments, slots[slot]) != p)
-      slot = (slot + 1) & mask;
-    const std::uint32_t seen = slots[slot];
+    const std::uint32_t hash = hashOf(p);
+    std::uint32_t at = hash & mask;
+    while (slots[at].end != none &&
+           !(slots[at].hash == hash && pointOf(segments, slots[at].end) == p))
+      at = (at + 1) & mask;
+    const std::uint32_t seen = slots[at].end;
     if (seen == none) {
-      slots[slot] = end;
+      slots[at] = {hash, end};
     } else if (partner[seen] == none) {
       partner[seen] = end;
       partner[end] = seen;
@@ -92,6 +99,8 @@ void fadeShortChains(std::vector<Segment>& segments, const Chains& chains,
     const float share = std::clamp(
         (lengths[chain] - specks.shortest) / std::max(specks.whole - specks.shortest, 1e-6f), 0.0f,
         1.0f);
+    if (share >= 1.0f)
+      continue;
     for (std::uint32_t i = chains.first[chain]; i < chains.first[chain + 1]; ++i) {
       segments[chains.links[i].segment].opacityA *= share;
       segments[chains.links[i].segment].opacityB *= share;

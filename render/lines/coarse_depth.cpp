@@ -2,7 +2,12 @@
 #include "render/lines/coarse_depth.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
+#include "model/base/wide_loops.h"
 #include "render/lines/view_fields.h"
 
 namespace sline::render {
@@ -14,6 +19,48 @@ constexpr float mostCells = 256.0f;
 constexpr float clearly = 0.05f;
 // Places farther than this from the middle of the picture are ignored, λ.
 constexpr float farthest = 4000.0f;
+
+constexpr std::size_t placesOfBlock = 256;
+
+/// In which cells places lie, −1 for none, and how far they are from the eye's plane, mm.
+struct CellBlock {
+  std::array<std::int32_t, placesOfBlock> cell;
+  std::array<float, placesOfBlock> distance;
+};
+
+struct CellGrid {
+  ViewScale::Frame frame;
+  glm::vec2 low;  ///< λ
+  float perSide;
+  int columns;
+  int rows;
+};
+
+SLINE_WIDE_LOOPS
+void findCells(std::span<const glm::vec3> places, const CellGrid& grid, bool atInfinity,
+               CellBlock& out) {
+  const ViewScale::Frame frame = grid.frame;
+  const float columns = float(grid.columns);
+  const float rows = float(grid.rows);
+  const glm::vec3* in = places.data();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const float dx = in[i].x - frame.origin.x;
+    const float dy = in[i].y - frame.origin.y;
+    const float dz = in[i].z - frame.origin.z;
+    const float distance = -(dx * frame.back.x + dy * frame.back.y + dz * frame.back.z);
+    const float mm = atInfinity ? frame.unit : distance * frame.unit;
+    const float perMm = mm > 0.0f ? 1.0f / mm : 0.0f;
+    const float x = perMm * (dx * frame.right.x + dy * frame.right.y + dz * frame.right.z);
+    const float y = perMm * (dx * frame.up.x + dy * frame.up.y + dz * frame.up.z);
+    const float column = (x - grid.low.x) * grid.perSide;
+    const float row = (y - grid.low.y) * grid.perSide;
+    const bool within =
+        (perMm > 0.0f) & (column >= 0.0f) & (row >= 0.0f) & (column < columns) & (row < rows);
+    const int cell = int(within ? row : 0.0f) * grid.columns + int(within ? column : 0.0f);
+    out.cell[i] = within ? cell : -1;
+    out.distance[i] = distance;
+  }
+}
 }  // namespace
 
 CoarseDepth::CoarseDepth(const model::Surface& surface, const model::Camera& camera)
@@ -26,18 +73,17 @@ CoarseDepth::CoarseDepth(const model::Surface& surface, const model::Camera& cam
   m_low = glm::clamp(middle.at, -farthest, farthest) - radius;
   m_columns = m_rows = int(2.0f * radius / m_side) + 1;
   m_nearest.assign(std::size_t(m_columns) * std::size_t(m_rows), nothing);
-  const model::EyePoint eye = eyeOf(camera);
   const auto positions = surface.mesh->positions();
-  for (const model::Cluster& cluster : surface.clusters.items) {
-    if (model::facing(cluster, eye) == model::Facing::back)
-      continue;
-    for (std::uint32_t i = cluster.firstVertex; i < cluster.firstVertex + cluster.vertexCount;
-         ++i) {
-      const ViewScale::Point seen = m_scale.project(positions[surface.clusters.vertices[i]]);
-      const std::ptrdiff_t c = seen.perMm > 0.0f ? cell(seen.at) : -1;
-      if (c >= 0)
-        m_nearest[std::size_t(c)] = std::min(m_nearest[std::size_t(c)], seen.distanceMm);
-    }
+  CellBlock cells;
+  for (std::size_t first = 0; first < positions.size(); first += placesOfBlock) {
+    const auto block = positions.subspan(first, std::min(placesOfBlock, positions.size() - first));
+    findCells(block, {m_scale.frame(), m_low, 1.0f / m_side, m_columns, m_rows},
+              eyeOf(camera).atInfinity, cells);
+    for (std::size_t i = 0; i < block.size(); ++i)
+      if (cells.cell[i] >= 0) {
+        float& nearest = m_nearest[std::size_t(cells.cell[i])];
+        nearest = std::min(nearest, cells.distance[i]);
+      }
   }
 }
 

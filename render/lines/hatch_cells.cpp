@@ -2,9 +2,8 @@
 #include "render/lines/hatch_cells.h"
 
 #include <algorithm>
-#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
-#include <memory>
 
 namespace sline::render {
 
@@ -23,90 +22,91 @@ float depthOf(const ViewScale& scale, const model::Box& box) {
   return depth;
 }
 
-constexpr float unseen = -std::numeric_limits<float>::infinity();
-
-/// Goes from the coarsest cells to finer ones, but only where those would show.
+/// Goes from the coarsest cells to finer ones, but only where those would show. A level shows where
+/// its strokes are seen `spacing` λ apart: where a millimetre takes so many λ that its spacing
+/// does.
 class Descent {
  public:
-  Descent(StrokeLayout& layout, const ViewScale& scale, const Frustum& frustum, float spacing)
+  Descent(StrokeLayout& layout, const CellsView& view)
       : m_layout(layout),
-        m_scale(scale),
-        m_frustum(frustum),
-        m_spacing(spacing),
-        m_finest(layout.surface().clusters.items.size(), unseen) {}
+        m_view(view),
+        m_largest(view.scale.perMmAt(nearest * layout.surface().featureSize)),
+        m_perMm(layout.surface().clusters.items.size(), 0.0f) {}
 
-  std::vector<LaidCell> cells(std::span<const std::uint32_t> clusters) {
-    for (const std::uint32_t c : clusters) {
-      const model::Sphere& bounds = m_layout.surface().clusters.items[c].bounds;
-      if (!m_frustum.misses(bounds))
-        m_finest[c] = levelAt(m_scale.project(bounds.centre).distanceMm - bounds.radius);
+  std::vector<const KeptCell*> cells() {
+    const std::vector<model::Cluster>& clusters = m_layout.surface().clusters.items;
+    for (std::size_t c = 0; c < clusters.size(); ++c) {
+      const model::Sphere& bounds = clusters[c].bounds;
+      if ((m_view.twoSided || model::facing(clusters[c], m_view.eye) != model::Facing::back) &&
+          !m_view.frustum.misses(bounds))
+        m_perMm[c] = perMmAt(m_view.scale.project(bounds.centre).distanceMm - bounds.radius);
     }
-    std::vector<LaidCell> candidates =
-        m_layout.cellsNear(m_layout.firstLevel(), m_layout.surface().boundingSphere);
-    std::vector<LaidCell> next;
+    std::vector<const KeptCell*> candidates = m_layout.coarsest();
     while (!candidates.empty()) {
-      next.clear();
-      for (const LaidCell& candidate : candidates)
-        refine(candidate, next);
-      std::sort(next.begin(), next.end());
-      next.erase(std::unique(next.begin(), next.end()), next.end());
-      std::swap(candidates, next);
+      m_next.clear();
+      for (const KeptCell* candidate : candidates)
+        refine(*candidate);
+      std::swap(candidates, m_next);
     }
+    std::sort(m_needed.begin(), m_needed.end(),
+              [](const KeptCell* a, const KeptCell* b) { return a->cell < b->cell; });
     return std::move(m_needed);
   }
 
  private:
-  /// Returns the finest level that shows on clusters which strokes of the cell may reach; or any
-  /// that is finer than the cell's.
-  float finestReached(const LaidCell& cell) {
-    float finest = unseen;
-    for (const std::uint32_t c : *m_layout.clustersReached(cell)) {
-      finest = std::max(finest, m_finest[c]);
-      if (finest > float(cell.level))
+  /// Returns the most λ that a millimetre takes on clusters which strokes of the cell may reach; or
+  /// any number above `enough`.
+  float mostReached(const KeptCell& cell, float enough) const {
+    float most = 0.0f;
+    for (const std::uint32_t c : cell.clusters) {
+      most = std::max(most, m_perMm[c]);
+      if (most > enough)
         break;
     }
-    return finest;
+    return most;
   }
 
-  void refine(const LaidCell& cell, std::vector<LaidCell>& next) {
-    const int level = cell.level;
-    const float finest = finestReached(cell);
-    if (finest + 1.0f <= float(level))
+  void refine(const KeptCell& cell) {
+    const int level = cell.cell.level;
+    const float whole = m_view.spacing / m_layout.spacing(level);
+    const float most = mostReached(cell, whole);
+    if (2.0f * most <= whole)
       return;
-    const model::Box reached = m_layout.reached(cell);
-    if (m_frustum.misses({reached.centre(), 0.5f * glm::distance(reached.low, reached.high)}))
+    const model::Box reached = m_layout.reached(cell.cell);
+    if (m_view.frustum.misses({reached.centre(), 0.5f * glm::distance(reached.low, reached.high)}))
       return;
-    const float shown = std::min(finest, levelAt(depthOf(m_scale, reached)));
-    if (shown + 1.0f > float(level))
-      m_needed.push_back(cell);
-    if (level >= finestHatchLevel || shown <= float(level))
+    const float shown = std::min(most, perMmAt(depthOf(m_view.scale, reached)));
+    if (2.0f * shown > whole)
+      m_needed.push_back(&cell);
+    if (level >= finestHatchLevel || shown <= whole)
       return;
-    m_layout.rangeWithin(level + 1, m_layout.home(cell)).forEach([&next](const LaidCell& finer) {
-      next.push_back(finer);
-    });
+    for (const KeptCell* finer : m_layout.finer(cell)) {
+      if (m_seen.size() <= finer->number)
+        m_seen.resize(m_layout.keptCount(), false);
+      if (!m_seen[finer->number])
+        m_next.push_back(finer);
+      m_seen[finer->number] = true;
+    }
   }
 
-  float levelAt(float depth) const {
-    const float closest = nearest * m_layout.surface().featureSize;
-    return hatchLevel(m_layout, m_scale.perMmAt(std::max(depth, closest)), m_spacing);
+  /// Returns how many λ a millimetre takes at that distance from the eye's plane, or nearer.
+  float perMmAt(float depth) const {
+    const float there = m_view.scale.perMmAt(depth);
+    return there > 0.0f ? std::min(there, m_largest) : m_largest;
   }
 
   StrokeLayout& m_layout;
-  const ViewScale& m_scale;
-  const Frustum& m_frustum;
-  float m_spacing;
-  std::vector<float> m_finest;  ///< by cluster: the finest level that shows on it
-  std::vector<LaidCell> m_needed;
+  const CellsView& m_view;
+  float m_largest;             ///< for surfaces that are near the eye
+  std::vector<float> m_perMm;  ///< the most λ that a millimetre takes on each cluster; 0: unseen
+  std::vector<bool> m_seen;    ///< by number of a cell
+  std::vector<const KeptCell*> m_next;
+  std::vector<const KeptCell*> m_needed;
 };
 }  // namespace
 
-float hatchLevel(const StrokeLayout& layout, float perMm, float spacing) {
-  return std::log2(std::max(layout.spacing(0) * perMm / spacing, 1e-20f));
-}
-
-std::vector<LaidCell> neededCells(StrokeLayout& layout, std::span<const std::uint32_t> clusters,
-                                  const ViewScale& scale, const Frustum& frustum, float spacing) {
-  return Descent(layout, scale, frustum, spacing).cells(clusters);
+std::vector<const KeptCell*> neededCells(StrokeLayout& layout, const CellsView& view) {
+  return Descent(layout, view).cells();
 }
 
 }  // namespace sline::render

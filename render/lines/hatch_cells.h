@@ -12,14 +12,18 @@
 
 namespace sline::render {
 
-/// Returns the level, with its fraction, at which strokes are `spacing` λ apart where a millimetre
-/// takes `perMm` λ.
-float hatchLevel(const StrokeLayout& layout, float perMm, float spacing);
+/// Tells from where cells are looked at.
+struct CellsView {
+  const model::EyePoint& eye;
+  const ViewScale& scale;
+  const Frustum& frustum;
+  float spacing;          ///< λ
+  bool twoSided = false;  ///< see LineRequest
+};
 
-/// Returns all cells with strokes that a picture may show on these clusters when strokes of its
-/// finest level are `spacing` λ apart or up to twice as close. They are in ascending order, so the
-/// coarsest come first.
-std::vector<LaidCell> neededCells(StrokeLayout& layout, std::span<const std::uint32_t> clusters,
-                                  const ViewScale& scale, const Frustum& frustum, float spacing);
+/// Returns all cells with strokes that a picture may show where the surface faces the eye, when
+/// strokes of its finest level are `spacing` λ apart or up to twice as close. They are in ascending
+/// order, so the coarsest come first.
+std::vector<const KeptCell*> neededCells(StrokeLayout& layout, const CellsView& view);
 
 }  // namespace sline::render

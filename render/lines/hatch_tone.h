@@ -1,55 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes how dark hatching is and where it runs, at every vertex of a surface (METHOD §6.6).
+// Computes how dark hatching is along strokes that lie on a surface (METHOD §6.6).
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <glm/vec3.hpp>
-#include <memory>
 #include <vector>
 
 #include "model/geometry/surface.h"
+#include "render/lines/stroke_layout.h"
 
 namespace sline::render {
 
 /// Describes from where hatching is seen and lit.
 struct HatchView {
   model::EyePoint eye;
-  glm::vec3 light{0.0f};  ///< unit, towards the light
-  bool twoSided = false;  ///< see LineRequest
-  float tone = 1.0f;      ///< of hatching; much of it lets shadows reach farther into the light
+  glm::vec3 light{0.0f};      ///< unit, towards the light
+  bool twoSided = false;      ///< see LineRequest
+  float tone = 1.0f;          ///< of hatching; much of it lets shadows reach farther into the light
+  float filigreeSize = 0.0f;  ///< F_c, mm
+  float bare =
+      0.0f;  ///< an opacity O_h up to which nothing is drawn where all hatching has entered
 };
 
-/// Holds what hatching needs at a vertex, all on the side that faces the eye.
-struct HatchField {
-  float weight = 0.0f;  ///< of a hollow, w_k·F_c = −⟨k, v̂⟩·F_c (S eq. 6), or of the form's shadow
-  float angle = 2.0f;  ///< acos(nv) / (π/2): 0 facing the eye, 1 on the contour, more behind it
-};
-
-/// Holds one entry for each of Clusters::vertices; only clusters that may carry hatching are looked
-/// at.
+/// Holds what hatching needs at each point of a stroke, all on the side that faces the eye, in rows
+/// as long as the tile's.
 ///
 /// ▲ w_k is positive in hollows alone: on a liver seen from the front S draws nothing, and Γ = 3
 /// looks like Γ = 2. A form therefore has a shadow of its own too, on the side away from the light,
 /// as everything in an atlas has; w_a (S eq. 6) lets it grow towards the contour. Hatching far
 /// darker than usual has not only broader strokes: as in a woodcut, all but the lights is in
 /// shadow.
-class HatchFields {
- public:
-  HatchFields(const model::Surface& surface, const HatchView& view);
-  /// Tells whether any vertex of the cluster faces the eye; the others have no fields.
-  bool facesEye(std::uint32_t cluster) const { return m_front[cluster] != 0; }
-  HatchField operator[](std::size_t vertex) const { return {m_weight[vertex], m_angle[vertex]}; }
-  /// Returns the clusters that have a vertex of positive weight, ascending.
-  const std::vector<std::uint32_t>& clusters() const { return m_clusters; }
+struct HatchTone {
+  /// Of a hollow, w_k·F_c = −⟨k, v̂⟩·F_c (S eq. 6), or of the form's shadow.
+  std::vector<float> weight;
+  /// acos(nv) / (π/2): 0 facing the eye, 1 on the contour, more behind it.
+  std::vector<float> angle;
+  std::vector<float> facing;  ///< nv
 
- private:
-  // Not initialised, as in most views half of the clusters need none.
-  std::unique_ptr<float[]> m_weight;
-  std::unique_ptr<float[]> m_angle;
-  std::vector<std::uint8_t> m_front;  ///< by cluster
-  std::vector<std::uint32_t> m_clusters;
+  /// Computes them for a stroke of the tile; returns whether any point may be drawn.
+  bool find(const LaidTile& tile, const LaidStroke& stroke, const HatchView& view);
 };
 
 /// Returns O_h (S eq. 6, 10), 0 … 1, with θ_c = (π/2)(1 − entered).

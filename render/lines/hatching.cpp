@@ -6,11 +6,13 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <memory>
+#include <utility>
 
 #include "render/lines/coarse_depth.h"
-#include "render/lines/foreshortening.h"
 #include "render/lines/frustum.h"
 #include "render/lines/hatch_cells.h"
+#include "render/lines/hatch_places.h"
 #include "render/lines/hatch_tone.h"
 #include "render/lines/stages.h"
 #include "render/lines/view_fields.h"
@@ -33,13 +35,10 @@ constexpr float halfHeight = 360.0f;  // of the picture, λ, by definition
 constexpr float margin = 24.0f;
 // Strokes thin out where less than this share of the distance across them is seen.
 constexpr float narrow = 0.2f;
-// Where less than this is seen they come and go as the surface turns.
-constexpr float deep = 0.25f;
-constexpr float halfPi = 1.5707963f;
 
 /// A point of a laid stroke in this view.
 struct Sample {
-  float weight = 0.0f;  ///< see HatchField
+  float weight = 0.0f;  ///< see HatchTone
   float angle = 2.0f;
   float presence = 0.0f;  ///< 0 … 1: strokes of the finest level grow from nothing
   float gamma = 0.0f;     ///< where it varies
@@ -62,29 +61,34 @@ class Hatcher {
         m_eye(eyeOf(camera)),
         m_scale(camera),
         m_frustum(camera, request.aspect),
-        m_fields(layout.surface(), {.eye = m_eye,
-                                    .light = inPatient(request.light, camera),
-                                    .twoSided = request.twoSided,
-                                    .tone = request.tone}),
-        m_bare(bareOpacity()) {}
+        m_view{.eye = m_eye,
+               .light = inPatient(request.light, camera),
+               .twoSided = request.twoSided,
+               .tone = request.tone,
+               .filigreeSize = layout.surface().filigreeSize,
+               .bare = bareOpacity()},
+        m_placesView{m_scale, m_eye, halfHeight * glm::vec2(request.aspect, 1.0f) + margin},
+        m_perSpacing(layout.spacing(0) / request.spacing) {}
 
   Hatching hatch() {
     m_layout.beginView();
-    const std::vector<LaidCell> cells =
-        neededCells(m_layout, m_fields.clusters(), m_scale, m_frustum, m_request.spacing);
+    for (const KeptCell* cell :
+         neededCells(m_layout, {m_eye, m_scale, m_frustum, m_request.spacing, m_request.twoSided}))
+      if (auto tile = m_layout.tile(*cell); !tile->strokes.empty())
+        m_tiles.push_back({cell->cell.level, std::move(tile)});
     m_entered = m_request.entered;
     if (varies() || m_entered < 1.0f) {
-      measureInk(cells);
+      measureInk();
       if (!varies())
         m_entered = evenlyEntered(m_entered);
       for (const MeasuredStroke& measured : m_measuredStrokes) {
         recall(measured);
-        keepPieces(measured.tile->positions[measured.stroke->seedPoint], measured.stroke->seed);
+        keepPieces();
       }
     } else {
-      forEachStroke(cells, [this](int level, const TilePtr& tile, const LaidStroke& stroke) {
-        if (sample(level, *tile, stroke))
-          keepPieces(tile->positions[stroke.seedPoint], stroke.seed);
+      forEachStroke([this](int level, const LaidTile& tile, const LaidStroke& stroke) {
+        if (sample(level, tile, stroke))
+          keepPieces();
       });
     }
     return std::move(m_hatching);
@@ -93,92 +97,73 @@ class Hatcher {
  private:
   bool varies() const { return !m_request.gammas.empty(); }
 
-  using TilePtr = std::shared_ptr<const LaidTile>;
+  struct NeededTile {
+    int level;
+    std::shared_ptr<const LaidTile> tile;
+  };
   /// A stroke on which ink was measured.
   struct MeasuredStroke {
-    TilePtr tile;
+    const LaidTile* tile;
     const LaidStroke* stroke;
     std::size_t first;  ///< in `m_measured`
   };
 
   template <class Body>
-  void forEachStroke(const std::vector<LaidCell>& cells, const Body& body) {
-    for (const LaidCell& cell : cells) {
-      const TilePtr tile = m_layout.tile(cell);
-      for (const LaidStroke& stroke : tile->strokes)
-        if (!m_frustum.misses(stroke.bounds))
-          body(cell.level, tile, stroke);
-    }
+  void forEachStroke(const Body& body) {
+    for (const NeededTile& needed : m_tiles)
+      for (const LaidStroke& stroke : needed.tile->strokes)
+        if (!m_frustum.misses(stroke.bounds) && mayFaceEye(stroke))
+          body(needed.level, *needed.tile, stroke);
+  }
+
+  bool mayFaceEye(const LaidStroke& stroke) const {
+    return m_request.twoSided ||
+           model::facing(stroke.bounds, stroke.cone, m_eye) != model::Facing::back;
   }
 
   /// Samples the stroke; returns false where no sample can have any width.
   bool sample(int level, const LaidTile& tile, const LaidStroke& stroke) {
-    turnTo(tile, stroke);
-    m_samples.assign(stroke.count, Sample());
-    const std::uint32_t end = stroke.first + stroke.count;
-    std::uint32_t from = stroke.first;
-    for (const LaidRun* run = &tile.runs[stroke.firstRun]; from < end; from = run++->end)
-      if (m_fields.facesEye(run->cluster))
-        sampleRun(run->cluster, from - stroke.first, run->end - stroke.first);
-    if (std::none_of(m_samples.begin(), m_samples.end(), [this](const Sample& s) {
-          return hatchOpacity(s.weight, s.angle, 1.0f) > m_bare;
-        }))
+    if (!m_tone.find(tile, stroke, m_view))
       return false;
-    for (std::uint32_t i = 0; i < stroke.count; ++i)
-      if (m_samples[i].weight > 0.0f && m_samples[i].angle < 1.0f)
-        place(level, i);
+    turnTo(tile, stroke);
+    m_places.find(tile, stroke, m_placesView, m_tone.facing);
+    m_samples.resize(stroke.count);
+    const float whole = std::exp2(float(level)) / m_perSpacing;
+    for (std::uint32_t i = 0; i < stroke.count; ++i) {
+      Sample& s = m_samples[i];
+      s = {.weight = m_tone.weight[i],
+           .angle = m_tone.angle[i],
+           .seen = {m_places.x[i], m_places.y[i]}};
+      if (s.weight > 0.0f && s.angle < 1.0f)
+        s.presence =
+            presence(m_places.perMm[i] / whole) * std::min(1.0f, m_places.across[i] / narrow);
+    }
+    if (varies())
+      for (std::uint32_t i = 0; i < stroke.count; ++i)
+        if (m_samples[i].presence > 0.0f)
+          m_samples[i].gamma = valueAt(*m_layout.surface().mesh, m_request.gammas,
+                                       m_layout.at(tile.points[stroke.first + i]));
     return true;
   }
 
-  void turnTo(const LaidTile& tile, const LaidStroke& stroke) {
-    m_points = std::span(tile.points).subspan(stroke.first, stroke.count);
-    m_positions = std::span(tile.positions).subspan(stroke.first, stroke.count);
+  /// Returns how much of a level's strokes shows where they are seen that many times as far apart
+  /// as they should be.
+  static float presence(float apart) {
+    return apart >= 1.0f ? 1.0f : apart > 0.5f ? std::log2(2.0f * apart) : 0.0f;
   }
+
+  void turnTo(const LaidTile& tile, const LaidStroke& stroke) {
+    m_tile = &tile;
+    m_stroke = &stroke;
+  }
+
+  glm::vec3 positionOf(std::size_t sample) const { return m_tile->position(*m_stroke, sample); }
 
   /// Takes the samples of a stroke that ink was measured on.
   void recall(const MeasuredStroke& measured) {
     turnTo(*measured.tile, *measured.stroke);
     const auto first = m_measured.begin() + std::ptrdiff_t(measured.first);
     m_samples.assign(first, first + measured.stroke->count);
-  }
-
-  /// Interpolates the fields at points of one cluster, which others behind the contour lack.
-  void sampleRun(std::uint32_t index, std::uint32_t from, std::uint32_t end) {
-    const model::Clusters& clusters = m_layout.surface().clusters;
-    const std::size_t first = clusters.items[index].firstVertex;
-    for (std::uint32_t i = from; i < end; ++i) {
-      Sample& s = m_samples[i];
-      const glm::vec3 b = m_layout.barycentric(m_points[i]);
-      const auto& [c0, c1, c2] = clusters.localTriangles[m_points[i].slot];
-      const HatchField f0 = m_fields[first + c0];
-      const HatchField f1 = m_fields[first + c1];
-      const HatchField f2 = m_fields[first + c2];
-      s.weight = b.x * f0.weight + b.y * f1.weight + b.z * f2.weight;
-      s.angle = b.x * f0.angle + b.y * f1.angle + b.z * f2.angle;
-      if (varies())
-        s.gamma = b.x * m_request.gammas[clusters.vertices[first + c0]] +
-                  b.y * m_request.gammas[clusters.vertices[first + c1]] +
-                  b.z * m_request.gammas[clusters.vertices[first + c2]];
-    }
-  }
-
-  /// Finds where the sample is seen, and how much of it belongs to its level.
-  void place(int level, std::uint32_t i) {
-    Sample& s = m_samples[i];
-    const ViewScale::Point seen = m_scale.project(m_positions[i]);
-    s.seen = seen.at;
-    if (!(seen.perMm > 0.0f) || std::abs(seen.at.y) > halfHeight + margin ||
-        std::abs(seen.at.x) > m_request.aspect * halfHeight + margin)
-      return;
-    const glm::vec3& next = m_positions[std::min<std::size_t>(i + 1, m_samples.size() - 1)];
-    const glm::vec3 along = next - m_positions[i > 0 ? i - 1 : 0];
-    const float nv = std::cos(halfPi * s.angle);
-    const float across = seenAcross(nv, along, directionTo(m_eye, m_positions[i]));
-    // Strokes along a contour thin out; otherwise they would go behind it all at once.
-    const float seenLevel =
-        hatchLevel(m_layout, seen.perMm * widened(across, deep), m_request.spacing);
-    s.presence =
-        std::clamp(seenLevel + 1.0f - float(level), 0.0f, 1.0f) * std::min(1.0f, across / narrow);
   }
 
   /// Returns a half width with which the thinnest strokes taper off quickly instead of fading.
@@ -214,18 +199,18 @@ class Hatcher {
   }
 
   /// Finds how much ink the strokes have for some values of `entered`.
-  void measureInk(const std::vector<LaidCell>& cells) {
+  void measureInk() {
     constexpr std::uint32_t stride = 3;
     const CoarseDepth depth(m_layout.surface(), m_camera);
-    forEachStroke(cells, [&](int level, const TilePtr& tile, const LaidStroke& stroke) {
-      if (!sample(level, *tile, stroke))
+    forEachStroke([&](int level, const LaidTile& tile, const LaidStroke& stroke) {
+      if (!sample(level, tile, stroke))
         return;
-      m_measuredStrokes.push_back({tile, &stroke, m_measured.size()});
+      m_measuredStrokes.push_back({&tile, &stroke, m_measured.size()});
       m_measured.insert(m_measured.end(), m_samples.begin(), m_samples.end());
       for (std::uint32_t i = 0; i < stroke.count; i += stride) {
         const Sample& s = m_samples[i];
-        if (!s.inked() || !(hatchOpacity(s.weight, s.angle, 1.0f) > m_bare) ||
-            !depth.sees(m_positions[i]))
+        if (!s.inked() || !(hatchOpacity(s.weight, s.angle, 1.0f) > m_view.bare) ||
+            !depth.sees(positionOf(i)))
           continue;
         const Sample& before = m_samples[i > 0 ? i - 1 : 0];
         const float length = before.inked() ? glm::distance(before.seen, s.seen) : 0.0f;
@@ -258,24 +243,22 @@ class Hatcher {
   }
 
   glm::vec3 normalAt(std::size_t i) const {
-    const model::Surface& surface = m_layout.surface();
-    glm::vec3 normal = valueAt(*surface.mesh, surface.normals, m_layout.at(m_points[i]));
-    normal /= std::max(glm::length(normal), 1e-20f);
+    const glm::vec3 normal = m_tile->normal(*m_stroke, i);
     const bool away =
-        m_request.twoSided && glm::dot(normal, directionTo(m_eye, m_positions[i])) < 0.0f;
-    return away ? -normal : normal;
+        m_request.twoSided && glm::dot(normal, directionTo(m_eye, positionOf(i))) < 0.0f;
+    return (away ? -1.0f : 1.0f) / std::max(glm::length(normal), 1e-20f) * normal;
   }
 
   /// Returns what is drawn of a sample, without its normal.
   HatchPoint pointAt(std::size_t i) const {
     const Sample& s = m_samples[i];
-    return {.position = m_positions[i],
+    return {.position = positionOf(i),
             .halfWidth = halfWidth(s, enteredAt(s)),
             .ink = varies() ? transitions(Gamma::clamped(s.gamma)).lines : 1.0f};
   }
 
   /// Takes over what is drawn of the samples, piece by piece.
-  void keepPieces(const glm::vec3& seedPosition, const HatchSeed& seed) {
+  void keepPieces() {
     for (std::size_t i = 0; i < m_samples.size();) {
       if (!m_samples[i].inked()) {
         ++i;
@@ -293,7 +276,7 @@ class Hatcher {
                 end < m_samples.size() && m_samples[end].angle >= 1.0f);
       if (m_layout.length() > 0.0f)
         slim();
-      keepInk(seedPosition, seed, i);
+      keepInk(i);
       i = end;
     }
   }
@@ -326,7 +309,7 @@ class Hatcher {
   }
 
   /// Keeps the points that have width, and one more at either end; the piece begins at that sample.
-  void keepInk(const glm::vec3& seedPosition, const HatchSeed& seed, std::size_t sample) {
+  void keepInk(std::size_t sample) {
     const auto bare = [](const HatchPoint& p) { return !(p.halfWidth > 0.0f); };
     for (auto it = m_piece.begin(); it != m_piece.end();) {
       auto first = std::find_if_not(it, m_piece.end(), bare);
@@ -340,8 +323,8 @@ class Hatcher {
         ++last;
       for (auto point = first; point != last; ++point)
         point->normal = normalAt(sample + std::size_t(point - m_piece.begin()));
-      m_hatching.strokes.push_back({.seed = seed,
-                                    .seedPosition = seedPosition,
+      m_hatching.strokes.push_back({.seed = m_stroke->seed,
+                                    .seedPosition = positionOf(m_stroke->seedPoint),
                                     .first = std::uint32_t(m_hatching.points.size()),
                                     .count = std::uint32_t(last - first)});
       m_hatching.points.insert(m_hatching.points.end(), first, last);
@@ -354,13 +337,17 @@ class Hatcher {
   model::EyePoint m_eye;
   ViewScale m_scale;
   Frustum m_frustum;
-  HatchFields m_fields;
-  float m_bare;  ///< see `bareOpacity`
+  HatchView m_view;
+  PlacesView m_placesView;
+  float m_perSpacing;  ///< mm between strokes of level 0 over λ between those that are seen
   static constexpr int inkSteps = 32;
   std::array<float, inkSteps + 1> m_ink{};
   float m_entered = 1.0f;
-  std::span<const LaidPoint> m_points;     ///< of the stroke that is sampled
-  std::span<const glm::vec3> m_positions;  ///< likewise
+  std::vector<NeededTile> m_tiles;
+  const LaidTile* m_tile = nullptr;  ///< of the stroke that is sampled
+  const LaidStroke* m_stroke = nullptr;
+  HatchTone m_tone;
+  HatchPlaces m_places;
   std::vector<Sample> m_samples;
   std::vector<MeasuredStroke> m_measuredStrokes;
   std::vector<Sample> m_measured;  ///< of these

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "render/lines/stroke_placer.h"
 
@@ -18,13 +19,32 @@ constexpr float cellShare = 0.7f;
 // strokes at least, so that strokes of cubes that are not neighbours never meet.
 constexpr float leastSide = 24.0f;
 constexpr float sideMargin = 4.0f;
-// Below this many points, of 20 bytes each, nothing is forgotten; above it, what exceeds so many
+// Below this many points, of 38 bytes each, nothing is forgotten; above it, what exceeds so many
 // times the points of the last view.
 constexpr std::size_t fewPoints = 50'000;
 constexpr std::size_t viewsKept = 4;
+// Clusters that follow each other in space are looked at together first.
+constexpr std::size_t clustersOfGroup = 64;
 
 model::Box grown(const model::Box& box, float by) {
   return {box.low - by, box.high + by};
+}
+
+std::vector<model::Sphere> groupsOf(const std::vector<model::Cluster>& clusters) {
+  std::vector<model::Sphere> groups;
+  for (std::size_t first = 0; first < clusters.size(); first += clustersOfGroup) {
+    const auto own =
+        std::span(clusters).subspan(first, std::min(clustersOfGroup, clusters.size() - first));
+    model::Box box;
+    for (const model::Cluster& cluster : own)
+      box.add(cluster.bounds.centre);
+    float radius = 0.0f;
+    for (const model::Cluster& cluster : own)
+      radius = std::max(radius,
+                        glm::distance(box.centre(), cluster.bounds.centre) + cluster.bounds.radius);
+    groups.push_back({box.centre(), 1.0001f * radius});
+  }
+  return groups;
 }
 
 int order(const LaidCell& cell) {
@@ -39,6 +59,7 @@ bool touches(const model::Sphere& sphere, const model::Box& box) {
 
 StrokeLayout::StrokeLayout(model::SurfacePtr surface, float length)
     : m_surface(std::move(surface)),
+      m_groups(groupsOf(m_surface->clusters.items)),
       m_neighbours(*m_surface->mesh),
       m_directions(*m_surface),
       m_length(length) {
@@ -110,63 +131,114 @@ void StrokeLayout::beginView() {
   const std::uint32_t last = m_view++;
   if (m_points <= most)
     return;
-  using Kept = std::pair<const LaidCell, KeptCell>;
-  std::vector<const Kept*> unused;
-  for (const Kept& cell : m_cells)
-    if (cell.second.lastView != last)
-      unused.push_back(&cell);
-  std::stable_sort(unused.begin(), unused.end(), [](const Kept* a, const Kept* b) {
-    return a->second.lastView < b->second.lastView;
-  });
-  for (const Kept* cell : unused) {
+  std::vector<KeptCell*> unused;
+  for (KeptCell* cell : m_byNumber)
+    if (cell->lastView != last && cell->tile)
+      unused.push_back(cell);
+  std::stable_sort(unused.begin(), unused.end(),
+                   [](const KeptCell* a, const KeptCell* b) { return a->lastView < b->lastView; });
+  for (KeptCell* cell : unused) {
     if (m_points <= most)
       return;
-    m_points -= cell->second.tile ? cell->second.tile->points.size() : 0;
-    m_cells.erase(LaidCell(cell->first));
+    m_points -= cell->tile->points.size();
+    cell->tile = nullptr;
   }
 }
 
 std::shared_ptr<const LaidTile> StrokeLayout::tile(const LaidCell& cell) {
   const std::lock_guard lock(m_mutex);
-  return found(cell);
+  return found(kept(cell));
 }
 
-std::shared_ptr<const std::vector<std::uint32_t>> StrokeLayout::clustersReached(
-    const LaidCell& cell) {
+std::shared_ptr<const LaidTile> StrokeLayout::tile(const KeptCell& cell) {
   const std::lock_guard lock(m_mutex);
-  return kept(cell).clusters;
+  return found(*m_byNumber[cell.number]);
 }
 
-StrokeLayout::KeptCell& StrokeLayout::kept(const LaidCell& cell) {
-  KeptCell& known = m_cells[cell];
-  if (!known.clusters) {
-    const model::Box box = reached(cell);
-    std::vector<std::uint32_t> clusters;
-    for (std::size_t c = 0; c < m_surface->clusters.items.size(); ++c)
-      if (touches(m_surface->clusters.items[c].bounds, box))
-        clusters.push_back(std::uint32_t(c));
-    known.clusters = std::make_shared<const std::vector<std::uint32_t>>(std::move(clusters));
+const std::vector<const KeptCell*>& StrokeLayout::coarsest() {
+  const std::lock_guard lock(m_mutex);
+  if (!m_knowsCoarsest)
+    m_coarsest = reaching(rangeNear(m_firstLevel, m_surface->boundingSphere));
+  m_knowsCoarsest = true;
+  return m_coarsest;
+}
+
+const std::vector<const KeptCell*>& StrokeLayout::finer(const KeptCell& cell) {
+  const std::lock_guard lock(m_mutex);
+  if (!cell.knowsFiner) {
+    std::vector<const KeptCell*> cells =
+        reaching(rangeWithin(cell.cell.level + 1, home(cell.cell)));
+    KeptCell& known = *m_byNumber[cell.number];
+    known.finer = std::move(cells);
+    known.knowsFiner = true;
   }
+  return cell.finer;
+}
+
+std::size_t StrokeLayout::keptCount() {
+  const std::lock_guard lock(m_mutex);
+  return m_byNumber.size();
+}
+
+/// Returns the cells whose strokes may reach the surface.
+std::vector<const KeptCell*> StrokeLayout::reaching(const CellRange& range) {
+  std::vector<const KeptCell*> cells;
+  range.forEach([&](const LaidCell& cell) {
+    if (const auto known = m_cells.find(cell); known != m_cells.end()) {
+      if (!known->second.clusters.empty())
+        cells.push_back(&known->second);
+    } else if (std::vector<std::uint32_t> clusters = clustersWithin(reached(cell));
+               !clusters.empty()) {
+      cells.push_back(&keep(cell, std::move(clusters)));
+    }
+  });
+  return cells;
+}
+
+KeptCell& StrokeLayout::kept(const LaidCell& cell) {
+  const auto known = m_cells.find(cell);
+  return known != m_cells.end() ? known->second : keep(cell, clustersWithin(reached(cell)));
+}
+
+KeptCell& StrokeLayout::keep(const LaidCell& cell, std::vector<std::uint32_t> clusters) {
+  KeptCell& fresh = m_cells[cell];
+  fresh.cell = cell;
+  fresh.number = m_byNumber.size();
+  fresh.clusters = std::move(clusters);
+  m_byNumber.push_back(&fresh);
+  return fresh;
+}
+
+std::vector<std::uint32_t> StrokeLayout::clustersWithin(const model::Box& box) const {
+  const std::vector<model::Cluster>& items = m_surface->clusters.items;
+  std::vector<std::uint32_t> clusters;
+  for (std::size_t group = 0; group < m_groups.size(); ++group)
+    if (touches(m_groups[group], box))
+      for (std::size_t c = group * clustersOfGroup;
+           c < std::min(items.size(), (group + 1) * clustersOfGroup); ++c)
+        if (touches(items[c].bounds, box))
+          clusters.push_back(std::uint32_t(c));
+  clusters.shrink_to_fit();
+  return clusters;
+}
+
+std::shared_ptr<const LaidTile> StrokeLayout::found(KeptCell& known) {
   if (known.lastView != m_view && known.tile)
     m_shown += known.tile->points.size();
   known.lastView = m_view;
-  return known;
-}
-
-std::shared_ptr<const LaidTile> StrokeLayout::found(const LaidCell& cell) {
-  KeptCell& known = kept(cell);
   if (!known.tile) {
-    known.tile = std::make_shared<const LaidTile>(lay(cell));
+    known.tile = std::make_shared<const LaidTile>(lay(known));
     m_points += known.tile->points.size();
     m_shown += known.tile->points.size();
   }
   return known.tile;
 }
 
-LaidTile StrokeLayout::lay(const LaidCell& cell) {
+LaidTile StrokeLayout::lay(const KeptCell& known) {
+  const LaidCell& cell = known.cell;
   const model::Box box = home(cell);
   std::vector<std::uint32_t> clusters;
-  for (const std::uint32_t c : *kept(cell).clusters)
+  for (const std::uint32_t c : known.clusters)
     if (touches(m_surface->clusters.items[c].bounds, box))
       clusters.push_back(c);
   const glm::vec3 origin = m_surface->boundingSphere.centre;
@@ -198,7 +270,7 @@ void StrokeLayout::markAround(const LaidCell& cell, const model::Box& box, Strok
           others.push_back(neighbour);
       }
   for (const LaidCell& other : others) {
-    const std::shared_ptr<const LaidTile> laid = found(other);
+    const std::shared_ptr<const LaidTile> laid = found(kept(other));
     for (const LaidStroke& stroke : laid->strokes)
       if (touches(stroke.bounds, box))
         mark(*laid, stroke, spacing(cell.level), taken);

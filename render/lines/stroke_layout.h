@@ -33,26 +33,51 @@ struct LaidPoint {
   std::uint16_t third = 0;   ///< of corner 2
 };
 
-/// Points of a stroke in a row that lie in one cluster.
-struct LaidRun {
-  std::uint32_t cluster = 0;
-  std::uint32_t end = 0;  ///< one past the last, in LaidTile::points
-};
-
 struct LaidStroke {
   HatchSeed seed;
   model::Sphere bounds;
-  std::uint32_t first = 0;  ///< in LaidTile::points
-  std::uint32_t count = 0;  ///< 1 for a dot
-  std::uint32_t seedPoint = 0;
-  std::uint32_t firstRun = 0;  ///< in LaidTile::runs; the last is the one that ends with the stroke
+  model::NormalCone cone;       ///< of the normals at its points
+  std::uint32_t first = 0;      ///< in LaidTile::points
+  std::uint32_t count = 0;      ///< 1 for a dot
+  std::uint32_t seedPoint = 0;  ///< counted from its first
+  std::uint32_t firstRow = 0;   ///< how long the rows of the tile's strokes before it are together
+  float bendingStep = 0.0f;     ///< of LaidTile::shape, 1/mm
+
+  /// Returns the numbers in a row: whole registers of the processor.
+  std::uint32_t rowLength() const { return (count + 7u) & ~7u; }
 };
 
+/// What a view needs to know of a stroke's points lies in rows, one number of all its points after
+/// the other, and stroke by stroke, so that the processor works on several points at once and waits
+/// for none. Rows go on with the last position, and zeros of shape.
 struct LaidTile {
+  static constexpr float normalSteps = 32767.0f;
+  static constexpr std::size_t shapeRows = 9;
+
   std::vector<LaidPoint> points;
-  std::vector<glm::vec3> positions;  ///< of the points, patient frame, mm
   std::vector<LaidStroke> strokes;
-  std::vector<LaidRun> runs;
+  std::vector<float> positions;  ///< rows x, y, z of each stroke, patient frame, mm
+  /// Rows of the unit normal, in 32767ths, and of the shape operator (xx, xy, xz, yy, yz, zz; see
+  /// model::TensorBounds), in the stroke's steps.
+  std::vector<std::int16_t> shape;
+
+  /// `positionRow` and `shapeRow` return a row of a stroke; `position` and `normal` (of about unit
+  /// length) what it says of one of its points.
+  const float* positionRow(const LaidStroke& stroke, std::size_t row) const {
+    return positions.data() + 3 * std::size_t(stroke.firstRow) + row * stroke.rowLength();
+  }
+  const std::int16_t* shapeRow(const LaidStroke& stroke, std::size_t row) const {
+    return shape.data() + shapeRows * stroke.firstRow + row * stroke.rowLength();
+  }
+  glm::vec3 position(const LaidStroke& stroke, std::size_t point) const {
+    const float* x = positionRow(stroke, 0) + point;
+    return {x[0], x[stroke.rowLength()], x[2 * std::size_t(stroke.rowLength())]};
+  }
+  glm::vec3 normal(const LaidStroke& stroke, std::size_t point) const {
+    const std::int16_t* n = shapeRow(stroke, 0) + point;
+    return glm::vec3(n[0], n[stroke.rowLength()], n[2 * std::size_t(stroke.rowLength())]) /
+           normalSteps;
+  }
 };
 
 /// A cell is a cube of one level. Odd cubes lie between even ones; the cube at the origin lies
@@ -86,6 +111,18 @@ struct CellRange {
 
 bool touches(const model::Sphere& sphere, const model::Box& box);
 
+/// A cell that strokes may start in, as a layout keeps it: it stays where it is.
+struct KeptCell {
+  LaidCell cell;
+  std::size_t number = 0;               ///< counted from 0 in each layout
+  std::vector<std::uint32_t> clusters;  ///< that strokes starting there may reach, ascending
+  // The layout's own, guarded by its mutex.
+  bool knowsFiner = false;
+  std::vector<const KeptCell*> finer;    ///< see StrokeLayout::finer
+  std::shared_ptr<const LaidTile> tile;  ///< null until it is laid
+  std::uint32_t lastView = 0;
+};
+
 /// Keeps the strokes of one surface; several threads may use it.
 class StrokeLayout {
  public:
@@ -111,12 +148,17 @@ class StrokeLayout {
   CellRange rangeNear(int level, const model::Sphere& sphere) const;
   std::vector<LaidCell> cellsNear(int level, const model::Sphere& sphere) const;
   /// Must be called before a view asks for its cells. Where strokes take much more memory than
-  /// those of the last view, cells that were not asked for the longest are forgotten, and laid
+  /// those of the last view, those that were not asked for the longest are forgotten, and laid
   /// again, identically, if they are needed.
   void beginView();
   std::shared_ptr<const LaidTile> tile(const LaidCell& cell);
-  /// Returns the clusters that strokes starting in the cell may reach, ascending.
-  std::shared_ptr<const std::vector<std::uint32_t>> clustersReached(const LaidCell& cell);
+  std::shared_ptr<const LaidTile> tile(const KeptCell& cell);
+  /// Returns the cells of the first level whose strokes may reach the surface.
+  const std::vector<const KeptCell*>& coarsest();
+  /// Returns those of the next level that share space with the cell.
+  const std::vector<const KeptCell*>& finer(const KeptCell& cell);
+  /// Returns how many cells have got a number so far.
+  std::size_t keptCount();
 
   static glm::vec3 barycentric(const LaidPoint& point) {
     const float second = float(point.second) / 65535.0f;
@@ -130,11 +172,6 @@ class StrokeLayout {
   class Placer;
   float reach(int level) const;
   float side(int level) const;
-  struct KeptCell {
-    std::shared_ptr<const std::vector<std::uint32_t>> clusters;  ///< see `clustersReached`
-    std::shared_ptr<const LaidTile> tile;                        ///< null until it is laid
-    std::uint32_t lastView = 0;
-  };
   struct CellHash {
     std::size_t operator()(const LaidCell& cell) const {
       std::uint64_t h = std::uint32_t(cell.level);
@@ -144,21 +181,28 @@ class StrokeLayout {
     }
   };
   KeptCell& kept(const LaidCell& cell);
-  std::shared_ptr<const LaidTile> found(const LaidCell& cell);
-  LaidTile lay(const LaidCell& cell);
+  KeptCell& keep(const LaidCell& cell, std::vector<std::uint32_t> clusters);
+  std::vector<const KeptCell*> reaching(const CellRange& range);
+  std::vector<std::uint32_t> clustersWithin(const model::Box& box) const;
+  std::shared_ptr<const LaidTile> found(KeptCell& known);
+  LaidTile lay(const KeptCell& known);
   void markAround(const LaidCell& cell, const model::Box& box, StrokeSpacing& taken);
   StrokeSpacing::Mark markAt(const SurfacePoint& place) const;
   void mark(const LaidTile& tile, const LaidStroke& stroke, float distance,
             StrokeSpacing& taken) const;
 
   model::SurfacePtr m_surface;
-  std::vector<std::uint32_t> m_slots;  ///< of each triangle, in Clusters::triangles
+  std::vector<std::uint32_t> m_slots;   ///< of each triangle, in Clusters::triangles
+  std::vector<model::Sphere> m_groups;  ///< around so many clusters in a row
   model::FaceNeighbours m_neighbours;
   StrokeDirections m_directions;
   float m_length;
   int m_firstLevel;
-  std::mutex m_mutex;  ///< guards the cells
+  std::mutex m_mutex;  ///< guards all below
   std::unordered_map<LaidCell, KeptCell, CellHash> m_cells;
+  std::vector<KeptCell*> m_byNumber;
+  bool m_knowsCoarsest = false;
+  std::vector<const KeptCell*> m_coarsest;
   std::size_t m_points = 0;  ///< in all tiles
   std::size_t m_shown = 0;   ///< in tiles that the view has asked for
   std::uint32_t m_view = 0;

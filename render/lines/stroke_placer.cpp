@@ -2,6 +2,7 @@
 #include "render/lines/stroke_placer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -27,6 +28,20 @@ constexpr float roundTrip = 2.0f;
 // A stroke may not turn within the surface by more than this many radians in about a distance:
 // around the field's singular points strokes would curl.
 constexpr float sharpestBend = 0.7f;
+// How far numbers of a unit normal are off in the rows of a tile.
+constexpr float rowRounding = 1.0f / LaidTile::normalSteps;
+
+/// Returns the shape operator there.
+std::array<float, 6> bendingAt(const model::Surface& surface, const SurfacePoint& at) {
+  const model::Triangle& t = surface.mesh->triangles()[at.triangle];
+  std::array<float, 6> sum{};
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const std::array<float, 6> s = model::shapeOperator(surface.vertices[t[corner]]);
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += at.barycentric[glm::length_t(corner)] * s[i];
+  }
+  return sum;
+}
 
 }  // namespace
 
@@ -147,9 +162,16 @@ void StrokeLayout::Placer::place(const PlacedSeed& seed) {
 
 LaidTile StrokeLayout::Placer::take() {
   m_tile.points.shrink_to_fit();
-  m_tile.positions.shrink_to_fit();
   m_tile.strokes.shrink_to_fit();
-  m_tile.runs.shrink_to_fit();
+  std::uint32_t rows = 0;
+  for (LaidStroke& stroke : m_tile.strokes) {
+    stroke.firstRow = rows;
+    rows += stroke.rowLength();
+  }
+  m_tile.positions.resize(3 * std::size_t(rows));
+  m_tile.shape.resize(LaidTile::shapeRows * rows);
+  for (LaidStroke& stroke : m_tile.strokes)
+    describe(stroke);
   return std::move(m_tile);
 }
 
@@ -171,36 +193,59 @@ LaidPoint StrokeLayout::Placer::packed(const SurfacePoint& at) const {
           .third = std::uint16_t(std::lround(65535.0f * at.barycentric.z))};
 }
 
-/// Counts the last point in.
-void StrokeLayout::Placer::addToRun(const LaidStroke& stroke) {
-  const std::vector<model::Cluster>& clusters = m_layout.surface().clusters.items;
-  const auto after = std::upper_bound(
-      clusters.begin(), clusters.end(), m_tile.points.back().slot,
-      [](std::uint32_t slot, const model::Cluster& c) { return slot < c.firstTriangle; });
-  const auto cluster = std::uint32_t(after - clusters.begin()) - 1;
-  if (m_tile.runs.size() == stroke.firstRun || m_tile.runs.back().cluster != cluster)
-    m_tile.runs.push_back({.cluster = cluster});
-  m_tile.runs.back().end = std::uint32_t(m_tile.points.size());
-}
-
 void StrokeLayout::Placer::keep(const PlacedSeed& seed) {
   LaidStroke stroke{.seed = seed.name,
-                    .bounds = {},
                     .first = std::uint32_t(m_tile.points.size()),
                     .count = std::uint32_t(m_points.size()),
-                    .seedPoint = 0,
-                    .firstRun = std::uint32_t(m_tile.runs.size())};
-  stroke.seedPoint = stroke.first + m_seedPoint;
-  model::Box box;
-  for (const SurfacePoint& at : m_points) {
+                    .seedPoint = m_seedPoint};
+  for (const SurfacePoint& at : m_points)
     m_tile.points.push_back(packed(at));
-    addToRun(stroke);
-    m_tile.positions.push_back(m_layout.position(m_tile.points.back()));
-    box.add(m_tile.positions.back());
-  }
-  stroke.bounds = {box.centre(), 0.5f * glm::length(box.size())};
   m_tile.strokes.push_back(stroke);
   m_layout.mark(m_tile, stroke, m_distance, m_taken);
+}
+
+/// Fills the rows of the stroke's points, and bounds them.
+void StrokeLayout::Placer::describe(LaidStroke& stroke) {
+  const std::size_t count = stroke.count;
+  const std::size_t row = stroke.rowLength();
+  float* positions = m_tile.positions.data() + 3 * std::size_t(stroke.firstRow);
+  std::int16_t* shape = m_tile.shape.data() + LaidTile::shapeRows * stroke.firstRow;
+  const auto rounded = [](float number) { return std::int16_t(std::lround(number)); };
+  std::vector<std::array<float, 6>> bendings(count);
+  model::Box box;
+  float largest = 0.0f;
+  glm::vec3 sum(0.0f);
+  for (std::size_t i = 0; i < count; ++i) {
+    const SurfacePoint at = m_layout.at(m_tile.points[stroke.first + i]);
+    const StrokeSpacing::Mark mark = m_layout.markAt(at);
+    box.add(mark.position);
+    sum += mark.normal;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      positions[axis * row + i] = mark.position[glm::length_t(axis)];
+      shape[axis * row + i] = rounded(LaidTile::normalSteps * mark.normal[glm::length_t(axis)]);
+    }
+    bendings[i] = bendingAt(m_layout.surface(), at);
+    for (const float number : bendings[i])
+      largest = std::max(largest, std::abs(number));
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    std::fill(positions + axis * row + count, positions + (axis + 1) * row,
+              positions[axis * row + count - 1]);
+  stroke.bounds = {box.centre(), 0.5f * glm::length(box.size())};
+  stroke.bendingStep = largest / LaidTile::normalSteps;
+  const float steps = largest > 0.0f ? LaidTile::normalSteps / largest : 0.0f;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < bendings[i].size(); ++k)
+      shape[(3 + k) * row + i] = rounded(steps * bendings[i][k]);
+  const float length = glm::length(sum);
+  if (!(length > 0.0f))
+    return;
+  stroke.cone = {.axis = sum / length, .cosine = 1.0f};
+  // Rounding may leave the cone.
+  for (std::size_t i = 0; i < count; ++i)
+    stroke.cone.cosine =
+        std::min(stroke.cone.cosine,
+                 glm::dot(stroke.cone.axis, m_tile.normal(stroke, i)) - 2.0f * rowRounding);
 }
 
 }  // namespace sline::render

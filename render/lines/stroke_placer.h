@@ -31,7 +31,7 @@ class StrokeLayout::Placer {
   bool meetsItself(const StrokeSpacing::Mark& mark, float place) const;
   LaidPoint packed(const SurfacePoint& at) const;
   void keep(const PlacedSeed& seed);
-  void addToRun(const LaidStroke& stroke);
+  void describe(LaidStroke& stroke);
 
   const StrokeLayout& m_layout;
   float m_distance;

@@ -39,6 +39,16 @@ class ViewScale {
     return mm > 0.0f ? 1.0f / mm : 0.0f;
   }
 
+  /// What `project` does, for loops over many places: x = perMm·⟨p − origin, right⟩.
+  struct Frame {
+    glm::vec3 origin;
+    glm::vec3 right;
+    glm::vec3 up;
+    glm::vec3 back;
+    float unit;  ///< mm per λ, in perspective at a distance of 1 mm
+  };
+  Frame frame() const { return {m_origin, m_frame.right, m_frame.up, m_frame.back, m_unit}; }
+
   /// Returns the part of a direction that lies in the picture's plane.
   glm::vec2 across(const glm::vec3& direction) const {
     return {glm::dot(direction, m_frame.right), glm::dot(direction, m_frame.up)};

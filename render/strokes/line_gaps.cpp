@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -37,103 +38,109 @@ const glm::vec3& placeOf(const std::vector<Segment>& segments, const LineEnd& en
 
 class EndFinder {
  public:
-  EndFinder(const std::vector<Segment>& segments, const Chains& chains, const PictureView& view)
-      : m_segments(segments), m_chains(chains), m_view(view) {}
+  EndFinder(const Chains& chains, const ChainPoints& points, const PictureView& view)
+      : m_chains(chains), m_points(points), m_reach(directionReach * view.outputUnit()) {}
 
-  std::vector<LineEnd> ends() const {
+  std::vector<LineEnd> ends(const std::vector<Segment>& segments) const {
     std::vector<LineEnd> found;
     for (std::size_t chain = 0; chain < m_chains.count(); ++chain) {
-      const std::size_t first = m_chains.first[chain];
-      const std::size_t last = m_chains.first[chain + 1] - 1;
-      if (point(first, false) == point(last, true) && last > first)
+      const Chains::Link& first = m_chains.links[m_chains.first[chain]];
+      const Chains::Link& last = m_chains.links[m_chains.first[chain + 1] - 1];
+      const Segment& a = segments[first.segment];
+      const Segment& b = segments[last.segment];
+      if ((first.reversed ? a.b : a.a) == (last.reversed ? b.a : b.b) &&
+          m_chains.first[chain + 1] - m_chains.first[chain] > 1)
         continue;  // closed
-      add(chain, first, false, found);
-      add(chain, last, true, found);
+      add(chain, false, found);
+      add(chain, true, found);
     }
     return found;
   }
 
  private:
-  const glm::vec3& point(std::size_t link, bool atEnd) const {
-    const Chains::Link& l = m_chains.links[link];
-    const Segment& s = m_segments[l.segment];
-    return atEnd != l.reversed ? s.b : s.a;
-  }
-
-  void add(std::size_t chain, std::size_t link, bool atEnd, std::vector<LineEnd>& found) const {
-    const auto at = m_view.project(point(link, atEnd));
+  void add(std::size_t chain, bool atEnd, std::vector<LineEnd>& found) const {
+    const std::span<const ChainPoints::Point> points = m_points.of(m_chains, chain);
+    const ChainPoints::Point& at = atEnd ? points.back() : points.front();
     if (!(at.w > 0.0f))
       return;
-    const std::size_t first = m_chains.first[chain];
-    const std::size_t last = m_chains.first[chain + 1] - 1;
     glm::vec2 inner = at.pixel;
-    for (std::size_t i = link;; i = atEnd ? i - 1 : i + 1) {
-      inner = m_view.project(point(i, !atEnd)).pixel;
-      if (glm::distance(inner, at.pixel) > directionReach * m_view.outputUnit() ||
-          i == (atEnd ? first : last))
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      inner = points[atEnd ? points.size() - 1 - i : i].pixel;
+      if (glm::distance(inner, at.pixel) > m_reach)
         break;
     }
     const float length = glm::distance(inner, at.pixel);
     if (!(length > 0.0f) || !std::isfinite(length))
       return;
+    const std::uint32_t link = atEnd ? m_chains.first[chain + 1] - 1 : m_chains.first[chain];
     const Chains::Link& l = m_chains.links[link];
     found.push_back({chain, l.segment, atEnd != l.reversed, atEnd, at.pixel,
-                     (at.pixel - inner) / length, last + 1 - first});
+                     (at.pixel - inner) / length, points.size() - 1});
   }
 
-  const std::vector<Segment>& m_segments;
   const Chains& m_chains;
-  const PictureView& m_view;
+  const ChainPoints& m_points;
+  float m_reach;  ///< px
 };
 
 struct Pair {
   float distance;
   std::size_t a;
   std::size_t b;
+  std::uint64_t place;  ///< decides where distances are equal
 };
 
-/// Finds ends that lie near each other in the picture, by cells as wide as their reach.
+/// Finds ends that lie near each other in the picture, by cells as wide as their reach. A cell and
+/// an end in it are one number, so that they are sorted quickly: row, column, end.
 class EndGrid {
  public:
-  EndGrid(const std::vector<LineEnd>& ends, float reach) : m_cells(ends.size()) {
+  EndGrid(const std::vector<LineEnd>& ends, float reach) {
     m_order.reserve(ends.size());
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      if (glm::length(ends[i].pixel) > 1e6f)
-        continue;
-      m_cells[i] = {int(std::floor(ends[i].pixel.x / reach)),
-                    int(std::floor(ends[i].pixel.y / reach)), true};
-      m_order.push_back(std::uint32_t(i));
+    for (std::size_t i = 0; i < std::min(ends.size(), mostEnds); ++i) {
+      const glm::vec2 at = ends[i].pixel / reach;
+      if (std::max(std::abs(at.x), std::abs(at.y)) < farthest)
+        m_order.push_back(key(int(std::floor(at.y)), int(std::floor(at.x)), i));
     }
-    std::sort(m_order.begin(), m_order.end(),
-              [this](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    std::sort(m_order.begin(), m_order.end());
   }
 
-  /// Calls `body` for each earlier end in the cells around that of end `i`.
+  /// Calls `body` for each end and each earlier one in the cells around it, with the number of the
+  /// earlier one's place in the order of rows and columns.
   template <class Body>
-  void forEachAround(std::size_t i, const Body& body) const {
-    const Cell& cell = m_cells[i];
-    if (!cell.known)
-      return;
-    for (int row = cell.row - 1; row <= cell.row + 1; ++row) {
-      auto at = std::lower_bound(m_order.begin(), m_order.end(), Key(row, cell.column - 1, 0),
-                                 [this](std::uint32_t a, const Key& k) { return key(a) < k; });
-      for (; at != m_order.end() && key(*at) < Key(row, cell.column + 2, 0); ++at)
-        if (*at < i)
-          body(*at);
+  void forEachPair(const Body& body) const {
+    std::array<std::size_t, 3> from{};  // where cells of the rows around begin that are near enough
+    for (const std::uint64_t own : m_order) {
+      const std::size_t end = own & endMask;
+      const std::uint64_t cell = own - end;
+      for (std::size_t row = 0; row < 3; ++row) {
+        const std::uint64_t there = cell + row * nextRow - nextRow;
+        while (from[row] < m_order.size() && m_order[from[row]] < there - nextColumn)
+          ++from[row];
+        for (std::size_t k = from[row]; k < m_order.size() && m_order[k] < there + 2 * nextColumn;
+             ++k)
+          if (const std::size_t other = m_order[k] & endMask; other < end)
+            body(end, other, m_order[k]);
+      }
     }
   }
 
  private:
-  using Key = std::tuple<int, int, std::uint32_t>;
-  struct Cell {
-    int column = 0;
-    int row = 0;
-    bool known = false;  ///< not too far outside the picture
-  };
-  Key key(std::uint32_t i) const { return {m_cells[i].row, m_cells[i].column, i}; }
+  // Columns and rows have 20 bits, ends the rest.
+  static constexpr int cellBits = 20;
+  static constexpr int endBits = 24;
+  static constexpr std::size_t mostEnds = std::size_t(1) << endBits;
+  static constexpr std::uint64_t endMask = mostEnds - 1;
+  static constexpr std::uint64_t nextColumn = std::uint64_t(1) << endBits;
+  static constexpr std::uint64_t nextRow = nextColumn << cellBits;
+  static constexpr float farthest = 500'000.0f;  // cells from the picture's corner
 
-  std::vector<Cell> m_cells;           ///< of each end
-  std::vector<std::uint32_t> m_order;  ///< the ends, by row, column and their own order
+  static std::uint64_t key(int row, int column, std::size_t end) {
+    constexpr int middle = 1 << (cellBits - 1);
+    return std::uint64_t(row + middle) * nextRow + std::uint64_t(column + middle) * nextColumn +
+           std::uint64_t(end);
+  }
+
+  std::vector<std::uint64_t> m_order;  ///< see `key`
 };
 
 /// Returns the pairs of ends that continue each other, nearest first.
@@ -141,24 +148,22 @@ std::vector<Pair> pairsOf(const std::vector<LineEnd>& ends, const std::vector<Se
                           const PictureView& view) {
   const float unit = view.outputUnit();
   const float reach = widestGap * unit;
-  const EndGrid grid(ends, reach);
   std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < ends.size(); ++i)
-    grid.forEachAround(i, [&](std::size_t k) {
-      // A crumb is no ring.
-      if (ends[k].chain == ends[i].chain && ends[i].links < fewestOfRing)
-        return;
-      const glm::vec2 way = ends[k].pixel - ends[i].pixel;
-      const float distance = glm::length(way);
-      const float apart = glm::distance(placeOf(segments, ends[k]), placeOf(segments, ends[i]));
-      const float mm = view.millimetresPerPixel(placeOf(segments, ends[i]));
-      if (!goesOnIn(ends[i].direction, ends[k].direction, way, unit) ||
-          apart > depthShare * reach * mm)
-        return;
-      pairs.push_back({distance, k, i});
-    });
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+  EndGrid(ends, reach).forEachPair([&](std::size_t i, std::size_t k, std::uint64_t place) {
+    // A crumb is no ring.
+    if (ends[k].chain == ends[i].chain && ends[i].links < fewestOfRing)
+      return;
+    const glm::vec2 way = ends[k].pixel - ends[i].pixel;
+    if (!goesOnIn(ends[i].direction, ends[k].direction, way, unit))
+      return;
+    const float apart = glm::distance(placeOf(segments, ends[k]), placeOf(segments, ends[i]));
+    const float mm = view.millimetresPerPixel(placeOf(segments, ends[i]));
+    if (!(apart > depthShare * reach * mm))
+      pairs.push_back({glm::length(way), k, i, place});
+  });
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return std::tie(a.distance, a.b, a.place) < std::tie(b.distance, b.b, b.place);
+  });
   return pairs;
 }
 
@@ -182,8 +187,11 @@ Segment bridgeBetween(const std::vector<Segment>& segments, const LineEnd& from,
 /// Puts chains together at their ends. End 2i is the beginning of chain i, end 2i + 1 its end.
 class ChainLinker {
  public:
-  explicit ChainLinker(const Chains& chains)
-      : m_chains(chains), m_next(2 * chains.count(), none), m_bridges(2 * chains.count(), none) {}
+  ChainLinker(const Chains& chains, const ChainPoints& points)
+      : m_chains(chains),
+        m_points(points),
+        m_next(2 * chains.count(), none),
+        m_bridges(2 * chains.count(), none) {}
 
   /// Returns false where one of the ends has been joined already.
   bool join(const LineEnd& a, const LineEnd& b) {
@@ -201,15 +209,17 @@ class ChainLinker {
     m_bridges[indexOf(b)] = 2 * std::size_t(segment) + 1;
   }
 
-  Chains take() {
+  DrawnChains take() {
     m_taken.resize(m_chains.count());
+    m_joined.chains.links.reserve(m_chains.links.size() + m_chains.count());
+    m_joined.points.points.reserve(m_points.points.size());
     for (std::size_t end = 0; end < m_next.size(); ++end)
       if (m_next[end] == none && !m_taken[end / 2])
         walk(end);
     for (std::size_t chain = 0; chain < m_taken.size(); ++chain)
       if (!m_taken[chain])
         walk(2 * chain);
-    m_joined.first.push_back(std::uint32_t(m_joined.links.size()));
+    m_joined.chains.first.push_back(std::uint32_t(m_joined.chains.links.size()));
     return std::move(m_joined);
   }
 
@@ -219,38 +229,62 @@ class ChainLinker {
   static std::size_t indexOf(const LineEnd& end) { return 2 * end.chain + (end.last ? 1 : 0); }
 
   /// Follows the line from that end of its first chain.
-  void walk(std::size_t start) {
-    m_joined.first.push_back(std::uint32_t(m_joined.links.size()));
-    for (std::size_t end = start; end != none && !m_taken[end / 2];) {
+  void walk(std::size_t beginning) {
+    std::vector<Chains::Link>& links = m_joined.chains.links;
+    std::vector<ChainPoints::Point>& points = m_joined.points.points;
+    m_joined.chains.first.push_back(std::uint32_t(links.size()));
+    const std::size_t first = points.size();
+    float length = 0.0f;
+    bool bridged = false;
+    for (std::size_t end = beginning; end != none && !m_taken[end / 2];) {
       const std::size_t chain = end / 2;
+      const bool reversed = end % 2 == 1;
       m_taken[chain] = true;
-      const std::uint32_t first = m_chains.first[chain];
-      const std::uint32_t last = m_chains.first[chain + 1];
-      for (std::uint32_t i = first; i < last; ++i) {
-        Chains::Link link = m_chains.links[end % 2 == 0 ? i : last - 1 - (i - first)];
-        link.reversed = link.reversed != (end % 2 == 1);
-        m_joined.links.push_back(link);
+      const std::span<const ChainPoints::Point> own = m_points.of(m_chains, chain);
+      for (std::size_t i = 0; i + 1 < own.size(); ++i) {
+        Chains::Link link =
+            m_chains.links[m_chains.first[chain] + (reversed ? own.size() - 2 - i : i)];
+        link.reversed = link.reversed != reversed;
+        links.push_back(link);
       }
+      const ChainPoints::Point& start = reversed ? own.back() : own.front();
+      if (bridged)
+        length += glm::distance(points.back().pixel, start.pixel);
+      // Without a bridge it is where the chain before ends.
+      if (bridged || points.size() == first)
+        points.push_back(start);
+      for (std::size_t i = 1; i < own.size(); ++i)
+        points.push_back(own[reversed ? own.size() - 1 - i : i]);
+      length += m_points.lengths[chain];
       const std::size_t out = end ^ 1u;
-      if (const std::size_t bridge = m_bridges[out]; bridge != none)
-        m_joined.links.push_back({std::uint32_t(bridge / 2), bridge % 2 == 1});
+      bridged = m_bridges[out] != none;
+      if (bridged)
+        links.push_back({std::uint32_t(m_bridges[out] / 2), m_bridges[out] % 2 == 1});
       end = m_next[out];
     }
+    if (bridged) {
+      const ChainPoints::Point start = points[first];
+      length += glm::distance(points.back().pixel, start.pixel);
+      points.push_back(start);
+    }
+    m_joined.points.lengths.push_back(length);
   }
 
   const Chains& m_chains;
+  const ChainPoints& m_points;
   std::vector<std::size_t> m_next;     ///< the end that each goes on to
   std::vector<std::size_t> m_bridges;  ///< twice the segment between, one more where its b is there
   std::vector<bool> m_taken;
-  Chains m_joined;
+  DrawnChains m_joined;
 };
 
 }  // namespace
 
-Chains joinedChains(std::vector<Segment>& segments, const PictureView& view) {
+DrawnChains joinedChains(std::vector<Segment>& segments, const PictureView& view) {
   const Chains chains = connectedChains(segments);
-  const std::vector<LineEnd> ends = EndFinder(segments, chains, view).ends();
-  ChainLinker linker(chains);
+  const ChainPoints points = pointsInPicture(chains, segments, view);
+  const std::vector<LineEnd> ends = EndFinder(chains, points, view).ends(segments);
+  ChainLinker linker(chains, points);
   for (const Pair& pair : pairsOf(ends, segments, view)) {
     const LineEnd& a = ends[pair.a];
     const LineEnd& b = ends[pair.b];

@@ -2,6 +2,8 @@
 #include "render/strokes/line_joints.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -14,33 +16,44 @@ namespace {
 // theirs.
 constexpr float opacityError = 0.03f;
 
+constexpr std::size_t numbers = 8;
+static_assert(sizeof(JointPoint) == numbers * sizeof(float));
+
 /// Holds what lies between two points of a curve against the straight piece between them.
 class Piece {
  public:
   Piece(const JointPoint& a, const JointPoint& b, const JointLimits& limits)
-      : m_a(a), m_b(b), m_limits(limits), m_way(b.drawn - a.drawn) {
-    m_perLength2 = 1.0f / std::max(glm::dot(m_way, m_way), 1e-12f);
+      : m_a(std::bit_cast<Numbers>(a)),
+        m_limits(limits),
+        m_start(a.drawn),
+        m_way(b.drawn - a.drawn),
+        m_perLength2(1.0f / std::max(glm::dot(m_way, m_way), 1e-12f)) {
+    const auto end = std::bit_cast<Numbers>(b);
+    for (std::size_t i = 0; i < numbers; ++i)
+      m_change[i] = end[i] - m_a[i];
   }
 
   bool standsFor(const JointPoint& p) const {
-    const glm::vec2 from = p.drawn - m_a.drawn;
-    const float t = std::clamp(glm::dot(from, m_way) * m_perLength2, 0.0f, 1.0f);
-    return within(from - t * m_way, m_limits.drawn) &&
-           within(p.line - glm::mix(m_a.line, m_b.line, t), m_limits.line) &&
-           std::abs(p.depth - glm::mix(m_a.depth, m_b.depth, t)) <= m_limits.depth &&
-           std::abs(p.width - glm::mix(m_a.width, m_b.width, t)) <= m_limits.drawn &&
-           std::abs(p.opacity - glm::mix(m_a.opacity, m_b.opacity, t)) <= opacityError &&
-           std::abs(p.entry - glm::mix(m_a.entry, m_b.entry, t)) <= opacityError;
+    const float t = std::clamp(glm::dot(p.drawn - m_start, m_way) * m_perLength2, 0.0f, 1.0f);
+    // All numbers of the point at once: how far they are from what the piece says there.
+    const auto own = std::bit_cast<Numbers>(p);
+    Numbers off;
+    for (std::size_t i = 0; i < numbers; ++i)
+      off[i] = std::abs(own[i] - (m_a[i] + t * m_change[i]));
+    const auto [drawnX, drawnY, lineX, lineY, depth, width, opacity, entry] = off;
+    return (drawnX * drawnX + drawnY * drawnY <= m_limits.drawn * m_limits.drawn) &
+           (lineX * lineX + lineY * lineY <= m_limits.line * m_limits.line) &
+           (depth <= m_limits.depth) & (width <= m_limits.drawn) & (opacity <= opacityError) &
+           (entry <= opacityError);
   }
 
  private:
-  static bool within(const glm::vec2& off, float limit) {
-    return glm::dot(off, off) <= limit * limit;
-  }
+  using Numbers = std::array<float, numbers>;
 
-  const JointPoint& m_a;
-  const JointPoint& m_b;
+  Numbers m_a;
+  Numbers m_change;
   const JointLimits& m_limits;
+  glm::vec2 m_start;
   glm::vec2 m_way;
   float m_perLength2;
 };

@@ -26,6 +26,8 @@ class PictureView {
   const model::EyePoint& eye() const { return m_eye; }
   /// Returns the position and 1, or for a parallel projection the direction and 0.
   glm::vec4 eyeVector() const { return {m_eye.value, m_eye.atInfinity ? 0.0f : 1.0f}; }
+  /// Returns the matrix from the patient's to the camera's frame.
+  const glm::mat4& viewMatrix() const { return m_view; }
   const glm::mat4& viewProjection() const { return m_viewProjection; }
   /// Returns the projection matrix' [2][2], [3][2], [2][3] and [3][3].
   const glm::vec4& depthTerms() const { return m_depthTerms; }

@@ -2,6 +2,7 @@
 #include "render/strokes/stroke_maker.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
@@ -10,6 +11,19 @@
 namespace sline::render {
 
 namespace {
+
+constexpr std::uint32_t depthBits = 0x7fffffffu;
+
+/// Tells, quickly, that a stroke lies within an area for sure.
+bool liesWithin(const Stroke& s, const PixelRect& area) {
+  const auto size = [](const glm::vec2& v) { return std::abs(v.x) + std::abs(v.y); };
+  const float reach =
+      2.0f * std::max(s.halfWidthA, s.halfWidthB) + 2.5f + std::max(size(s.moveA), size(s.moveB));
+  const glm::vec2 low = glm::min(s.a, s.b) - reach;
+  const glm::vec2 high = glm::max(s.a, s.b) + reach;
+  return low.x > float(area.x) && low.y > float(area.y) && high.x < float(area.right()) &&
+         high.y < float(area.top());
+}
 
 /// Returns the middle of the pen at an end.
 glm::vec2 penAt(const Stroke& s, bool atB) {
@@ -42,24 +56,21 @@ float capAtBend(const Stroke& before, const Stroke& s) {
 }  // namespace
 
 std::vector<Stroke> StrokeMaker::take() {
-  struct Place {
-    float depth;  ///< twice the mean
-    bool contour;
-    std::uint32_t index;
-  };
-  std::vector<Place> places;
+  // Numbers in the order of drawing: whether it is a contour, then the depth from far to near,
+  // whose bits rise with it as it is not negative, then the stroke.
+  std::vector<std::uint64_t> places;
   places.reserve(m_strokes.size());
-  for (const Stroke& s : m_strokes)
-    places.push_back({s.depthA + s.depthB, isContour(s), std::uint32_t(places.size())});
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
-    if (a.contour != b.contour)
-      return b.contour;
-    return a.depth != b.depth ? a.depth > b.depth : a.index < b.index;
-  });
+  for (const Stroke& s : m_strokes) {
+    const auto near =
+        ~std::bit_cast<std::uint32_t>(std::max(s.depthA + s.depthB, 0.0f)) & depthBits;
+    places.push_back(std::uint64_t(isContour(s)) << 63 | std::uint64_t(near) << 32 |
+                     std::uint64_t(places.size()));
+  }
+  std::sort(places.begin(), places.end());
   std::vector<Stroke> sorted;
   sorted.reserve(places.size());
-  for (const Place& place : places)
-    sorted.push_back(m_strokes[place.index]);
+  for (const std::uint64_t place : places)
+    sorted.push_back(m_strokes[std::uint32_t(place)]);
   m_strokes.clear();
   return sorted;
 }
@@ -114,7 +125,7 @@ void StrokeMaker::finish(Stroke& stroke, const Pen& a, const Pen& b) {
   stroke.opacityA = a.opacity;
   stroke.opacityB = b.opacity;
   if (!(std::max(a.opacity, b.opacity) > 0.004f) ||
-      intersection(strokeBounds(stroke), m_area).empty())
+      (!liesWithin(stroke, m_area) && intersection(strokeBounds(stroke), m_area).empty()))
     return;
   if (!m_strokes.empty() && goesOn(m_strokes.back(), stroke))
     m_strokes.back().capB = stroke.capA = capAtBend(m_strokes.back(), stroke);

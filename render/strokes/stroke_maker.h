@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -42,7 +43,7 @@ inline bool isContour(const Stroke& stroke) {
 class StrokeMaker {
  public:
   StrokeMaker(const model::Surface& surface, const PictureView& view, const PixelRect& area)
-      : m_surface(surface), m_view(view), m_area(area) {}
+      : m_surface(surface), m_view(view), m_area(area), m_to(seen({}, {}, {})) {}
 
   /// Returns the strokes. Contours come last, as they are drawn in another way; each kind is sorted
   /// by depth, so that where strokes of a layer cross the nearest depth is written last; equal
@@ -54,8 +55,8 @@ class StrokeMaker {
     Stroke stroke;
     if (!place(s, stroke))
       return;
-    stroke.outwardA = m_view.projectedDirection(s.a, s.normalA);
-    stroke.outwardB = m_view.projectedDirection(s.b, s.normalB);
+    stroke.outwardA = outwardAt(m_from);
+    stroke.outwardB = outwardAt(m_to);
     stroke.kind = StrokeKind::contour;
     stroke.innerShare = inner;
     stroke.tolerance = 0.5f * m_surface.meanEdge + 1e-3f * m_surface.filigreeSize;
@@ -95,9 +96,9 @@ class StrokeMaker {
     Stroke stroke;
     if (!place(s, stroke))
       return;
-    stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
-                       1.5f * m_view.millimetresPerPixel(s.a) *
-                           std::max(slope(s.a, s.normalA), slope(s.b, s.normalB));
+    stroke.tolerance =
+        0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
+        1.5f * m_view.millimetresPerPixel(s.a) * std::max(slopeAt(m_from), slopeAt(m_to));
     const auto pen = [](const LineEnd& end, float fade, float rank, float pressure) {
       const float share = entered(end.t, rank);
       const float full = end.pen.width * pressure * (0.45f + 0.55f * fade);
@@ -148,18 +149,45 @@ class StrokeMaker {
   /// width.
   std::size_t farthestChord(std::span<const HatchPoint> points, std::size_t from) const;
 
-  bool place(const Segment& s, Stroke& stroke) const {
-    if (!place(s.a, s.b, stroke))
-      return false;
-    if (s.moveA != glm::vec3(0.0f))
-      stroke.moveA = m_view.project(s.a + s.moveA).pixel - stroke.a;
-    if (s.moveB != glm::vec3(0.0f))
-      stroke.moveB = m_view.project(s.b + s.moveB).pixel - stroke.b;
-    return true;
+  /// The end of a segment as it is seen. What is not needed of all is found when it is asked for.
+  struct SeenEnd {
+    glm::vec3 place{0.0f};
+    glm::vec3 normal{0.0f};
+    glm::vec3 move{0.0f};
+    PictureView::Point at{};
+    glm::vec2 moved{0.0f};
+    std::optional<glm::vec2> outward;
+    std::optional<float> slope;
+  };
+
+  SeenEnd seen(const glm::vec3& at, const glm::vec3& normal, const glm::vec3& move) const {
+    SeenEnd end{.place = at, .normal = normal, .move = move, .at = m_view.project(at)};
+    if (move != glm::vec3(0.0f))
+      end.moved = m_view.project(at + move).pixel - end.at.pixel;
+    return end;
   }
 
-  bool place(const glm::vec3& from, const glm::vec3& to, Stroke& stroke) const {
-    return place(m_view.project(from), m_view.project(to), stroke);
+  const glm::vec2& outwardAt(SeenEnd& end) const {
+    if (!end.outward)
+      end.outward = m_view.projectedDirection(end.place, end.normal);
+    return *end.outward;
+  }
+  float slopeAt(SeenEnd& end) const {
+    if (!end.slope)
+      end.slope = slope(end.place, end.normal);
+    return *end.slope;
+  }
+
+  /// Looks at a segment's ends; it mostly begins where the one before it ends.
+  bool place(const Segment& s, Stroke& stroke) {
+    if (s.a == m_to.place && s.normalA == m_to.normal && s.moveA == m_to.move)
+      m_from = m_to;
+    else
+      m_from = seen(s.a, s.normalA, s.moveA);
+    m_to = seen(s.b, s.normalB, s.moveB);
+    stroke.moveA = m_from.moved;
+    stroke.moveB = m_to.moved;
+    return place(m_from.at, m_to.at, stroke);
   }
 
   static bool place(const PictureView::Point& a, const PictureView::Point& b, Stroke& stroke) {
@@ -186,6 +214,8 @@ class StrokeMaker {
   const PictureView& m_view;
   PixelRect m_area;
   std::vector<Stroke> m_strokes;
+  SeenEnd m_from;  ///< of the segment in work
+  SeenEnd m_to;
   std::vector<PictureView::Point> m_seen;  ///< the points of the hatching stroke in work
 };
 

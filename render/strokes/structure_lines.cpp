@@ -40,6 +40,8 @@ constexpr float simplification = 0.1f;
 constexpr float longestStroke = 16.0f;
 // Pieces of curves are shorter: they enter as a whole as Γ grows, and long ones are seen to jump.
 constexpr float longestPiece = 5.0f;
+// No pen reaches farther into the picture, λ.
+constexpr float outsideReach = 100.0f;
 // And at most this many off the place where it is looked up whether something hides the line; in
 // depth by half of what that forgives (StrokeMaker), in edges of triangles.
 constexpr float lookUpError = 0.5f;
@@ -144,12 +146,18 @@ LineSet linesOf(PreparedSurface& prepared, const PictureView& view,
           scaled.thresholds.set(technique.kind, i,
                                 shape.threshold * request.thresholds.of(technique.kind, i));
     LineSet found = extractLines(*shape.surface, view.camera(), scaled);
-    for (const LineTechnique& technique : lineTechniques())
-      for (Segment& s : found[technique.kind]) {
+    for (const LineTechnique& technique : lineTechniques()) {
+      std::vector<Segment>& here = found[technique.kind];
+      for (Segment& s : here) {
         s.opacityA *= shape.share;
         s.opacityB *= shape.share;
-        lines[technique.kind].push_back(s);
       }
+      std::vector<Segment>& all = lines[technique.kind];
+      if (all.empty())
+        all = std::move(here);
+      else
+        all.insert(all.end(), here.begin(), here.end());
+    }
   }
   return lines;
 }
@@ -191,6 +199,25 @@ void cutLines(const SectionedSurface& cut, StructureLines& drawn) {
     outlines.insert(outlines.end(), face.outline.begin(), face.outline.end());
 }
 
+namespace {
+
+/// Tells whether a line lies so far beyond one side of the picture that nothing of it can be seen.
+bool liesOutside(std::span<const ChainPoints::Point> points, const PictureView& view) {
+  const float margin = outsideReach * view.outputUnit();
+  glm::vec2 low(std::numeric_limits<float>::infinity());
+  glm::vec2 high = -low;
+  for (const ChainPoints::Point& point : points) {
+    if (!(point.w > 0.0f))
+      return false;
+    low = glm::min(low, point.pixel);
+    high = glm::max(high, point.pixel);
+  }
+  return low.x > view.size().x + margin || low.y > view.size().y + margin || high.x < -margin ||
+         high.y < -margin;
+}
+
+}  // namespace
+
 void joinLines(const model::Surface& surface, const PictureView& view,
                const model::ResolvedStyle& style, const glm::vec3& light, StructureLines& drawn) {
   const float pixel = view.millimetresPerPixel(surface.boundingSphere.centre);
@@ -202,10 +229,16 @@ void joinLines(const model::Surface& surface, const PictureView& view,
       technique.rank(segments, surface, view.camera(), rankingTime(technique, style));
     if (!(pixel > 0.0f))
       return;
-    Chains chains = technique.pen != LinePen::cutEdge && technique.joined
-                        ? joinedChains(segments, view)
-                        : connectedChains(segments);
-    std::vector<float> lengths = lengthsInPicture(chains, segments, view);
+    DrawnChains drawnChains;
+    if (technique.pen != LinePen::cutEdge && technique.joined) {
+      drawnChains = joinedChains(segments, view);
+    } else {
+      drawnChains.chains = connectedChains(segments);
+      drawnChains.points = pointsInPicture(drawnChains.chains, segments, view);
+    }
+    const Chains& chains = drawnChains.chains;
+    const ChainPoints& points = drawnChains.points;
+    std::vector<float>& lengths = drawnChains.points.lengths;
     // The longest outline stays, as it may be all there is of a structure.
     if (technique.bounds && !lengths.empty())
       *std::max_element(lengths.begin(), lengths.end()) = std::numeric_limits<float>::max();
@@ -213,6 +246,12 @@ void joinLines(const model::Surface& surface, const PictureView& view,
     if (shortest > 0.0f)
       fadeShortChains(segments, chains, lengths,
                       {technique.specks.shortest * shortest, technique.specks.whole * shortest});
+    // Fills are softened along faded outlines, too.
+    const float faded = technique.bounds && showsEdges(style) ? 0.0f : technique.specks.shortest;
+    leaveOut(drawnChains, [&](std::size_t chain) {
+      return (shortest > 0.0f && lengths[chain] <= faded * shortest) ||
+             liesOutside(points.of(chains, chain), view);
+    });
     if (technique.pen != LinePen::cutEdge) {
       CurveSettings settings{.smoothing = style.lineSmoothing,
                              .variation = style.lineVariation,
@@ -222,7 +261,8 @@ void joinLines(const model::Surface& surface, const PictureView& view,
                              .light = light,
                              .pixel = pixel};
       if (technique.bounds && style.hiddenLines == model::HiddenLines::dashed) {
-        const std::vector<Segment> dashes = dashed(curved(segments, chains, view, settings), view);
+        const std::vector<Segment> dashes =
+            dashed(curved(segments, chains, points, view, settings), view);
         drawn.dashes = simplified(dashes, connectedChains(dashes), simplification * pixel,
                                   longestStroke * pixel);
       }
@@ -232,7 +272,7 @@ void joinLines(const model::Surface& surface, const PictureView& view,
           .depth = simplification * pixel +
                    (settings.outline ? outlineDepthError : lineDepthError) * surface.meanEdge,
           .longest = longestPiece};
-      segments = curved(segments, chains, view, settings);
+      segments = curved(segments, chains, points, view, settings);
     } else {
       segments = simplified(segments, chains, simplification * pixel, longestStroke * pixel);
     }

@@ -69,7 +69,7 @@ class ClustersTest : public QObject {
             .value());
     const auto surface = model::prepareSurface(test::together(*front, *back));
     for (const model::Cluster& cluster : surface->clusters.items)
-      QVERIFY(cluster.coneCosine > 0.5f);
+      QVERIFY(cluster.cone.cosine > 0.5f);
   }
 
   // Triangles that are no candidates are convex or concave at all corners, and what clusters keep

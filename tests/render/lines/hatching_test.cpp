@@ -209,7 +209,7 @@ class HatchingTest : public QObject {
     QVERIFY(tube.hatched(camera, {.twoSided = false}).strokes.size() < hatching.strokes.size());
   }
 
-  void runsNameTheClustersOfPoints() {
+  void rowsSayWhatTheSurfaceIs() {
     const auto surface =
         model::prepareSurface(std::make_shared<const model::Mesh>(*test::torus(24, 8, 90, 40)));
     render::StrokeLayout layout(surface, 10.0f);
@@ -218,20 +218,50 @@ class HatchingTest : public QObject {
     for (const render::LaidCell& cell :
          layout.cellsNear(layout.firstLevel() + 5, surface->boundingSphere)) {
       const auto tile = layout.tile(cell);
-      QCOMPARE(tile->positions.size(), tile->points.size());
       for (const render::LaidStroke& stroke : tile->strokes) {
-        std::size_t run = stroke.firstRun;
-        for (std::uint32_t i = stroke.first; i < stroke.first + stroke.count; ++i, ++points) {
-          if (i == tile->runs[run].end)
-            ++run;
-          const model::Cluster& cluster = surface->clusters.items[tile->runs[run].cluster];
-          QVERIFY(tile->points[i].slot - cluster.firstTriangle < cluster.triangleCount);
-          QCOMPARE(tile->positions[i], layout.position(tile->points[i]));
+        for (std::uint32_t i = 0; i < stroke.count; ++i, ++points) {
+          const render::LaidPoint& point = tile->points[stroke.first + i];
+          QCOMPARE(tile->position(stroke, i), layout.position(point));
+          const glm::vec3 normal =
+              glm::normalize(render::valueAt(*surface->mesh, surface->normals, layout.at(point)));
+          QVERIFY(glm::distance(tile->normal(stroke, i), normal) < 1e-4f);
+          QVERIFY(glm::dot(tile->normal(stroke, i), stroke.cone.axis) >= stroke.cone.cosine);
+          // Across the tube the curvature is 1/8.
+          const glm::vec3 p = tile->position(stroke, i);
+          const glm::vec3 outwards = glm::normalize(glm::vec3(p.x, p.y, 0.0f));
+          const glm::vec3 across = glm::cross(normal, glm::cross(normal, outwards));
+          if (glm::length(across) < 0.1f)
+            continue;
+          const glm::vec3 d = glm::normalize(across);
+          const auto s = [&](std::size_t k) {
+            return stroke.bendingStep * float(tile->shapeRow(stroke, 3 + k)[i]);
+          };
+          const float bending = s(0) * d.x * d.x + s(3) * d.y * d.y + s(5) * d.z * d.z +
+                                2.0f * (s(1) * d.x * d.y + s(2) * d.x * d.z + s(4) * d.y * d.z);
+          QVERIFY(std::abs(bending - 0.125f) < 0.004f);
         }
-        QCOMPARE(tile->runs[run].end, stroke.first + stroke.count);
+        const float* x = tile->positionRow(stroke, 0);
+        for (std::uint32_t i = stroke.count; i < stroke.rowLength(); ++i)
+          QCOMPARE(x[i], x[stroke.count - 1]);
       }
     }
     QVERIFY(points > 100);
+  }
+
+  void cellsAreFoundFromCoarserOnes() {
+    const auto surface =
+        model::prepareSurface(std::make_shared<const model::Mesh>(*test::torus(24, 8, 90, 40)));
+    render::StrokeLayout layout(surface, 10.0f);
+    for (const render::KeptCell* coarse : layout.coarsest())
+      for (const render::KeptCell* cell : layout.finer(*coarse)) {
+        const model::Box reached = layout.reached(cell->cell);
+        std::vector<std::uint32_t> clusters;
+        for (std::uint32_t c = 0; c < surface->clusters.items.size(); ++c)
+          if (render::touches(surface->clusters.items[c].bounds, reached))
+            clusters.push_back(c);
+        QCOMPARE(cell->clusters, clusters);
+        QVERIFY(!clusters.empty());
+      }
   }
 
   void sameEveryTime() {

@@ -219,7 +219,7 @@ class LineCurvesTest : public QObject {
     };
     const auto chains = [](std::vector<Segment> one, const std::vector<Segment>& other) {
       one.insert(one.end(), other.begin(), other.end());
-      return joinedChains(one, frontView()).count();
+      return joinedChains(one, frontView()).chains.count();
     };
     const float unit = 1.0f / perMm();
     QCOMPARE(chains(row(-20, 0), row(1.5f * unit, 20)), std::size_t(1));

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lets loops that work on many numbers use registers of eight numbers where the processor has them;
+// programs run on all others, too. Results are the same to the last bit: multiplications and
+// additions are not fused.
+#pragma once
+
+/// Stands before a function, no template, with such loops; what it calls must be inlined.
+#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
+#define SLINE_WIDE_LOOPS __attribute__((target_clones("avx2", "default")))
+#else
+#define SLINE_WIDE_LOOPS
+#endif
