@@ -2133,10 +2133,6 @@
         <translation>Titel der Seite</translation>
     </message>
     <message>
-        <source>Else the file&apos;s name</source>
-        <translation>Sonst der Name der Datei</translation>
-    </message>
-    <message>
         <source>Languages</source>
         <translation>Sprachen</translation>
     </message>
@@ -2171,6 +2167,10 @@
     <message>
         <source>The share of right answers that the learning system takes as passed</source>
         <translation>Der Anteil richtiger Antworten, den die Lernplattform als bestanden wertet</translation>
+    </message>
+    <message>
+        <source>Else what the group that holds all is called, or where there is none the file</source>
+        <translation>Sonst, wie die Gruppe heißt, die alles enthält, oder ohne eine solche die Datei</translation>
     </message>
 </context>
 <context>
@@ -5043,6 +5043,10 @@
             <numerusform>Höchstens %n Frage mit Bild.</numerusform>
             <numerusform>Höchstens %n Fragen mit Bildern.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>No name of a structure can be read in the file; answers are there as checksums. No paths, user names, dates or patient data are.</source>
+        <translation>Kein Name einer Struktur ist in der Datei lesbar; Antworten stehen als Prüfsummen darin. Pfade, Benutzernamen, Daten und Patientendaten nicht.</translation>
     </message>
 </context>
 <context>

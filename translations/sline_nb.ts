@@ -2133,10 +2133,6 @@
         <translation>Sidens tittel</translation>
     </message>
     <message>
-        <source>Else the file&apos;s name</source>
-        <translation>Ellers filens navn</translation>
-    </message>
-    <message>
         <source>Languages</source>
         <translation>Språk</translation>
     </message>
@@ -2171,6 +2167,10 @@
     <message>
         <source>The share of right answers that the learning system takes as passed</source>
         <translation>Andelen riktige svar som læringssystemet regner som bestått</translation>
+    </message>
+    <message>
+        <source>Else what the group that holds all is called, or where there is none the file</source>
+        <translation>Ellers det gruppen heter som inneholder alt, eller filen der det ikke er noen</translation>
     </message>
 </context>
 <context>
@@ -5043,6 +5043,10 @@
             <numerusform>Høyst %n spørsmål med bilde.</numerusform>
             <numerusform>Høyst %n spørsmål med bilder.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>No name of a structure can be read in the file; answers are there as checksums. No paths, user names, dates or patient data are.</source>
+        <translation>Ingen navn på strukturer kan leses i filen; svar står der som kontrollsummer. Det gjør ikke stier, brukernavn, datoer eller pasientdata.</translation>
     </message>
 </context>
 <context>
