@@ -6861,6 +6861,10 @@ OpenGL: %3</translation>
         <source>**bold** (%1), *italic* (%2); lines that begin with “- ” are a list</source>
         <translation>**fett** (%1), *kursiv* (%2); Zeilen, die mit „- “ beginnen, werden eine Liste</translation>
     </message>
+    <message>
+        <source>In presentations and on students&apos; pages [ureter](#structure=left ureter) lights that structure up, and [from behind](#view=2) goes to a view</source>
+        <translation>Beim Vorführen und auf Seiten für Studierende hebt [Harnleiter](#structure=linker Harnleiter) diese Struktur hervor, und [von hinten](#view=2) geht zu einer Ansicht</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::LabelTool</name>

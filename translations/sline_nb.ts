@@ -6861,6 +6861,10 @@ OpenGL: %3</translation>
         <source>**bold** (%1), *italic* (%2); lines that begin with “- ” are a list</source>
         <translation>**fet** (%1), *kursiv* (%2); linjer som begynner med «- », blir en liste</translation>
     </message>
+    <message>
+        <source>In presentations and on students&apos; pages [ureter](#structure=left ureter) lights that structure up, and [from behind](#view=2) goes to a view</source>
+        <translation>I presentasjoner og på sider for studenter løfter [urinleder](#structure=venstre urinleder) fram den strukturen, og [bakfra](#view=2) går til en visning</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::LabelTool</name>

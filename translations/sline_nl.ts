@@ -6861,6 +6861,10 @@ OpenGL: %3</translation>
         <source>**bold** (%1), *italic* (%2); lines that begin with “- ” are a list</source>
         <translation>**vet** (%1), *cursief* (%2); regels die met ‘- ’ beginnen, worden een lijst</translation>
     </message>
+    <message>
+        <source>In presentations and on students&apos; pages [ureter](#structure=left ureter) lights that structure up, and [from behind](#view=2) goes to a view</source>
+        <translation>In presentaties en op pagina’s voor studenten licht [urineleider](#structure=linker urineleider) die structuur op, en gaat [van achteren](#view=2) naar een aanzicht</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::LabelTool</name>
