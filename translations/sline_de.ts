@@ -2133,10 +2133,6 @@
         <translation>Titel der Seite</translation>
     </message>
     <message>
-        <source>Else the file&apos;s name</source>
-        <translation>Sonst der Name der Datei</translation>
-    </message>
-    <message>
         <source>Languages</source>
         <translation>Sprachen</translation>
     </message>
@@ -2171,6 +2167,10 @@
     <message>
         <source>The share of right answers that the learning system takes as passed</source>
         <translation>Der Anteil richtiger Antworten, den die Lernplattform als bestanden wertet</translation>
+    </message>
+    <message>
+        <source>Else what the group that holds all is called, or where there is none the file</source>
+        <translation>Sonst, wie die Gruppe heißt, die alles enthält, oder ohne eine solche die Datei</translation>
     </message>
 </context>
 <context>
@@ -5044,6 +5044,10 @@
             <numerusform>Höchstens %n Fragen mit Bildern.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No name of a structure can be read in the file; answers are there as checksums. No paths, user names, dates or patient data are.</source>
+        <translation>Kein Name einer Struktur ist in der Datei lesbar; Antworten stehen als Prüfsummen darin. Pfade, Benutzernamen, Daten und Patientendaten nicht.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -6856,6 +6860,10 @@ OpenGL: %3</translation>
     <message>
         <source>**bold** (%1), *italic* (%2); lines that begin with “- ” are a list</source>
         <translation>**fett** (%1), *kursiv* (%2); Zeilen, die mit „- “ beginnen, werden eine Liste</translation>
+    </message>
+    <message>
+        <source>In presentations and on students&apos; pages [ureter](#structure=left ureter) lights that structure up, and [from behind](#view=2) goes to a view</source>
+        <translation>Beim Vorführen und auf Seiten für Studierende hebt [Harnleiter](#structure=linker Harnleiter) diese Struktur hervor, und [von hinten](#view=2) geht zu einer Ansicht</translation>
     </message>
 </context>
 <context>

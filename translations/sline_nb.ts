@@ -2133,10 +2133,6 @@
         <translation>Sidens tittel</translation>
     </message>
     <message>
-        <source>Else the file&apos;s name</source>
-        <translation>Ellers filens navn</translation>
-    </message>
-    <message>
         <source>Languages</source>
         <translation>Språk</translation>
     </message>
@@ -2171,6 +2167,10 @@
     <message>
         <source>The share of right answers that the learning system takes as passed</source>
         <translation>Andelen riktige svar som læringssystemet regner som bestått</translation>
+    </message>
+    <message>
+        <source>Else what the group that holds all is called, or where there is none the file</source>
+        <translation>Ellers det gruppen heter som inneholder alt, eller filen der det ikke er noen</translation>
     </message>
 </context>
 <context>
@@ -5044,6 +5044,10 @@
             <numerusform>Høyst %n spørsmål med bilder.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No name of a structure can be read in the file; answers are there as checksums. No paths, user names, dates or patient data are.</source>
+        <translation>Ingen navn på strukturer kan leses i filen; svar står der som kontrollsummer. Det gjør ikke stier, brukernavn, datoer eller pasientdata.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -6856,6 +6860,10 @@ OpenGL: %3</translation>
     <message>
         <source>**bold** (%1), *italic* (%2); lines that begin with “- ” are a list</source>
         <translation>**fet** (%1), *kursiv* (%2); linjer som begynner med «- », blir en liste</translation>
+    </message>
+    <message>
+        <source>In presentations and on students&apos; pages [ureter](#structure=left ureter) lights that structure up, and [from behind](#view=2) goes to a view</source>
+        <translation>I presentasjoner og på sider for studenter løfter [urinleder](#structure=venstre urinleder) fram den strukturen, og [bakfra](#view=2) går til en visning</translation>
     </message>
 </context>
 <context>

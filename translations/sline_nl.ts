@@ -2133,10 +2133,6 @@
         <translation>Titel van de pagina</translation>
     </message>
     <message>
-        <source>Else the file&apos;s name</source>
-        <translation>Anders de naam van het bestand</translation>
-    </message>
-    <message>
         <source>Languages</source>
         <translation>Talen</translation>
     </message>
@@ -2171,6 +2167,10 @@
     <message>
         <source>The share of right answers that the learning system takes as passed</source>
         <translation>Het deel goede antwoorden dat de leeromgeving als geslaagd telt</translation>
+    </message>
+    <message>
+        <source>Else what the group that holds all is called, or where there is none the file</source>
+        <translation>Anders hoe de groep heet die alles bevat, of het bestand als er geen is</translation>
     </message>
 </context>
 <context>
@@ -5044,6 +5044,10 @@
             <numerusform>Hoogstens %n vragen met afbeeldingen.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No name of a structure can be read in the file; answers are there as checksums. No paths, user names, dates or patient data are.</source>
+        <translation>Geen naam van een structuur is in het bestand te lezen; antwoorden staan er als controlegetallen in. Paden, gebruikersnamen, datums en patiëntgegevens niet.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -6856,6 +6860,10 @@ OpenGL: %3</translation>
     <message>
         <source>**bold** (%1), *italic* (%2); lines that begin with “- ” are a list</source>
         <translation>**vet** (%1), *cursief* (%2); regels die met ‘- ’ beginnen, worden een lijst</translation>
+    </message>
+    <message>
+        <source>In presentations and on students&apos; pages [ureter](#structure=left ureter) lights that structure up, and [from behind](#view=2) goes to a view</source>
+        <translation>In presentaties en op pagina’s voor studenten licht [urineleider](#structure=linker urineleider) die structuur op, en gaat [van achteren](#view=2) naar een aanzicht</translation>
     </message>
 </context>
 <context>

@@ -15,6 +15,7 @@ struct ShownByte {
   std::size_t source = 0;
   char byte = 0;
   LetterStyle style;
+  std::optional<std::size_t> link;  ///< its place among the line's links
   bool selected = false;
 
   bool blank() const { return isMarkupBlank(byte); }
@@ -33,14 +34,25 @@ std::vector<ShownByte> shownBytes(std::string_view text, const MarkupLine& line)
   std::vector<ShownByte> shown;
   for (const MarkupSpan& span : line.spans)
     for (std::size_t i = span.begin; i < span.end; ++i)
-      shown.push_back({.source = i, .byte = text[i], .style = span.style});
+      shown.push_back({.source = i, .byte = text[i], .style = span.style, .link = span.link});
   return shown;
 }
 
-bool sameWords(const std::vector<ShownByte>& a, const std::vector<ShownByte>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const ShownByte& x, const ShownByte& y) {
-                      return x.byte == y.byte && (x.blank() || x.style == y.style);
+/// Holds a line's words and where they lead.
+struct LineWords {
+  const std::vector<ShownByte>& shown;
+  const std::vector<MarkupLink>& links;
+
+  std::optional<MarkupLink> link(const ShownByte& byte) const {
+    return byte.link ? std::optional(links[*byte.link]) : std::nullopt;
+  }
+};
+
+bool sameWords(const LineWords& a, const LineWords& b) {
+  return std::equal(a.shown.begin(), a.shown.end(), b.shown.begin(), b.shown.end(),
+                    [&](const ShownByte& x, const ShownByte& y) {
+                      return x.byte == y.byte &&
+                             (x.blank() || (x.style == y.style && a.link(x) == b.link(y)));
                     });
 }
 
@@ -49,15 +61,19 @@ enum class Escapes { asTyped, all };
 /// Writes a line's words with markers for their styles.
 class LineWriter {
  public:
-  LineWriter(std::string_view text, const std::vector<ShownByte>& shown, Escapes escapes)
-      : m_text(text), m_shown(shown), m_escapes(escapes), m_lasts(shown.size()) {
+  LineWriter(std::string_view text, const LineWords& words, Escapes escapes)
+      : m_text(text),
+        m_shown(words.shown),
+        m_links(words.links),
+        m_escapes(escapes),
+        m_lasts(words.shown.size()) {
     // The marker of the style that lasts longer is the outer one.
-    std::size_t bold = shown.size();
-    std::size_t italic = shown.size();
-    for (std::size_t i = shown.size(); i-- > 0;) {
-      if (!shown[i].blank() && !shown[i].style.bold)
+    std::size_t bold = m_shown.size();
+    std::size_t italic = m_shown.size();
+    for (std::size_t i = m_shown.size(); i-- > 0;) {
+      if (!m_shown[i].blank() && !m_shown[i].style.bold)
         bold = i;
-      if (!shown[i].blank() && !shown[i].style.italic)
+      if (!m_shown[i].blank() && !m_shown[i].style.italic)
         italic = i;
       m_lasts[i] = {bold, italic};
     }
@@ -77,8 +93,7 @@ class LineWriter {
       if (!m_shown[i].blank())
         m_written += m_shown[i].byte;
     }
-    while (!m_open.empty())
-      close();
+    closeLink();
     return m_written + m_blanks;
   }
 
@@ -87,10 +102,16 @@ class LineWriter {
   /// next.
   void turnTo(std::size_t i) {
     LetterStyle style = m_shown[i].style;
+    const bool another = m_shown[i].link != m_link;
+    if (another)
+      closeLink();
     const auto lasts = [&](LetterMark mark) { return part(style, mark); };
     while (!std::all_of(m_open.begin(), m_open.end(), lasts))
       close();
     m_written += std::exchange(m_blanks, {});
+    if (another && m_shown[i].link)
+      m_written += '[';
+    m_link = m_shown[i].link;
     std::vector<LetterMark> come;
     for (const LetterMark mark : {LetterMark::bold, LetterMark::italic})
       if (lasts(mark) && std::find(m_open.begin(), m_open.end(), mark) == m_open.end())
@@ -108,17 +129,29 @@ class LineWriter {
     m_open.pop_back();
   }
 
+  /// Closes all markers and, where one is open, the link around them.
+  void closeLink() {
+    while (!m_open.empty())
+      close();
+    if (m_link)
+      m_written += ']' + writtenTarget(m_links[*m_link]);
+    m_link.reset();
+  }
+
   bool escaped(std::size_t i) const {
     const ShownByte& byte = m_shown[i];
     if (m_escapes == Escapes::all)
-      return byte.byte == '*' || byte.byte == '\\' || (byte.byte == '-' && i == 0);
+      return byte.byte == '*' || byte.byte == '[' || byte.byte == '\\' ||
+             (byte.byte == '-' && i == 0);
     const bool before = byte.source > 0 && m_text[byte.source - 1] == '\\';
     return before && (i == 0 || m_shown[i - 1].source + 1 != byte.source) &&
-           std::string_view("*-\\").find(byte.byte) != std::string_view::npos;
+           escapableSigns.find(byte.byte) != std::string_view::npos;
   }
 
   std::string_view m_text;
   const std::vector<ShownByte>& m_shown;
+  const std::vector<MarkupLink>& m_links;
+  std::optional<std::size_t> m_link;  ///< the one that is open
   Escapes m_escapes;
   std::vector<std::pair<std::size_t, std::size_t>> m_lasts;  ///< bold, italic: where it ends
   std::string m_written;
@@ -159,7 +192,7 @@ std::optional<Written> writtenLine(std::string_view text, const Line& line, Esca
   Written written;
   const std::size_t lead = line.parsed.content - line.parsed.begin;
   written.text = std::string(text.substr(line.parsed.begin, lead)) +
-                 LineWriter(text, line.shown, escapes).written(written.places);
+                 LineWriter(text, {line.shown, line.parsed.links}, escapes).written(written.places);
   for (std::size_t& place : written.places)
     place += lead;
   std::size_t tail = line.parsed.end;
@@ -168,7 +201,8 @@ std::optional<Written> writtenLine(std::string_view text, const Line& line, Esca
   written.text += text.substr(tail, line.parsed.end - tail);
   const std::vector<MarkupLine> again = parsedMarkup(written.text);
   if (again.size() != 1 || again.front().bullet != line.parsed.bullet ||
-      !sameWords(shownBytes(written.text, again.front()), line.shown))
+      !sameWords({shownBytes(written.text, again.front()), again.front().links},
+                 {line.shown, line.parsed.links}))
     return std::nullopt;
   return written;
 }

@@ -108,6 +108,25 @@ float farthestSample(const Mesh& mesh, const Bvh& from, float spacing) {
   return deviations(mesh, from, spacing, std::numeric_limits<float>::infinity()).most;
 }
 
+MeshPtr collapsed(const MeshPtr& mesh, float tolerance, const std::function<bool()>& goesOn) {
+  if (!(tolerance > 0.0f) || mesh->triangleCount() == 0)
+    return mesh;
+  const std::vector<float> tolerances(mesh->vertexCount(), tolerance);
+  Collapsed fewer = withEdgesCollapsed(*mesh, tolerances, goesOn);
+  if (fewer.triangles.empty() || fewer.triangles.size() >= mesh->triangleCount())
+    return mesh;
+  Result<Mesh> made = Mesh::create(std::move(fewer.positions), std::move(fewer.triangles));
+  return made.ok() ? std::make_shared<const Mesh>(std::move(*made)) : mesh;
+}
+
+float deviation(const MeshPtr& mesh, const MeshPtr& original) {
+  if (mesh == original || mesh->triangleCount() == 0)
+    return 0.0f;
+  const float spacing = meanEdgeLength(original->positions(), original->triangles());
+  const float out = farthestSample(*mesh, Bvh(original, spatialOrder(*original)), spacing);
+  return std::max(out, farthestSample(*original, Bvh(mesh, spatialOrder(*mesh)), spacing));
+}
+
 Simplified simplified(const MeshPtr& mesh, float bound, const std::function<bool()>& goesOn) {
   Simplified same{mesh, 0.0f};
   if (!(bound > 0.0f) || mesh->triangleCount() == 0)

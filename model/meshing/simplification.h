@@ -24,6 +24,14 @@ struct Simplified {
 /// with error 0 where no triangle could be removed or `goesOn` returned false.
 Simplified simplified(const MeshPtr& mesh, float bound, const std::function<bool()>& goesOn);
 
+/// Returns a mesh of fewer triangles as `simplified` first tries it: its vertices are off by
+/// `tolerance` (mm, root mean square) at most from the planes they stand for, but how far it lies
+/// off in all is not looked at, so it is several times as quick. It is the same mesh where no
+/// triangle could be removed or `goesOn` returned false.
+MeshPtr collapsed(const MeshPtr& mesh, float tolerance, const std::function<bool()>& goesOn);
+/// Returns the largest distance of either surface from the other, mm, as `simplified` measures it.
+float deviation(const MeshPtr& mesh, const MeshPtr& original);
+
 /// Returns the largest distance of samples of `mesh`, `spacing` mm apart, from the surface of
 /// `from`; infinite where that is empty and the mesh is not.
 float farthestSample(const Mesh& mesh, const Bvh& from, float spacing);

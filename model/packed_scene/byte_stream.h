@@ -7,13 +7,15 @@
 #include <string>
 #include <string_view>
 
+#include "model/base/number_codes.h"
+
 namespace sline::model::packing {
 
 class ByteWriter {
  public:
   void word(std::uint32_t value) {
-    for (int shift = 0; shift < 32; shift += 8)
-      m_bytes += char(value >> shift & 0xffu);
+    m_bytes.resize(m_bytes.size() + 4);
+    putWord(m_bytes.data() + m_bytes.size() - 4, value);
   }
   void real(float value) {
     std::uint32_t bits = 0;
@@ -56,10 +58,7 @@ class ByteReader {
   }
   std::uint32_t word() {
     const std::string_view bytes = raw(4);
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-      value |= std::uint32_t(static_cast<unsigned char>(bytes[i])) << (8 * i);
-    return value;
+    return bytes.size() == 4 ? wordAt(bytes, 0) : 0u;
   }
   float real() {
     const std::uint32_t bits = word();

@@ -68,13 +68,4 @@ class Expected {
   }
 };
 
-/// Maps small numbers of either sign to small unsigned numbers: 0, −1, 1, −2, … → 0, 1, 2, 3, …
-constexpr std::uint32_t zigzag(std::int32_t difference) {
-  const auto bits = std::uint32_t(difference);
-  return bits << 1 ^ (0u - (bits >> 31));
-}
-constexpr std::int32_t unzigzag(std::uint32_t code) {
-  return std::int32_t(code >> 1 ^ (0u - (code & 1u)));
-}
-
 }  // namespace sline::model::packing

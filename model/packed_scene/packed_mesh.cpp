@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "model/base/number_codes.h"
 #include "model/packed_scene/byte_stream.h"
 #include "model/packed_scene/mesh_walk.h"
 
@@ -117,7 +118,7 @@ class MeshPacker {
     m_at.push_back(at);
     glm::uvec3 difference{};
     for (int axis = 0; axis < 3; ++axis)
-      difference[axis] = packing::zigzag(at[axis] - expected[axis]);
+      difference[axis] = zigzag(std::uint32_t(at[axis] - expected[axis]));
     m_differences.push_back(difference);
   }
 
@@ -283,7 +284,7 @@ class MeshUnpacker {
         code |= std::uint32_t(static_cast<unsigned char>(
                     m_planes[(3 * plane + std::size_t(axis)) * m_vertices + i]))
                 << (8 * plane);
-      at[axis] = expected[axis] + packing::unzigzag(code);
+      at[axis] = expected[axis] + std::int32_t(unzigzag(code));
       if (at[axis] < 0 || at[axis] > int(steps))
         return false;
     }

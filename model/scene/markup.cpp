@@ -2,7 +2,8 @@
 #include "model/scene/markup.h"
 
 #include <algorithm>
-#include <optional>
+#include <array>
+#include <utility>
 
 #include "model/scene/label_words.h"
 
@@ -15,6 +16,65 @@ constexpr std::size_t italicLength = 1;
 /// The longest run of asterisks with a meaning ends both styles and begins both.
 constexpr std::size_t longestMarker = 2 * (boldLength + italicLength);
 
+constexpr std::array linkKeys{std::pair(MarkupLink::To::structure, std::string_view("#structure=")),
+                              std::pair(MarkupLink::To::view, std::string_view("#view="))};
+/// A longer name of a link's target is none, so that a line is read in linear time.
+constexpr std::size_t longestName = 400;  // bytes
+
+/// Holds where a link stands in a text: "[words](#key=name)".
+struct LinkPlace {
+  std::size_t open = 0;   ///< its first bracket
+  std::size_t close = 0;  ///< the bracket behind its words
+  std::size_t end = 0;    ///< behind all of it
+  MarkupLink link;
+};
+
+bool isBlankText(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), isMarkupBlank);
+}
+
+/// Returns the target that is written at the text's beginning, and behind which byte it ends.
+std::optional<std::pair<MarkupLink, std::size_t>> targetAt(std::string_view text) {
+  for (const auto& [to, key] : linkKeys) {
+    if (!text.starts_with('(') || !text.substr(1).starts_with(key))
+      continue;
+    const std::size_t begin = 1 + key.size();
+    const std::size_t last = std::min(text.size(), begin + longestName + 1);
+    int within = 0;  // names may have brackets in pairs
+    for (std::size_t i = begin; i < last; ++i)
+      if (text[i] == '(')
+        ++within;
+      else if (text[i] == ')' && within-- == 0)
+        return std::pair(MarkupLink{to, std::string(text.substr(begin, i - begin))}, i + 1);
+  }
+  return std::nullopt;
+}
+
+/// Returns the links between two bytes of a line, in order. `escapes`: a backslash before a bracket
+/// makes it one that is shown.
+std::vector<LinkPlace> linkPlaces(std::string_view text, std::size_t begin, std::size_t end,
+                                  bool escapes) {
+  std::vector<LinkPlace> places;
+  std::optional<std::size_t> open;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (escapes && text[i] == '\\' && i + 1 < end &&
+        escapableSigns.find(text[i + 1]) != text.npos) {
+      ++i;
+    } else if (text[i] == '[') {
+      open = i;
+    } else if (text[i] == ']' && open) {
+      const std::size_t first = *std::exchange(open, std::nullopt);
+      if (isBlankText(text.substr(first + 1, i - first - 1)))
+        continue;
+      if (auto target = targetAt(text.substr(i + 1, end - i - 1))) {
+        places.push_back({first, i, i + 1 + target->second, std::move(target->first)});
+        i = places.back().end - 1;
+      }
+    }
+  }
+  return places;
+}
+
 std::size_t lengthOf(const LetterStyle& style) {
   return (style.bold ? boldLength : 0) + (style.italic ? italicLength : 0);
 }
@@ -25,6 +85,7 @@ struct Piece {
   std::size_t begin = 0;
   std::size_t end = 0;
   bool asterisks = false;
+  std::optional<std::size_t> link;
   LetterStyle ends;
   LetterStyle begins;
 };
@@ -65,21 +126,33 @@ class LineParser {
   }
 
   void split() {
+    const std::vector<LinkPlace> links = linkPlaces(m_text, m_line.content, m_end, true);
     std::size_t plain = m_line.content;
+    std::optional<std::size_t> link;
     const auto flush = [&](std::size_t end) {
       if (end > plain)
-        m_pieces.push_back({.begin = plain, .end = end});
+        m_pieces.push_back({.begin = plain, .end = end, .link = link});
     };
     for (std::size_t i = m_line.content; i < m_end;) {
-      if (m_text[i] == '\\' && i + 1 < m_end &&
-          std::string_view("*-\\").find(m_text[i + 1]) != std::string_view::npos) {
+      const std::size_t next = m_line.links.size();
+      if (link && i == links[*link].close) {
+        flush(i);
+        i = plain = links[*link].end;
+        link.reset();
+      } else if (next < links.size() && i == links[next].open) {
+        flush(i);
+        plain = ++i;
+        link = next;
+        m_line.links.push_back(links[next].link);
+      } else if (m_text[i] == '\\' && i + 1 < m_end &&
+                 escapableSigns.find(m_text[i + 1]) != std::string_view::npos) {
         flush(i);
         plain = i + 1;
         i += 2;
       } else if (m_text[i] == '*') {
         flush(i);
         const std::size_t end = std::min(m_text.find_first_not_of('*', i), m_end);
-        m_pieces.push_back({.begin = i, .end = end, .asterisks = true});
+        m_pieces.push_back({.begin = i, .end = end, .asterisks = true, .link = link});
         i = plain = end;
       } else {
         ++i;
@@ -133,7 +206,7 @@ class LineParser {
     const std::size_t begin = piece.begin + lengthOf(piece.ends);
     const std::size_t end = piece.end - lengthOf(piece.begins);
     if (begin < end)
-      m_line.spans.push_back({begin, end, m_style});
+      m_line.spans.push_back({begin, end, m_style, piece.link});
     m_style.bold = m_style.bold || piece.begins.bold;
     m_style.italic = m_style.italic || piece.begins.italic;
   }
@@ -150,8 +223,11 @@ class LineParser {
 MarkedLine markedLine(std::string_view text, const MarkupLine& line) {
   MarkedLine marked{.bullet = line.bullet, .runs = {}};
   for (const MarkupSpan& span : line.spans) {
-    if (marked.runs.empty() || marked.runs.back().style != span.style)
-      marked.runs.push_back({.text = {}, .style = span.style});
+    const std::optional<MarkupLink> link =
+        span.link ? std::optional(line.links[*span.link]) : std::nullopt;
+    if (marked.runs.empty() || marked.runs.back().style != span.style ||
+        marked.runs.back().link != link)
+      marked.runs.push_back({.text = {}, .style = span.style, .link = link});
     marked.runs.back().text += text.substr(span.begin, span.end - span.begin);
   }
   return marked;
@@ -181,6 +257,41 @@ std::vector<MarkedLine> markedLines(std::string_view text) {
   }
   marked.resize(lines);
   return marked;
+}
+
+std::vector<MarkedRun> linkedRuns(std::string_view plain) {
+  std::vector<MarkedRun> runs;
+  const auto add = [&runs](std::string_view text, const std::optional<MarkupLink>& link) {
+    if (runs.empty() || runs.back().link != link)
+      runs.push_back({.text = {}, .style = {}, .link = link});
+    runs.back().text += text;
+  };
+  std::size_t at = 0;
+  for (std::size_t begin = 0; begin < plain.size();) {
+    const std::size_t end = std::min(plain.find('\n', begin), plain.size());
+    for (const LinkPlace& place : linkPlaces(plain, begin, end, false)) {
+      if (place.open > at)
+        add(plain.substr(at, place.open - at), std::nullopt);
+      add(plain.substr(place.open + 1, place.close - place.open - 1), place.link);
+      at = place.end;
+    }
+    begin = end + 1;
+  }
+  if (at < plain.size())
+    add(plain.substr(at), std::nullopt);
+  return runs;
+}
+
+std::string withoutLinks(std::string_view plain) {
+  std::string words;
+  for (const MarkedRun& run : linkedRuns(plain))
+    words += run.text;
+  return words;
+}
+
+std::string writtenTarget(const MarkupLink& link) {
+  const std::string_view key = linkKeys[std::size_t(link.to)].second;
+  return "(" + std::string(key) + link.name + ")";
 }
 
 std::string plainText(AnnotationKind kind, const std::string& text) {

@@ -91,7 +91,7 @@ struct Node {
 struct ViewWords {
   Wording title;                 ///< without one, the view's name is its title
   Wording text;                  ///< to be read with the picture, marked up as in markup.h
-  Wording notes;                 ///< for who presents it, plain
+  Wording notes;                 ///< for who presents it, plain but for links
   Wording description;           ///< of the picture for who does not see it, plain; without one it
                                  ///< is made of what the picture shows (render/description)
   std::optional<float> seconds;  ///< how long it is shown; absent: as long as others

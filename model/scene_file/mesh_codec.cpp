@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstring>
 
+#include "model/base/number_codes.h"
+
 namespace sline::model {
 
 namespace {
@@ -40,14 +42,6 @@ class PlaneReader {
   std::size_t m_count;
 };
 
-/// Maps small numbers of either sign to small unsigned numbers: 0, −1, 1, −2, … → 0, 1, 2, 3, …
-std::uint32_t zigzag(std::uint32_t difference) {
-  return difference << 1 ^ (0u - (difference >> 31));
-}
-std::uint32_t unzigzag(std::uint32_t code) {
-  return code >> 1 ^ (0u - (code & 1u));
-}
-
 /// Returns a whole number; these have the same order as the floats.
 std::uint32_t orderOf(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -72,13 +66,6 @@ class CornerCoder {
   std::uint32_t m_next = 0;
   std::uint32_t m_last = 0;
 };
-
-std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
-  std::uint32_t word = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    word |= std::uint32_t(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
-  return word;
-}
 }  // namespace
 
 std::string encodedMesh(const Mesh& mesh) {
@@ -86,10 +73,8 @@ std::string encodedMesh(const Mesh& mesh) {
   const std::size_t triangles = mesh.triangleCount();
   std::string bytes(headBytes + 12 * (vertices + triangles), '\0');
   std::memcpy(bytes.data(), magic.data(), magic.size());
-  for (std::size_t i = 0; i < 4; ++i) {
-    bytes[8 + i] = char(vertices >> (8 * i) & 0xffu);
-    bytes[12 + i] = char(triangles >> (8 * i) & 0xffu);
-  }
+  putWord(bytes.data() + 8, std::uint32_t(vertices));
+  putWord(bytes.data() + 12, std::uint32_t(triangles));
   char* at = bytes.data() + headBytes;
   for (int axis = 0; axis < 3; ++axis, at += 4 * vertices) {
     PlaneWriter planes(at, vertices);

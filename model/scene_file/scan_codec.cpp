@@ -3,18 +3,12 @@
 
 #include <cstring>
 
+#include "model/base/number_codes.h"
+
 namespace sline::model {
 
 namespace {
 constexpr std::string_view scanMagic = "SlineSc1";
-
-/// Folds differences modulo 2¹⁶ so that small ones of either sign are small.
-std::uint16_t zigzag16(std::uint16_t difference) {
-  return std::uint16_t(unsigned(difference) << 1 ^ ((difference & 0x8000u) != 0 ? 0xffffu : 0u));
-}
-std::uint16_t unzigzag16(std::uint16_t code) {
-  return std::uint16_t(unsigned(code) >> 1 ^ ((code & 1u) != 0 ? 0xffffu : 0u));
-}
 }  // namespace
 
 std::string encodedVoxels(const std::vector<std::int16_t>& voxels) {
@@ -26,7 +20,7 @@ std::string encodedVoxels(const std::vector<std::int16_t>& voxels) {
   std::uint16_t last = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const auto value = std::uint16_t(voxels[i]);
-    const std::uint16_t code = zigzag16(std::uint16_t(value - last));
+    const std::uint16_t code = zigzag(std::uint16_t(value - last));
     low[i] = char(code & 0xffu);
     high[i] = char(code >> 8);
     last = value;
@@ -46,7 +40,7 @@ Result<std::vector<std::int16_t>> decodedVoxels(std::string_view bytes) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto low = static_cast<unsigned char>(bytes[i]);
     const auto high = static_cast<unsigned char>(bytes[count + i]);
-    last = std::uint16_t(last + unzigzag16(std::uint16_t(low | high << 8)));
+    last = std::uint16_t(last + unzigzag(std::uint16_t(low | high << 8)));
     voxels[i] = std::int16_t(last);
   }
   return voxels;

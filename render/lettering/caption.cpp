@@ -47,7 +47,7 @@ std::string captionMarkup(const std::string& title, const std::string& text) {
     return text;
   std::string marked = "**";
   for (const char c : line) {
-    if (c == '*' || c == '-' || c == '\\')
+    if (model::escapableSigns.find(c) != std::string_view::npos)
       marked += '\\';
     marked += c;
   }

@@ -157,12 +157,13 @@ EMSCRIPTEN_KEEPALIVE void slineSelect(const double* ids, int count) {
   engine->select(idsAt(ids, count));
 }
 
-/// Takes three numbers for each label: its id, and the width and height of its text.
-EMSCRIPTEN_KEEPALIVE void slineSetLabels(const double* rows, int count) {
+/// Takes three numbers for each label: its id, and the width and height of its text. `seen`: as
+/// `PageEngine::setLabels`.
+EMSCRIPTEN_KEEPALIVE void slineSetLabels(const double* rows, int count, bool seen) {
   std::vector<TextRoom> rooms;
   for (int i = 0; i < count; ++i, rows += 3)
     rooms.push_back({{std::uint64_t(rows[0])}, {float(rows[1]), float(rows[2])}});
-  engine->setLabels(std::move(rooms));
+  engine->setLabels(std::move(rooms), seen);
 }
 
 EMSCRIPTEN_KEEPALIVE float slineScale(bool moving) {
@@ -177,6 +178,10 @@ EMSCRIPTEN_KEEPALIVE int slineDraw(bool moving) {
     return -1;
   }
   return *drawn ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE void slineTook(double milliseconds) {
+  engine->took(milliseconds);
 }
 
 /// Draws for a canvas without OpenGL. Returns the places of five numbers: the width and height of

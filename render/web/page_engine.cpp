@@ -2,8 +2,9 @@
 #include "render/web/page_engine.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
 #include <utility>
 
 #include "model/edit/look.h"
@@ -34,6 +35,28 @@ Outline selectionOutline(std::vector<model::NodeId> structures, float ratio) {
   outline.width *= ratio;
   outline.casingWidth *= ratio;
   return outline;
+}
+
+LabelPost nearerSide(const LabelItem& item, const LabelBox& anatomy) {
+  return item.places.front().x < anatomy.middle().x ? LabelPost::left : LabelPost::right;
+}
+
+/// How often labels are taken away where a side has too many.
+constexpr int mostTries = 10;
+
+/// Returns the side from which a label had to go to the other one, past the anatomy's middle.
+std::optional<LabelPost> crowdedSide(const LabelRequest& request, const LabelLayout& layout) {
+  constexpr float beyond = 0.06f;  // of the anatomy's width, from its middle
+  const LabelBox& anatomy = *request.obstacles.extent;
+  for (const LabelItem& item : request.items) {
+    const PlacedLabel* placed = layout.find(item.id);
+    const float past = std::abs(item.places.front().x - anatomy.middle().x);
+    const bool column =
+        placed && (placed->post == LabelPost::left || placed->post == LabelPost::right);
+    if (column && past > beyond * anatomy.size().x && placed->post != nearerSide(item, anatomy))
+      return nearerSide(item, anatomy);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -125,8 +148,7 @@ void PageEngine::goTo(std::size_t view, double share) {
   if (share <= 0.0) {
     m_flightFrom = m_camera;
     m_view = view;
-    m_gammas.clear();
-    m_visible.clear();
+    m_changes.clear();
     show();
     return;
   }
@@ -135,11 +157,7 @@ void PageEngine::goTo(std::size_t view, double share) {
 }
 
 void PageEngine::setGamma(std::span<const model::NodeId> ids, float gamma) {
-  const float valid = Gamma::clamped(gamma).value();
-  for (const model::NodeId id : ids)
-    for (const model::NodeId below : m_unpacked.scene().structuresBelow(id))
-      m_gammas[below] = valid;
-  show();
+  change({{ids.begin(), ids.end()}, Gamma::clamped(gamma).value()});
 }
 
 float PageEngine::gamma(model::NodeId id) const {
@@ -147,11 +165,7 @@ float PageEngine::gamma(model::NodeId id) const {
 }
 
 void PageEngine::setVisible(std::span<const model::NodeId> ids, bool visible) {
-  for (const model::NodeId id : ids)
-    m_visible[id] = visible;
-  model::Edited edited = visible ? model::withShown(m_shown, ids) : model::withHidden(m_shown, ids);
-  if (edited.changed)
-    m_shown = std::move(edited.scene);
+  change({{ids.begin(), ids.end()}, visible});
 }
 
 bool PageEngine::visible(model::NodeId id) const {
@@ -159,28 +173,66 @@ bool PageEngine::visible(model::NodeId id) const {
 }
 
 void PageEngine::resetLook() {
-  m_gammas.clear();
-  m_visible.clear();
+  m_changes.clear();
   show();
+}
+
+void PageEngine::change(Change change) {
+  apply(change);
+  // A slider that is drawn changes the same many times.
+  const bool again = !m_changes.empty() && m_changes.back().ids == change.ids &&
+                     m_changes.back().to.index() == change.to.index();
+  if (again && std::holds_alternative<float>(change.to))
+    m_changes.back() = std::move(change);
+  else
+    m_changes.push_back(std::move(change));
+}
+
+void PageEngine::apply(const Change& change) {
+  std::vector<model::NodeId> there;
+  for (const model::NodeId id : change.ids)
+    if (m_shown.find(id))
+      there.push_back(id);
+  if (const bool* visible = std::get_if<bool>(&change.to)) {
+    m_shown =
+        (*visible ? model::withShown(m_shown, there) : model::withHidden(m_shown, there)).scene;
+    return;
+  }
+  std::vector<model::NodeId> structures;
+  for (const model::NodeId id : there)
+    for (const model::NodeId below : m_shown.structuresBelow(id))
+      structures.push_back(below);
+  model::Style look;
+  look.gamma = Gamma::clamped(std::get<float>(change.to));
+  m_shown = model::withLook(m_shown, structures, look).scene;
 }
 
 void PageEngine::show() {
   m_shown = m_unpacked.scene();
   if (m_view && *m_view < m_shown.views().size())
     m_shown = model::withViewApplied(m_shown, m_shown.views()[*m_view]).scene;
-  for (const auto& [id, gamma] : m_gammas) {
-    model::Style look;
-    look.gamma = Gamma::clamped(gamma);
-    m_shown = model::withLook(m_shown, {&id, 1}, look).scene;
-  }
-  for (const auto& [id, visible] : m_visible)
-    m_shown = (visible ? model::withShown(m_shown, {&id, 1}) : model::withHidden(m_shown, {&id, 1}))
-                  .scene;
+  for (const Change& change : m_changes)
+    apply(change);
 }
 
-void PageEngine::setLabels(std::vector<TextRoom> labels) {
+void PageEngine::setLabels(std::vector<TextRoom> labels, bool seen) {
   m_rooms = std::move(labels);
+  m_onlySeen = seen;
   m_layout = {};
+}
+
+model::Scene PageEngine::labelled(bool moving) const {
+  model::Scene scene = m_shown;
+  std::vector<model::Annotation> annotations = scene.annotations();
+  for (model::Annotation& annotation : annotations) {
+    const bool wanted = std::any_of(m_rooms.begin(), m_rooms.end(),
+                                    [&](const TextRoom& room) { return room.id == annotation.id; });
+    // Who turns the scene waits for no others to be looked for.
+    const bool late = m_onlySeen && moving && !m_layout.find(annotation.id);
+    annotation.visible = annotation.visible && wanted && !late;
+  }
+  scene.setAnnotations(std::move(annotations));
+  return scene;
 }
 
 Status PageEngine::openPicture() {
@@ -202,15 +254,18 @@ Result<bool> PageEngine::draw(bool moving) {
   std::vector<Outline> outlines;
   if (!m_selected.empty())
     outlines.push_back(selectionOutline(m_selected, m_size.ratio));
-  const auto began = std::chrono::steady_clock::now();
   const Result<bool> drawn =
       m_picture->drawInto({.target = *m_canvas, .outlines = outlines}, m_shown, m_camera, settings);
   if (!drawn.ok())
     return drawn.error();
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
-  if (moving && m_picture->timings().layersDrawn > 0)
-    m_quality.took(took.count(), fineness);
+  m_judged =
+      moving && m_picture->timings().layersDrawn > 0 ? std::optional(fineness) : std::nullopt;
   return !m_picture->timings().makeshift && fineness.full();
+}
+
+void PageEngine::took(double milliseconds) {
+  if (const std::optional<Fineness> fineness = std::exchange(m_judged, std::nullopt))
+    m_quality.took(milliseconds, *fineness);
 }
 
 const CanvasDrawing& PageEngine::drawCanvas(bool moving) {
@@ -243,6 +298,24 @@ std::vector<glm::vec3> PageEngine::segments() {
   return ends;
 }
 
+LabelLayout PageEngine::laidOut(LabelRequest& request, const LabelLayout* before) const {
+  LabelLayout layout = render::layOutLabels(request, before);
+  const auto& extent = request.obstacles.extent;
+  if (!m_onlySeen || request.moving || !extent)
+    return layout;
+  for (int tries = 0; tries < mostTries; ++tries) {
+    const std::optional<LabelPost> crowded = crowdedSide(request, layout);
+    const auto last =
+        std::find_if(request.items.rbegin(), request.items.rend(),
+                     [&](const LabelItem& item) { return crowded == nearerSide(item, *extent); });
+    if (!crowded || last == request.items.rend())
+      break;
+    request.items.erase(std::next(last).base());
+    layout = render::layOutLabels(request, before);
+  }
+  return layout;
+}
+
 void PageEngine::layOutLabels(bool moving) {
   m_items.clear();
   if (m_rooms.empty()) {
@@ -250,21 +323,28 @@ void PageEngine::layOutLabels(bool moving) {
     return;
   }
   const Screen screen(m_camera, millimetres * pageSize());
-  const bool follows = !m_layout.labels.empty();
-  const LabelsInPicture found =
-      labelsInPicture(m_shown, screen, {}, m_trees, {follows ? &m_layout : nullptr, moving});
+  // After a large turn labels stand as if none had been before, or sides would stay.
+  constexpr float another = 0.85f;  // cosine of its angle
+  const glm::vec3 towardsEye = model::cameraFrame(m_camera).back;
+  const bool turned = !moving && glm::dot(m_settled, towardsEye) < another;
+  const bool follows = !m_layout.labels.empty() && !turned;
+  if (!moving)
+    m_settled = towardsEye;
+  const LabelsInPicture found = labelsInPicture(labelled(moving), screen, {}, m_trees,
+                                                {follows ? &m_layout : nullptr, moving});
   LabelRequest request{.items = {},
                        .space = {.size = screen.size()},
                        .obstacles = obstaclesOf(m_shown, screen),
-                       .towardsEye = model::cameraFrame(m_camera).back,
+                       .towardsEye = towardsEye,
                        .moving = moving};
   for (const ShownLabel& label : found.shown)
     for (const TextRoom& room : m_rooms)
-      if (room.id == label.item.id) {
+      if (room.id == label.item.id &&
+          (!m_onlySeen || (!label.item.hidden && request.items.size() < seenLabels))) {
         request.items.push_back(label.item);
         request.items.back().box = millimetres * room.box;
       }
-  m_layout = render::layOutLabels(request, follows ? &m_layout : nullptr);
+  m_layout = laidOut(request, follows ? &m_layout : nullptr);
   m_items = std::move(request.items);
 }
 

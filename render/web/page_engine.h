@@ -3,12 +3,11 @@
 // and picture as everywhere. It knows no texts and no language; the page has those.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "model/geometry/mesh_trees.h"
@@ -66,7 +65,9 @@ class PageEngine {
   void select(std::vector<model::NodeId> ids) { m_selected = std::move(ids); }
 
   /// Says which labels are shown, and their texts' sizes; those that are not in the list are not.
-  void setLabels(std::vector<TextRoom> labels);
+  /// `seen`: nor are those of what one does not see; of the others the first `seenLabels`.
+  void setLabels(std::vector<TextRoom> labels, bool seen = false);
+  static constexpr std::size_t seenLabels = 24;
   /// The labels as the last picture has them; millimetres of which `millimetres` make a pixel of
   /// the page.
   const LabelLayout& labels() const { return m_layout; }
@@ -80,6 +81,9 @@ class PageEngine {
   /// Draws into the context's own framebuffer. While the camera moves, surfaces are as coarse as
   /// they must be. Returns whether nothing is missing that one drawn at rest has.
   Result<bool> draw(bool moving);
+  /// Tells how long the picture took that was drawn last, until all of it was there: a browser's
+  /// OpenGL draws while the program goes on.
+  void took(double milliseconds);
   /// Draws without OpenGL: fills as pixels and strokes (canvas_drawing.h), coarser while the camera
   /// moves, so that `scale` of the pixels are enough.
   const CanvasDrawing& drawCanvas(bool moving);
@@ -101,17 +105,30 @@ class PageEngine {
   static constexpr float millimetres = 25.4f / 96.0f;
 
  private:
+  /// Says what was done by hand to nodes and all below them.
+  struct Change {
+    std::vector<model::NodeId> ids;
+    std::variant<float, bool> to;  ///< Γ, or whether they are shown
+  };
+
   float aspect() const { return float(m_size.width) / float(m_size.height); }
   glm::vec2 pageSize() const;
   /// Returns the room that cameras leave for labels.
   model::FreeSides freeSides() const;
   glm::vec3 pivot() const;
+  void change(Change change);
+  /// Does it to what is shown; nodes that are not there yet stay as they are.
+  void apply(const Change& change);
   void show();
+  /// Returns what is shown, in which those labels are visible that may stand in its picture.
+  model::Scene labelled(bool moving) const;
+  /// Lays the labels out; of those of what is seen it takes away the least, until none must go to
+  /// the far side of the anatomy.
+  LabelLayout laidOut(LabelRequest& request, const LabelLayout* before) const;
 
   model::UnpackedScene m_unpacked;
   std::optional<std::size_t> m_view;  ///< whose looks are shown
-  std::map<model::NodeId, float> m_gammas;
-  std::map<model::NodeId, bool> m_visible;
+  std::vector<Change> m_changes;      ///< by hand, in the order of time
   std::vector<model::NodeId> m_selected;
   model::Scene m_shown;
   model::Camera m_camera;
@@ -125,12 +142,15 @@ class PageEngine {
   std::unique_ptr<Picture> m_picture;
   std::unique_ptr<gpu::Target> m_canvas;
   MotionQuality m_quality;
+  std::optional<Fineness> m_judged;  ///< that of the last picture of a moving camera
 
   PickIndex m_index;
   model::MeshTrees m_trees;
   std::vector<TextRoom> m_rooms;
+  bool m_onlySeen = false;
   std::vector<LabelItem> m_items;
   LabelLayout m_layout;
+  glm::vec3 m_settled{0.0f};  ///< towards the eye, when the camera last rested
 };
 
 }  // namespace sline::render::web

@@ -11,6 +11,8 @@ interface EngineOptions {
    * `hidden` (a leader to what is hidden), `dot` and `badge`.
    */
   overlay: SVGSVGElement;
+  /** Whether WebGL is taken where it draws on the processor; else a canvas draws there, as it is quicker. */
+  software?: boolean;
 }
 
 /** Opaque; may go through JSON. */
@@ -31,6 +33,8 @@ interface LabelMode {
   /** Absent: those that the view shows. */
   only?: number[];
   numbers?: boolean;
+  /** Whether labels of what is not seen are left out; else their leaders are dashed. */
+  seen?: boolean;
   /** By label, its paragraphs. */
   texts: { [id: number]: string[] };
 }
@@ -41,6 +45,8 @@ declare class Engine {
   /** Rejects with an Error where there is neither WebGL 2 nor Canvas 2D. */
   static start(options: EngineOptions): Promise<Engine>;
   readonly means: "webgl" | "canvas";
+  /** The one that has the picture: that of the options, or another in its place. */
+  readonly canvas: HTMLCanvasElement;
   /** Takes an unpacked scene. */
   load(scene: Uint8Array, context?: Uint8Array): void;
   /** Adds the structures that came later. */

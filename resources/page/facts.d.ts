@@ -85,6 +85,8 @@ interface Facts {
   nodes: NodeFacts[];
   views: ViewFacts[];
   labels: LabelFacts[];
+  /** The labels were found for the page: each is shown where what it names is seen. */
+  labelsFound?: true;
   quiz: QuizFacts;
   credits: string[];
   alt: Words;

@@ -153,7 +153,8 @@ class Page {
     await new Promise((shown) => requestAnimationFrame(() => window.setTimeout(shown)));
     const [program, scene] = await Promise.all([unpacked("program"), unpacked("scene")]);
     if (!program || !scene) throw new PageError("spoiled");
-    const engine = await Engine.start({ program, canvas: stage.canvas, overlay: stage.overlay });
+    const software = new URLSearchParams(location.search).get("webgl") === "software";
+    const engine = await Engine.start({ program, canvas: stage.canvas, overlay: stage.overlay, software });
     engine.load(scene);
     stage.begin(engine);
     stage.element.querySelector(".first-picture")?.remove();
@@ -161,7 +162,7 @@ class Page {
     this.links.follow(location.hash);
     await this.addContext(engine);
     this.status.textContent = engine.means === "canvas" ? lesson.say("plain") : "";
-    if (this.status.textContent) window.setTimeout(() => (this.status.textContent = ""), 9000);
+    if (this.status.textContent) window.setTimeout(() => (this.status.textContent = ""), 4000);
     document.body.classList.add("complete");
   }
 

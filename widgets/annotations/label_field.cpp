@@ -78,7 +78,14 @@ void LabelField::placeLanguage() {
 
 QString LabelField::markupHint() {
   return tr("**bold** (%1), *italic* (%2); lines that begin with “- ” are a list")
-      .arg(shortcut(QKeySequence::Bold), shortcut(QKeySequence::Italic));
+             .arg(shortcut(QKeySequence::Bold), shortcut(QKeySequence::Italic)) +
+         QLatin1Char('\n') + linkHint();
+}
+
+QString LabelField::linkHint() {
+  return tr(
+      "In presentations and on students' pages [ureter](#structure=left ureter) lights that "
+      "structure up, and [from behind](#view=2) goes to a view");
 }
 
 std::optional<model::LetterMark> LabelField::markOf(QKeyEvent& key) const {

@@ -28,6 +28,8 @@ class LabelField : public QPlainTextEdit {
   void setMarkup(bool on) { m_markup = on; }
   /// Returns one line about the markup that can be typed.
   static QString markupHint();
+  /// Says how links are written.
+  static QString linkHint();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

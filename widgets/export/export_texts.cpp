@@ -14,6 +14,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
+#include <string_view>
 
 #include "widgets/export/finished_page.h"
 #include "widgets/export/note_texts.h"
@@ -136,7 +137,22 @@ QString descriptionText(const ExportDraft& draft) {
              : tr("What is seen is also told in words, for who does not see it.");
 }
 
+/// Tells whether the file is a page that has a quiz and no names.
+bool isSilentPage(const ExportDraft& draft) {
+  const render::ExportFormat* format = formatOf(draft.kind);
+  const render::OptionList options =
+      format && format->options ? format->options() : render::OptionList();
+  const bool page = std::any_of(
+      options.begin(), options.end(),
+      [](const render::ExportOption* one) { return std::string_view(one->id) == "pageQuiz"; });
+  return page && draft.order.of<render::StudentsOptions>().quiz == render::QuizMode::only;
+}
+
 QString privacyText(const ExportDraft& draft) {
+  if (isSilentPage(draft))
+    return tr(
+        "No name of a structure can be read in the file; answers are there as checksums. No "
+        "paths, user names, dates or patient data are.");
   if (pageUseOf(draft.kind) == render::PageUse::slides)
     return tr(
         "Names, and the views' texts and notes, are in the file as the scene has them. No "

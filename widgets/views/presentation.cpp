@@ -11,11 +11,14 @@
 #include <QToolBar>
 #include <QWindow>
 #include <algorithm>
+#include <array>
 
 #include "model/edit/views.h"
+#include "model/edit/visibility.h"
 #include "model/scene/label_words.h"
 #include "widgets/annotations/in_picture/presented_letters.h"
 #include "widgets/views/presentation_board.h"
+#include "widgets/views/presented_links.h"
 #include "widgets/views/presented_quiz.h"
 #include "widgets/views/presenter_window.h"
 #include "widgets/views/view_caption.h"
@@ -37,6 +40,7 @@ Presentation::Presentation(QMainWindow& window, Session& session, Viewport& view
       m_viewport(viewport),
       m_name(new QLabel(&viewport)),
       m_caption(new ViewCaption(viewport)),
+      m_links(new PresentedLinks(session, viewport)),
       m_board(new PresentationBoard(viewport)),
       m_quiz(new PresentedQuiz(session, viewport, this)) {
   m_name->setObjectName(QStringLiteral("presentedView"));
@@ -49,6 +53,7 @@ Presentation::Presentation(QMainWindow& window, Session& session, Viewport& view
   connect(&session, &Session::documentChanged, this, &Presentation::documentChange);
   connect(m_quiz, &PresentedQuiz::changed, this, &Presentation::quizChange);
   connect(&viewport, &Viewport::previewed, this, &Presentation::took);
+  connect(&viewport, &Viewport::pictureShown, this, &Presentation::placeLinks);
   window.installEventFilter(this);
   viewport.installEventFilter(this);
 }
@@ -57,6 +62,7 @@ Presentation::~Presentation() {
   // It goes with its window, which is to be restored no more.
   delete m_name;
   delete m_caption;
+  delete m_links;
   delete m_board;
   delete m_presenter;
 }
@@ -110,8 +116,10 @@ void Presentation::fillScreens() {
     m_window.setGeometry(areas[places.picture]);
   }
   m_window.showFullScreen();
-  if (!m_presenter)
+  if (!m_presenter) {
     m_presenter = new PresenterWindow(&m_window);
+    connect(m_presenter, &PresenterWindow::followed, this, &Presentation::follow);
+  }
   m_presenter->startClock();
   m_notesScreen = places.presenter ? std::optional(areas[*places.presenter]) : std::nullopt;
   if (m_notesScreen)
@@ -134,6 +142,9 @@ void Presentation::end() {
   const Before before = *m_before;
   m_before.reset();
   m_quiz->end();
+  m_lit.reset();
+  m_viewport.light(std::nullopt);
+  m_links->clear();
   laser(std::nullopt);
   m_board->clear();
   m_board->hide();
@@ -172,6 +183,8 @@ std::size_t Presentation::labelCount() const {
 
 model::Scene Presentation::seen(std::size_t labels) const {
   model::Scene scene = model::withViewApplied(m_session.scene(), view(m_at)).scene;
+  if (m_lit && model::visibilityOf(scene, *m_lit) == model::Visibility::none)
+    scene = model::withShown(scene, std::array{*m_lit}).scene;
   if (labels == all)
     return scene;
   std::vector<model::Annotation> annotations = scene.annotations();
@@ -187,6 +200,8 @@ model::Scene Presentation::seen(std::size_t labels) const {
 void Presentation::show(int index, std::size_t labels) {
   m_at = std::clamp(index, 0, count() - 1);
   m_revealed = labels;
+  m_lit.reset();
+  m_viewport.light(std::nullopt);
   m_board->wipe();
   say();
   const model::Scene before = m_viewport.shownScene();
@@ -235,8 +250,44 @@ void Presentation::place() {
                  ViewCaption::Place::corner, height + presentedMargin);
   if (m_caption->isVisible())
     m_viewport.setPresented(true, m_name->geometry().united(m_caption->geometry()));
+  placeLinks();
   m_board->setGeometry(m_viewport.rect());
   m_board->raise();
+}
+
+/// Marks the links of the text and, in the picture that is shown, of callouts.
+void Presentation::placeLinks() {
+  if (!running())
+    return;
+  std::vector<render::LinkPlace> places = m_caption->links();
+  if (const LabelSheet* sheet = m_viewport.labels().layer().sheet(); sheet && !m_quiz->running())
+    for (render::LinkPlace& place : render::linkPlaces(sheet->plate))
+      places.push_back(std::move(place));
+  m_links->take(places, m_viewport.labels().wish().pixelsPerMm);
+  m_board->raise();
+}
+
+void Presentation::lightUp(std::optional<model::NodeId> id) {
+  m_lit = id == m_lit ? std::nullopt : id;
+  m_viewport.light(m_lit);
+  m_viewport.showInstead(seen(m_revealed));
+}
+
+void Presentation::follow(const model::LinkTarget& target) {
+  if (!running() || m_quiz->running())
+    return;
+  if (const auto* structure = std::get_if<model::NodeId>(&target))
+    lightUp(*structure);
+  else if (std::get<std::size_t>(target) < std::size_t(count()))
+    show(int(std::get<std::size_t>(target)), m_revealing ? 0 : all);
+}
+
+std::vector<PresenterWindow::Note> Presentation::notes(const std::string& tag) {
+  std::vector<PresenterWindow::Note> notes;
+  for (const model::MarkedRun& run : model::linkedRuns(view(m_at).words.notes.in(tag)))
+    notes.push_back({.text = QString::fromStdString(run.text),
+                     .target = run.link ? followed(*run.link, m_session) : std::nullopt});
+  return notes;
 }
 
 /// Tells the presenter's window of the view, and asks for a picture of the next one.
@@ -248,7 +299,7 @@ void Presentation::tellPresenter() {
   m_presenter->tell({.place = tr("%1 / %2", "number of the view, of so many")
                                   .arg(QLocale().toString(m_at + 1), QLocale().toString(count())),
                      .title = shownTitle(view(m_at), tag),
-                     .notes = QString::fromStdString(view(m_at).words.notes.in(tag)),
+                     .notes = notes(tag),
                      .next = more ? shownTitle(view(m_at + 1), tag) : QString()});
   PreviewRequest request{.previews = {}, .asker = PreviewsOf::presented};
   if (more && m_presenter->isVisible()) {

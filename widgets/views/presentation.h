@@ -9,9 +9,11 @@
 #include <limits>
 #include <optional>
 
+#include "model/scene/link_target.h"
 #include "widgets/session/session.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/views/presentation_keys.h"
+#include "widgets/views/presenter_window.h"
 
 class QKeyEvent;
 class QMainWindow;
@@ -19,8 +21,8 @@ class QMainWindow;
 namespace sline::widgets {
 
 class PresentationBoard;
+class PresentedLinks;
 class PresentedQuiz;
-class PresenterWindow;
 class ViewCaption;
 
 /// Shows the tour on the whole screen: the picture, the view's title and its text, nothing else.
@@ -69,6 +71,9 @@ class Presentation : public QObject {
   /// Returns the scene as the view at hand shows it, with its first labels.
   model::Scene seen(std::size_t labels) const;
   std::size_t labelCount() const;
+  /// Lights the structure up, or no longer; one that the view hides is shown until then.
+  void lightUp(std::optional<model::NodeId> id);
+  void follow(const model::LinkTarget& target);
   void go(PresentationWish wish);
   void goOn();
   void goBack();
@@ -80,19 +85,24 @@ class Presentation : public QObject {
   void key(const QKeyEvent& event);
   /// Tells whether the picture must not hear of the event.
   bool mouse(QEvent& event);
+  /// Takes a click in the picture.
+  void click(const QPointF& at);
   void laser(const std::optional<QPointF>& at);
 
   void say();
   void place();
+  void placeLinks();
   void tellPresenter();
+  std::vector<PresenterWindow::Note> notes(const std::string& tag);
   void took(PreviewsOf asker, int id, const QImage& image);
   void documentChange();
 
   QMainWindow& m_window;
   Session& m_session;
   Viewport& m_viewport;
-  QPointer<QLabel> m_name;  ///< belongs to the viewport, as do the next two
+  QPointer<QLabel> m_name;  ///< belongs to the viewport, as do the next three
   QPointer<ViewCaption> m_caption;
+  QPointer<PresentedLinks> m_links;
   QPointer<PresentationBoard> m_board;
   QPointer<PresenterWindow> m_presenter;  ///< belongs to the window
   std::optional<QRect> m_notesScreen;     ///< the screen that it has for itself
@@ -103,7 +113,8 @@ class Presentation : public QObject {
   bool m_revealing = false;      ///< labels come one by one
   std::size_t m_revealed = all;  ///< how many of the view's labels are shown
   std::optional<QPointF> m_pressed;
-  bool m_hidden = false;  ///< the mouse's arrow, while there is a laser's dot
+  std::optional<model::NodeId> m_lit;  ///< by a link
+  bool m_hidden = false;               ///< the mouse's arrow, while there is a laser's dot
 };
 
 }  // namespace sline::widgets

@@ -9,6 +9,7 @@
 
 #include "widgets/views/presentation.h"
 #include "widgets/views/presentation_board.h"
+#include "widgets/views/presented_links.h"
 #include "widgets/views/presented_quiz.h"
 #include "widgets/views/presenter_window.h"
 
@@ -68,6 +69,7 @@ void Presentation::toggleQuiz() {
     return;
   }
   m_board->wipe();
+  m_lit.reset();
   m_board->setPointing(PresentationBoard::Pointing::mouse);
   laser(std::nullopt);
   m_viewport.showInstead(seen(0));
@@ -171,6 +173,11 @@ bool Presentation::mouse(QEvent& event) {
   const auto& mouse = static_cast<const QMouseEvent&>(event);
   if (event.type() == QEvent::MouseMove) {
     laser(mouse.position());
+    const bool free = mouse.buttons() == Qt::NoButton && !m_quiz->running();
+    if (free && m_links->at(mouse.position())) {
+      m_viewport.setCursor(Qt::PointingHandCursor);
+      return true;
+    }
     // The name under the mouse would answer the quiz, or stand beside the laser's dot.
     return mouse.buttons() == Qt::NoButton && (m_quiz->running() || m_board->dot());
   }
@@ -178,11 +185,18 @@ bool Presentation::mouse(QEvent& event) {
     m_pressed = mouse.position();
   if (event.type() == QEvent::MouseButtonRelease && mouse.button() == Qt::LeftButton) {
     const std::optional<QPointF> pressed = std::exchange(m_pressed, std::nullopt);
-    if (pressed && m_quiz->running() &&
+    if (pressed &&
         (mouse.position() - *pressed).manhattanLength() < QApplication::startDragDistance())
-      m_quiz->click(mouse.position());
+      click(mouse.position());
   }
   return false;
+}
+
+void Presentation::click(const QPointF& at) {
+  if (m_quiz->running())
+    m_quiz->click(at);
+  else if (const std::optional<model::LinkTarget> target = m_links->at(at))
+    follow(*target);
 }
 
 bool Presentation::eventFilter(QObject* watched, QEvent* event) {

@@ -4,7 +4,9 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QPlainTextEdit>
+#include <QTextCursor>
 #include <QTime>
 #include <algorithm>
 
@@ -14,6 +16,7 @@ namespace {
 
 constexpr int letterShare = 34;  // heights of letters in the window's height
 constexpr int leastLetters = 12;
+constexpr QRgb noteLinkInk = 0xff8cc2ff;  // on the window's dark ground
 
 QLabel* plainLabel(const char* name) {
   auto* label = new QLabel;
@@ -50,6 +53,8 @@ PresenterWindow::PresenterWindow(QWidget* parent)
   m_notes->setReadOnly(true);
   m_notes->setFocusPolicy(Qt::NoFocus);
   m_notes->setFrameShape(QFrame::NoFrame);
+  m_notes->viewport()->setMouseTracking(true);
+  m_notes->viewport()->installEventFilter(this);
   m_nextPicture->setAlignment(Qt::AlignCenter);
   m_nextPicture->setAccessibleName(tr("The next view"));
   m_clock->setAlignment(Qt::AlignRight | Qt::AlignBottom);
@@ -73,11 +78,44 @@ PresenterWindow::PresenterWindow(QWidget* parent)
 void PresenterWindow::tell(const Told& told) {
   m_place->setText(told.place);
   m_title->setText(told.title);
-  if (m_notes->toPlainText() != told.notes)
-    m_notes->setPlainText(told.notes);
+  showNotes(told.notes);
   m_nextTitle->setText(told.next.isEmpty() ? tr("This is the last view")
                                            : tr("Next: %1").arg(told.next));
   m_nextPicture->clear();
+}
+
+void PresenterWindow::showNotes(const std::vector<Note>& notes) {
+  if (m_told == notes)
+    return;
+  m_told = notes;
+  m_notes->clear();
+  QTextCursor cursor(m_notes->document());
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    QTextCharFormat format;
+    if (notes[i].target) {
+      format.setAnchor(true);
+      format.setAnchorHref(QString::number(i));
+      format.setFontUnderline(true);
+      format.setForeground(QColor(noteLinkInk));
+    }
+    cursor.insertText(notes[i].text, format);
+  }
+  m_notes->moveCursor(QTextCursor::Start);
+}
+
+bool PresenterWindow::eventFilter(QObject*, QEvent* event) {
+  const bool moves = event->type() == QEvent::MouseMove;
+  if (!moves && event->type() != QEvent::MouseButtonRelease)
+    return false;
+  const auto& mouse = static_cast<const QMouseEvent&>(*event);
+  bool isLink = false;
+  const std::size_t link = m_notes->anchorAt(mouse.position().toPoint()).toULongLong(&isLink);
+  const bool leads = isLink && link < m_told.size() && m_told[link].target;
+  if (moves)
+    m_notes->viewport()->setCursor(leads ? Qt::PointingHandCursor : Qt::IBeamCursor);
+  else if (leads && mouse.button() == Qt::LeftButton && !m_notes->textCursor().hasSelection())
+    emit followed(model::LinkTarget(*m_told[link].target));
+  return false;
 }
 
 void PresenterWindow::setNextPicture(const QImage& picture) {

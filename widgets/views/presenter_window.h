@@ -8,6 +8,9 @@
 #include <QTimer>
 #include <QWidget>
 #include <optional>
+#include <vector>
+
+#include "model/scene/link_target.h"
 
 class QLabel;
 class QPlainTextEdit;
@@ -22,10 +25,16 @@ class PresenterWindow : public QWidget {
  public:
   explicit PresenterWindow(QWidget* parent);
 
+  /// Holds a piece of the notes, and where it leads if it is a link.
+  struct Note {
+    QString text;
+    std::optional<model::LinkTarget> target;
+    bool operator==(const Note&) const = default;
+  };
   struct Told {
     QString place;  ///< "2 / 9"
     QString title;
-    QString notes;
+    std::vector<Note> notes;
     QString next;  ///< the next view's title; empty after the last
   };
   void tell(const Told& told);
@@ -37,10 +46,16 @@ class PresenterWindow : public QWidget {
   /// Shows the window: on a screen of its own it fills `place`, else it stands there in front.
   void open(const QRect& place, bool ownScreen);
 
+ signals:
+  /// Tells that a link of the notes was clicked.
+  void followed(const sline::model::LinkTarget& target);
+
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void showNotes(const std::vector<Note>& notes);
   void showTime();
   void setLetters();
 
@@ -50,6 +65,7 @@ class PresenterWindow : public QWidget {
   QLabel* m_nextTitle;
   QLabel* m_nextPicture;
   QLabel* m_clock;
+  std::vector<Note> m_told;
   QElapsedTimer m_elapsed;
   QTimer m_tick;
 };

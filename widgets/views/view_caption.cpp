@@ -62,6 +62,11 @@ void ViewCaption::place() {
   update();
 }
 
+std::vector<render::LinkPlace> ViewCaption::links() const {
+  return m_caption ? render::linkPlaces(m_markup, *m_caption->item.text)
+                   : std::vector<render::LinkPlace>();
+}
+
 void ViewCaption::paintEvent(QPaintEvent*) {
   if (!m_caption)
     return;

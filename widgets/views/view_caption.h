@@ -6,6 +6,7 @@
 #include <string>
 
 #include "render/lettering/caption.h"
+#include "render/lettering/link_places.h"
 #include "widgets/viewport/viewport.h"
 
 namespace sline::widgets {
@@ -27,6 +28,8 @@ class ViewCaption : public QWidget {
   void say(const std::string& markup, Place place, int clear = 0);
   /// Places the caption anew, for a picture of another size.
   void place();
+  /// Returns where links lie in what is shown, in the picture.
+  std::vector<render::LinkPlace> links() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

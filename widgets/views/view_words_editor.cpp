@@ -47,7 +47,8 @@ ViewWordsEditor::ViewWordsEditor(Session& session, Viewport& viewport, Preferenc
   m_text->setMarkup(true);
   m_text->setToolTip(LabelField::markupHint());
   m_notes = makeField("viewNotes", tr("Notes for who presents the view"));
-  m_notes->setToolTip(tr("For you alone, while you present: no file for others has them"));
+  m_notes->setToolTip(tr("For you alone, while you present: no file for others has them") +
+                      QLatin1Char('\n') + LabelField::linkHint());
   m_description = makeField("viewDescription", tr("What the view shows"));
   m_description->setToolTip(
       tr("For who does not see the picture: files for others have it, and without it they say what "

@@ -9,7 +9,6 @@
 #include "render/export/packages/page_package.h"
 #include "render/export/packages/picture_questions.h"
 #include "render/export/packages/qti_package.h"
-#include "render/export/students/page_words.h"
 #include "render/export/students/students_page.h"
 
 namespace sline::render {
@@ -50,6 +49,7 @@ Status writePagePackage(PageStandard standard, const ExportOrder& order, const f
                         const ExportProgress& progress) {
   StudentsOptions own = order.of<StudentsOptions>();
   own.folder = true;
+  own.fileTitle = target.stem().string();
   own.report = reportName(standard);
   Result<StudentsPage> page = studentsPage(order, own, progress);
   if (!page.ok()) {
@@ -57,9 +57,8 @@ Status writePagePackage(PageStandard standard, const ExportOrder& order, const f
     error.file = target.string();
     return error;
   }
-  const PageWords words(order, own);
-  const PageAbout about{.title = words.title(),
-                        .language = words.language(),
+  const PageAbout about{.title = page->title,
+                        .language = page->language,
                         .credit = fileCredit(order, {}),
                         .passing = order.of<PackageOptions>().passing / 100.0};
   page->files["index.html"] = page->html;

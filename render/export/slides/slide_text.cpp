@@ -85,8 +85,9 @@ std::string lineParagraphs(const SlideWords& words) {
 }
 
 std::string plainParagraphs(const SlideWords& words) {
+  const std::string shown = model::withoutLinks(words.text);
   std::string all;
-  std::string_view rest = words.text;
+  std::string_view rest = shown;
   while (true) {
     const std::size_t end = rest.find('\n');
     const std::string line(rest.substr(0, end));

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
+#include <optional>
+#include <set>
+#include <vector>
 
 #include "model/anatomy/laterality_words.h"
 #include "render/export/order/view_orders.h"
@@ -14,37 +17,79 @@ namespace sline::render {
 
 namespace {
 
-/// As many as have room beside a picture on a desk; telephones show those that have room there.
+/// As many as have room beside a still picture; the quiz asks for as many of each view.
 constexpr std::size_t mostSeen = 30;
 constexpr glm::vec2 usualPageMm{160.0f, 90.0f};
 
-/// Returns labels for the largest structures that one sees in the order's picture.
-std::vector<model::Annotation> seenLabels(const ExportOrder& order) {
-  const SeenMap map(order.scene, Screen(order.camera, usualPageMm));
-  struct Candidate {
-    model::Annotation label;
-    float size = 0.0f;
-  };
-  std::vector<Candidate> all;
-  for (const model::Node& node : order.scene.nodes()) {
-    const std::optional<SeenPlace> place = node.isGroup() ? std::nullopt : map.find(node.id);
-    // One asks of no sliver and no tangle what it is.
-    if (!place || place->hidden || !place->sure)
-      continue;
-    Candidate& one = all.emplace_back();
-    one.label = SeenMap::labelAt(node.id, *place);
-    one.label.text = node.name;
-    for (const std::string_view tag : model::nameLanguageTags)
-      one.label.texts[std::string(tag)] = structureName(node.name, std::string(tag));
-    one.size = glm::length(node.mesh->bounds().size());
-  }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.size > b.size; });
-  std::vector<model::Annotation> labels;
-  for (std::size_t i = 0; i < std::min(all.size(), mostSeen); ++i)
-    labels.push_back(std::move(all[i].label));
-  return labels;
+model::Annotation labelFor(const model::Node& node, const std::optional<SeenPlace>& place) {
+  model::Annotation label;
+  if (place)
+    label = SeenMap::labelAt(node.id, *place);
+  else
+    label = {.anchors = {model::SurfacePoint{.structure = node.id}}, .text = {}, .found = true};
+  label.text = node.name;
+  for (const std::string_view tag : model::nameLanguageTags)
+    label.texts[std::string(tag)] = structureName(node.name, std::string(tag));
+  return label;
 }
+
+/// The structures of a scene, the largest first.
+std::vector<const model::Node*> structuresBySize(const model::Scene& scene) {
+  std::vector<const model::Node*> all;
+  for (const model::Node& node : scene.nodes())
+    if (!node.isGroup() && node.mesh->triangleCount() > 0)
+      all.push_back(&node);
+  std::stable_sort(all.begin(), all.end(), [](const model::Node* a, const model::Node* b) {
+    return glm::length(a->mesh->bounds().size()) > glm::length(b->mesh->bounds().size());
+  });
+  return all;
+}
+
+/// Gives labels to what is seen in one picture after the other.
+class LabelFinder {
+ public:
+  explicit LabelFinder(const model::Scene& scene) : m_structures(structuresBySize(scene)) {}
+
+  /// Returns the largest structures that one sees in the order's picture, and finds their places.
+  std::set<model::NodeId> look(const ExportOrder& order) {
+    const SeenMap map(order.scene, Screen(order.camera, usualPageMm));
+    std::set<model::NodeId> seen;
+    for (const model::Node* node : m_structures) {
+      const std::optional<SeenPlace> place = map.find(node->id);
+      // One asks of no sliver and no tangle what it is.
+      if (!place || place->hidden || !place->sure)
+        continue;
+      m_places.emplace(node->id, *place);
+      if (seen.size() < mostSeen)
+        seen.insert(node->id);
+    }
+    return seen;
+  }
+
+  /// Adds the labels to the scene; those of the structures are visible.
+  void label(model::Scene& scene, const std::set<model::NodeId>& visible) {
+    for (const model::Node* node : m_structures) {
+      const auto place = m_places.find(node->id);
+      model::Annotation made =
+          labelFor(*node, place == m_places.end() ? std::nullopt : std::optional(place->second));
+      made.visible = visible.contains(node->id);
+      m_ids[node->id] = scene.appendAnnotation(made);
+    }
+  }
+
+  std::vector<model::AnnotationId> labelsOf(const std::set<model::NodeId>& structures) const {
+    std::vector<model::AnnotationId> ids;
+    for (const model::Node* node : m_structures)
+      if (structures.contains(node->id))
+        ids.push_back(m_ids.at(node->id));
+    return ids;
+  }
+
+ private:
+  std::vector<const model::Node*> m_structures;
+  std::map<model::NodeId, SeenPlace> m_places;
+  std::map<model::NodeId, model::AnnotationId> m_ids;
+};
 
 }  // namespace
 
@@ -52,26 +97,30 @@ model::Scene withFoundLabels(const ExportOrder& order) {
   model::Scene labelled = order.scene;
   if (!labelled.annotations().empty() || order.labels.mode == LabelMode::off)
     return labelled;
-  std::map<model::NodeId, model::AnnotationId> there;
-  const auto add = [&](const ExportOrder& seen, bool opening) {
-    std::vector<model::AnnotationId> ids;
-    for (model::Annotation& label : seenLabels(seen)) {
-      const model::NodeId structure =
-          std::get<model::SurfacePoint>(label.anchors.front()).structure;
-      label.visible = opening;
-      auto known = there.find(structure);
-      if (known == there.end())
-        known = there.emplace(structure, labelled.appendAnnotation(label)).first;
-      ids.push_back(known->second);
-    }
-    return ids;
-  };
-  add(order, true);
+  LabelFinder finder(order.scene);
+  const std::set<model::NodeId> opening = finder.look(order);
   std::vector<model::View> views = order.scene.views();
-  for (model::View& view : views)
-    view.annotations = add(orderOfView(order, view), false);
+  std::vector<std::set<model::NodeId>> seen;
+  for (const model::View& view : views)
+    seen.push_back(finder.look(orderOfView(order, view)));
+  finder.label(labelled, opening);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    views[i].annotations = finder.labelsOf(seen[i]);
   labelled.setViews(std::move(views));
   return labelled;
+}
+
+model::Scene withAllLabels(const model::Scene& scene) {
+  model::Scene all = scene;
+  std::vector<model::Annotation> annotations = scene.annotations();
+  for (model::Annotation& annotation : annotations)
+    annotation.visible = true;
+  all.setAnnotations(std::move(annotations));
+  std::vector<model::View> views = scene.views();
+  for (model::View& view : views)
+    view.annotations.reset();
+  all.setViews(std::move(views));
+  return all;
 }
 
 }  // namespace sline::render

@@ -5,8 +5,13 @@
 
 namespace sline::render {
 
-/// Returns the page's scene with labels on structures that one sees as it opens or in its views,
-/// the large ones first, where it has no annotations. Each view shows those that are seen in it.
+/// Returns the page's scene with a label for each structure that the page ever shows, the large
+/// ones first. Visible are those of what one sees as the page opens; each view shows those that are
+/// seen in it.
 model::Scene withFoundLabels(const ExportOrder& order);
+
+/// Returns the scene with all of its labels shown wherever it is turned: the page itself leaves out
+/// those of what one does not see.
+model::Scene withAllLabels(const model::Scene& scene);
 
 }  // namespace sline::render

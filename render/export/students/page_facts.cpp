@@ -75,6 +75,8 @@ class FactsMaker {
                                  {"structures", structuresOf(annotation)},
                                  {"kind", kindNames[std::size_t(annotation.kind)]},
                                  {"words", m_words.linesOf(annotation)}});
+    if (m_order.of<StudentsOptions>().foundLabels)
+      facts["labelsFound"] = true;
     facts["quiz"] = quizFacts();
     if (!m_own.report.empty())
       facts["report"] = m_own.report;

@@ -129,7 +129,9 @@ ExportOrder pageOrder(const ExportOrder& order) {
     views.back().words.notes = {};
   }
   page.scene.setViews(std::move(views));
+  const bool labelled = !page.scene.annotations().empty();
   page.scene = withFoundLabels(page);
+  page.of<StudentsOptions>().foundLabels = !labelled && !page.scene.annotations().empty();
   return page;
 }
 

@@ -11,7 +11,8 @@ namespace sline::render {
 
 /// Returns the order with those structures and annotations alone that are shown as the page opens
 /// or in one of its views, without anything that nobody sees: scans, files' names, notes. Where
-/// there are no views, what is shown is one; where there are no labels, what is seen has some.
+/// there are no views, what is shown is one; where there are no labels, all has some
+/// (`StudentsOptions::foundLabels`).
 ExportOrder pageOrder(const ExportOrder& order);
 
 /// Returns the structures of the page that come after those in focus; none where nothing is.

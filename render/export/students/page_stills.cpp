@@ -45,8 +45,7 @@ std::string paragraphs(const model::Wording& text, const PageWords& words) {
   for (const model::MarkedLine& line : model::markedLines(text.in(words.language()))) {
     std::string shown = line.bullet ? std::string(model::bulletSign) : "";
     for (const model::MarkedRun& run : line.runs)
-      for (const auto& piece : words.piecesOf(run.text))
-        shown += piece.text;
+      shown += run.text;
     if (!shown.empty())
       html += "<p>" + xmlText(shown) + "</p>\n";
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
@@ -84,6 +85,7 @@ std::vector<std::string> linesIn(const std::string& text) {
 PageWords::PageWords(const ExportOrder& order, const StudentsOptions& own)
     : m_scene(order.scene),
       m_title(own.title),
+      m_fileTitle(own.fileTitle),
       m_languages(languagesOf(order, own)),
       m_silent(own.quiz == QuizMode::only) {}
 
@@ -130,15 +132,16 @@ Json PageWords::markedLines(const std::string& text) const {
     Json runs = Json::array();
     if (line.bullet)
       runs.push_back(runOf(std::string(model::bulletSign), {}));
-    for (const model::MarkedRun& marked : line.runs)
-      for (const LinkedPiece& piece : piecesOf(marked.text)) {
-        Json run = runOf(piece.text, marked.style);
-        if (piece.structure)
-          run["structure"] = piece.structure->value;
-        if (piece.view)
-          run["view"] = *piece.view;
-        runs.push_back(std::move(run));
+    for (const model::MarkedRun& marked : line.runs) {
+      Json run = runOf(marked.text, marked.style);
+      if (const auto target = marked.link ? targetOf(*marked.link) : std::nullopt) {
+        if (const auto* structure = std::get_if<model::NodeId>(&*target))
+          run["structure"] = structure->value;
+        else
+          run["view"] = std::get<std::size_t>(*target) + 1;
       }
+      runs.push_back(std::move(run));
+    }
     lines.push_back(std::move(runs));
   }
   return lines;
@@ -183,17 +186,21 @@ WordsByLanguage PageWords::titleOf(const model::View& view) const {
   return words;
 }
 
-std::vector<LinkedPiece> PageWords::piecesOf(const std::string& text) const {
-  return linkedPieces(text, m_scene);
+std::optional<model::LinkTarget> PageWords::targetOf(const model::MarkupLink& link) const {
+  static const model::AnatomicalNames table;
+  return model::linkTarget(link, m_scene,
+                           [](const std::string& name) { return table.searchWords(name); });
 }
 
 std::string PageWords::title() const {
   if (!m_title.empty())
     return m_title;
+  if (m_silent)
+    return "Anatomy";
   const std::vector<model::NodeId> top = m_scene.children(model::rootId);
-  if (!m_silent && top.size() == 1 && m_scene.find(top.front())->isGroup())
+  if (top.size() == 1 && m_scene.find(top.front())->isGroup())
     return structureName(m_scene.find(top.front())->name, language());
-  return "Anatomy";
+  return m_fileTitle.empty() ? "Anatomy" : m_fileTitle;
 }
 
 }  // namespace sline::render

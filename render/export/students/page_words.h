@@ -5,11 +5,12 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "model/scene/link_target.h"
 #include "render/export/order/export_order.h"
-#include "render/export/students/page_links.h"
 #include "render/export/students/students_options.h"
 
 namespace sline::render {
@@ -40,17 +41,17 @@ class PageWords {
   Json linesOf(const model::Wording& wording) const;
   /// Returns the title of a view; in a silent page only that of a side of the body.
   WordsByLanguage titleOf(const model::View& view) const;
-  /// Returns a text's pieces, some of which are links.
-  std::vector<LinkedPiece> piecesOf(const std::string& text) const;
   /// Returns the page's title.
   std::string title() const;
 
  private:
+  std::optional<model::LinkTarget> targetOf(const model::MarkupLink& link) const;
   Json markedLines(const std::string& text) const;
   Json plainLines(const std::string& text) const;
 
   const model::Scene& m_scene;
   std::string m_title;
+  std::string m_fileTitle;
   std::vector<std::string> m_languages;
   bool m_silent;
 };

@@ -22,14 +22,6 @@ std::string millions(std::size_t count) {
   return std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10);
 }
 
-/// Returns the options with a title: that of the file, which a person chose; but where nothing may
-/// be named it says nothing.
-StudentsOptions titled(StudentsOptions own, const std::string& name) {
-  if (own.title.empty() && own.quiz != QuizMode::only)
-    own.title = name;
-  return own;
-}
-
 Error named(Error error, const fs::path& target) {
   if (error.file.empty())
     error.file = target.string();
@@ -40,8 +32,9 @@ Error named(Error error, const fs::path& target) {
 
 Status writeStudentsPage(const ExportOrder& order, const fs::path& target,
                          const ExportProgress& progress) {
-  StudentsOptions own = titled(order.of<StudentsOptions>(), target.stem().string());
+  StudentsOptions own = order.of<StudentsOptions>();
   own.folder = false;
+  own.fileTitle = target.stem().string();
   const Result<StudentsPage> page = studentsPage(order, own, progress);
   if (!page.ok())
     return named(page.error(), target);
@@ -53,9 +46,9 @@ Status writeStudentsPage(const ExportOrder& order, const fs::path& target,
 
 Status writeStudentsFolder(const ExportOrder& order, const fs::path& target,
                            const ExportProgress& progress) {
-  StudentsOptions own =
-      titled(order.of<StudentsOptions>(), (target / ".").parent_path().filename().string());
+  StudentsOptions own = order.of<StudentsOptions>();
   own.folder = true;
+  own.fileTitle = (target / ".").parent_path().filename().string();
   return model::writeFolder(target, [&](const fs::path& folder) -> Status {
     const Result<StudentsPage> page = studentsPage(order, own, progress);
     if (!page.ok())

@@ -95,9 +95,11 @@ constexpr ExportOption title{
     .id = "pageTitle",
     .flag = "--page-title",
     .value = "TEXT",
-    .help = "The page's title, else the file's name",
+    .help = "The page's title; else what the group that holds all is called, or the file",
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Title of the page"),
-    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Else the file's name"),
+    .tip = QT_TRANSLATE_NOOP(
+        "sline::render::ExportOption",
+        "Else what the group that holds all is called, or where there is none the file"),
     .kind = TextOption{.longest = 200},
     .field = boundTo([](auto& o) -> auto& { return o.template of<StudentsOptions>().title; }),
     .kept = false};

@@ -23,13 +23,15 @@ struct StudentsOptions {
   bool counts = true;       ///< answers count towards a score
   bool lockCamera = false;  ///< the camera stays while a question is asked
   bool lockLook = false;    ///< Γ and visibility stay while a question is asked
-  std::string title;        ///< empty: the name of the group that holds all, or "Anatomy"
+  std::string title;        ///< empty: the name of the group that holds all, else `fileTitle`
   std::string languages;    ///< tags with commas; empty: all in which there are names or texts
   int triangles = 0;        ///< at most so many; 0: as many as there are
   double errorMm = 0.0;     ///< surfaces may be off by so much; 0: not at all
   // Not chosen by a person, but by whoever makes files of the page.
-  bool folder = false;  ///< several files beside each other instead of one
-  std::string report;   ///< "scorm12", "scorm2004" or "cmi5": whom the page tells its answers
+  bool folder = false;       ///< several files beside each other instead of one
+  bool foundLabels = false;  ///< its labels are not its author's (found_labels.h)
+  std::string fileTitle;     ///< what the file is called; a page without any name is "Anatomy"
+  std::string report;        ///< "scorm12", "scorm2004" or "cmi5": whom the page tells its answers
 };
 
 OptionList studentsOptions();

@@ -11,6 +11,7 @@
 #include "render/export/encoding/gzip.h"
 #include "render/export/encoding/xml_text.h"
 #include "render/export/students/answer_hash.h"
+#include "render/export/students/found_labels.h"
 #include "render/export/students/page_facts.h"
 #include "render/export/students/page_order.h"
 #include "render/export/students/page_stills.h"
@@ -160,8 +161,10 @@ Result<StudentsPage> studentsPage(const ExportOrder& order, const StudentsOption
                    .detail = hundredths(simple.errorMm)});
   if (!goesOn(0.1, "packing the scene"))
     return givenUp({});
+  const bool found = shown.of<StudentsOptions>().foundLabels;
   const model::PackedScene packed = model::packedScene(
-      shown.scene, {.later = laterStructures(shown.scene), .names = own.quiz != QuizMode::only});
+      found ? withAllLabels(shown.scene) : shown.scene,
+      {.later = laterStructures(shown.scene), .names = own.quiz != QuizMode::only});
   Parts parts{.style = page->style,
               .script = inOneFunction(program->glue, page->script),
               .wasm = gzipped(program->wasm),
@@ -182,7 +185,7 @@ Result<StudentsPage> studentsPage(const ExportOrder& order, const StudentsOption
       {"TITLE", xmlText(words.title())},
       {"STILLS", *stills},
       {"FACTS", pageFacts(shown, own, {.simplifiedMm = simple.errorMm, .views = seen})}};
-  StudentsPage made;
+  StudentsPage made{.html = {}, .files = {}, .title = words.title(), .language = words.language()};
   if (own.folder)
     made.files = putBeside(parts, own.report, fillings);
   else

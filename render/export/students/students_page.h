@@ -13,6 +13,8 @@ struct StudentsPage {
   std::string html;
   /// The files beside index.html, by name; none where all is in one file.
   std::map<std::string, std::string> files;
+  std::string title;     ///< what the page is called
+  std::string language;  ///< in which it opens, as a BCP 47 tag
 };
 
 /// Makes the page of the order's scene. It opens as the order shows the scene, and its tour has the

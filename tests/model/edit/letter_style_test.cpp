@@ -83,19 +83,45 @@ class LetterStyleTest : public QObject {
     QCOMPARE(bracketed(withLetterStyle(was.text, was.range, mark)), after);
   }
 
+  /// Links lead where they led, whatever of their words is marked.
+  void linksStay_data() {
+    QTest::addColumn<QString>("before");
+    QTest::addColumn<QString>("selected");
+    QTest::addColumn<QString>("after");
+    const auto row = [](const char* before, const char* selected, const char* after) {
+      QTest::addRow("%s of %s", selected, before) << before << selected << after;
+    };
+    row("to [a b](#view=1) c", "a b", "to [**a b**](#view=1) c");
+    row("to [a b](#view=1) c", "b", "to [a **b**](#view=1) c");
+    row("to [a b](#view=1) c", "to [a b](#view=1) c", "**to** [**a b**](#view=1) **c**");
+    row("**to** [**a b**](#view=1) **c**", "to** [**a b**](#view=1) **c", "to [a b](#view=1) c");
+    row("[a](#view=1)[b](#structure=x (y))", "b", "[a](#view=1)[**b**](#structure=x (y))");
+    row("a \\[b](#view=1)", "a", "**a** \\[b](#view=1)");
+  }
+  void linksStay() {
+    QFETCH(QString, before);
+    QFETCH(QString, selected);
+    QFETCH(QString, after);
+    const std::string text = before.toStdString();
+    const std::size_t begin = text.rfind(selected.toStdString());
+    const MarkedText made =
+        withLetterStyle(text, {begin, begin + std::size_t(selected.size())}, LetterMark::bold);
+    QCOMPARE(QString::fromStdString(made.text), after);
+  }
+
   /// Whatever is selected in whatever text, the words stay, and afterwards the selection is all of
   /// one style; a second time reverts it.
   void wordsStay() {
     sline::test::Mutator spoil(7,
                                {[](sline::test::Mutator& random, QByteArray& bytes, qsizetype at) {
-                                 bytes.insert(at, "***\\\n- a "[random.below(9)]);
+                                 bytes.insert(at, "***\\\n- a []"[random.below(11)]);
                                }});
     const auto words = [](const std::string& text) {
       return plainText(AnnotationKind::callout, text);
     };
     int changed = 0;
     for (int i = 0; i < 20'000; ++i) {
-      const QByteArray bytes = spoil("**a *b*** c\n- d\\*e *f*");
+      const QByteArray bytes = spoil("**a *b*** c\n- d\\*e *f*\n[g **h**](#view=1) *i*");
       const std::string text(bytes.constData(), std::size_t(bytes.size()));
       TextRange range{spoil.below(text.size() + 1), 0};
       range.end = range.begin + spoil.below(text.size() + 1 - range.begin);

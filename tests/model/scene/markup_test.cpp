@@ -11,7 +11,8 @@ using namespace sline::model;
 
 namespace {
 
-/// Returns the runs with <b>, <i> and <bi> around what is not plain, and "• " before items.
+/// Returns the runs with <b>, <i> and <bi> around what is not plain, {…=name} around links to
+/// structures, {…@name} around those to views, and "• " before items.
 QString spelt(const std::vector<MarkedLine>& lines) {
   QStringList all;
   for (const MarkedLine& line : lines) {
@@ -19,7 +20,11 @@ QString spelt(const std::vector<MarkedLine>& lines) {
     for (const MarkedRun& run : line.runs) {
       const QString tag =
           QLatin1String(run.style.bold ? "b" : "") + QLatin1String(run.style.italic ? "i" : "");
-      const QString text = QString::fromStdString(run.text);
+      QString text = QString::fromStdString(run.text);
+      if (run.link)
+        text = QStringLiteral("{%1%2%3}")
+                   .arg(text, run.link->to == MarkupLink::To::view ? "@" : "=",
+                        QString::fromStdString(run.link->name));
       one += tag.isEmpty() ? text : QStringLiteral("<%1>%2</>").arg(tag, text);
     }
     all << one;
@@ -35,7 +40,8 @@ bool spansAreSound(std::string_view text) {
       return false;
     last = line.content;
     for (const MarkupSpan& span : line.spans) {
-      if (span.begin < last || span.end <= span.begin || span.end > line.end)
+      if (span.begin < last || span.end <= span.begin || span.end > line.end ||
+          (span.link && *span.link >= line.links.size()))
         return false;
       last = span.end;
     }
@@ -97,6 +103,30 @@ class MarkupTest : public QObject {
     row("escaped item", "\\- a", "- a");
     row("escaped escape", "\\\\*a*", "\\<i>a</>");
     row("other escapes stay", "C:\\new \\_ \\", "C:\\new \\_ \\");
+    // These are links.
+    row("structure", "the [ureter](#structure=left-ureter) ends", "the {ureter=left-ureter} ends");
+    row("view", "go [there](#view=2).", "go {there@2}.");
+    row("view by name", "[x](#view=from behind)", "{x@from behind}");
+    row("one by one", "[a](#view=1)[b](#structure=b)", "{a@1}{b=b}");
+    row("link in a list", "- [a](#view=1)", "• {a@1}");
+    row("bold link", "**[a](#view=1)** b", "<b>{a@1}</> b");
+    row("bold in a link", "[a **b**](#view=1) c", "{a @1}<b>{b@1}</> c");
+    row("bold over a link", "*a [b](#view=1) c*", "<i>a </><i>{b@1}</><i> c</>");
+    row("bold beside a link", "**a**[**b**](#view=1)**c**", "<b>a</><b>{b@1}</><b>c</>");
+    row("marker from within", "[a **b](#view=1) c**", "{a @1}<b>{b@1}</><b> c</>");
+    row("name with asterisks", "*a [b](#structure=*b*) c*", "<i>a </><i>{b=*b*}</><i> c</>");
+    row("name with brackets", "[a](#structure=a (left)) b", "{a=a (left)} b");
+    row("name without end", "[a](#structure=a (left) b", "[a](#structure=a (left) b");
+    row("the inner bracket", "[[a](#view=1)]", "[{a@1}]");
+    row("no name", "[a](#view=) b", "{a@} b");
+    row("elsewhere", "[a](https://example.org)", "[a](https://example.org)");
+    row("script", "[a](javascript:alert(1))", "[a](javascript:alert(1))");
+    row("brackets", "a [b] (c) [d](e)", "a [b] (c) [d](e)");
+    row("no words", "[](#view=1) [ ](#view=1)", "[](#view=1) [ ](#view=1)");
+    row("not ended", "[a](#view=1", "[a](#view=1");
+    row("over lines", "[a\nb](#view=1)", "[a|b](#view=1)");
+    row("escaped link", "\\[a](#view=1)", "[a](#view=1)");
+    row("escape in a link", "[\\[a](#view=1)", "{[a@1}");
     // HTML is not interpreted.
     row("tags", "<b>a</b> &amp; *c*", "<b>a</b> &amp; <i>c</>");
     row("blank lines", "\n \na\n\nb\r\n \n", "a||b");
@@ -110,8 +140,8 @@ class MarkupTest : public QObject {
   }
 
   void plainTexts() {
-    const std::string text = "**Ureter**\n- *a*\n- b\\*";
-    QCOMPARE(plainText(AnnotationKind::callout, text), std::string("Ureter\n• a\n• b*"));
+    const std::string text = "**Ureter**\n- *a*\n- b\\*\n[c](#view=1)";
+    QCOMPARE(plainText(AnnotationKind::callout, text), std::string("Ureter\n• a\n• b*\nc"));
     for (const AnnotationKind kind :
          {AnnotationKind::label, AnnotationKind::pin, AnnotationKind::distance})
       QCOMPARE(plainText(kind, text), text);
@@ -122,12 +152,42 @@ class MarkupTest : public QObject {
     QCOMPARE(plainTextIn(annotation, "la"), std::string("a"));
   }
 
+  /// A plain text has links and nothing else.
+  void plainTextsWithLinks_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("shown");
+    const auto row = [](const char* text, const char* shown) {
+      QTest::newRow(text) << QString(text) << QString(shown);
+    };
+    row("", "");
+    row("plain\n", "plain\n");
+    row("- **a** [b](#view=1)\n[c](#structure=d)e\n", "- **a** {b@1}\n{c=d}e\n");
+    row("\\[b](#view=1) [c](d)", "\\{b@1} [c](d)");
+    row("[a\nb](#view=1)", "[a\nb](#view=1)");
+  }
+  void plainTextsWithLinks() {
+    QFETCH(QString, text);
+    QFETCH(QString, shown);
+    const std::vector<MarkedRun> runs = linkedRuns(text.toStdString());
+    QCOMPARE(spelt({{.runs = runs}}), shown);
+    QString words = shown;
+    QCOMPARE(QString::fromStdString(withoutLinks(text.toStdString())),
+             words.remove(QRegularExpression(QStringLiteral("[{}]|[@=][^}]*(?=})"))));
+    std::string again;
+    for (const MarkedRun& run : runs)
+      again += run.link ? "[" + run.text + "]" + writtenTarget(*run.link) : run.text;
+    QCOMPARE(QString::fromStdString(again), text);
+  }
+
   /// Twenty times as much takes about twenty times as long: a parser that looks back for each
   /// marker would take four hundred times as long.
   void longTextsTakeNoLonger_data() {
     QTest::addColumn<QByteArray>("piece");
-    for (const char* piece : {"*", "**", "*a", "**a", "a*", "*a ", "**a *b ", "*a**b", "***a ",
-                              "a**b*", "\\", "\\*", "- ", "- *\n", "\n", "****a"})
+    for (const char* piece :
+         {"*",          "**",           "*a",    "**a", "a*",         "*a ",          "**a *b ",
+          "*a**b",      "***a ",        "a**b*", "\\",  "\\*",        "- ",           "- *\n",
+          "\n",         "****a",        "[",     "[a]", "[a](#view=", "[a](#view=1)", "[a](#view=(",
+          "](#view=1)", "[a](#view=(1)"})
       QTest::newRow(piece) << QByteArray(piece);
   }
   void longTextsTakeNoLonger() {
@@ -155,17 +215,24 @@ class MarkupTest : public QObject {
   void spoiltTextsAreParsed() {
     sline::test::Mutator spoil(11,
                                {[](sline::test::Mutator& random, QByteArray& bytes, qsizetype at) {
-                                 bytes.insert(at, "**** \\\n- *"[random.below(10)]);
+                                 bytes.insert(at, "**** \\\n- *[]()"[random.below(14)]);
                                }});
     QByteArray text("**Ureter** *dexter*\n- the **upper *third***\n- a\\*b, 5 * 3\n");
+    text += "[**ren**](#structure=x)";
     for (int i = 0; i < 20'000; ++i) {
       const QByteArray spoilt = spoil(text);
       const std::string bytes(spoilt.constData(), std::size_t(spoilt.size()));
       QVERIFY2(spansAreSound(bytes), spoilt.toHex());
+      const auto count = [](const std::string& in) {
+        return std::size_t(std::count(in.begin(), in.end(), 'e'));
+      };
       std::size_t letters = 0;
+      for (const MarkupLine& line : parsedMarkup(bytes))
+        for (const MarkupLink& link : line.links)
+          letters += count(writtenTarget(link));
       for (const MarkedLine& line : markedLines(bytes))
         for (const MarkedRun& run : line.runs)
-          letters += std::size_t(std::count(run.text.begin(), run.text.end(), 'e'));
+          letters += count(run.text);
       QCOMPARE(letters, std::size_t(spoilt.count('e')));
     }
   }

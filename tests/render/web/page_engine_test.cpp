@@ -178,6 +178,48 @@ class PageEngineTest : public QObject {
     QVERIFY(engine.camera() == camera);
   }
 
+  /// What is done last holds, before and after the rest of the scene comes.
+  void eyesKeepTheOrderOfTime_data() {
+    QTest::addColumn<QString>("done");  // N: near, F: far, G: their group; + shows, - hides
+    QTest::addColumn<QString>("seen");
+    QTest::newRow("hidden") << "F-"
+                            << "N";
+    QTest::newRow("group hidden") << "G-"
+                                  << "";
+    QTest::newRow("one of a hidden group") << "G-N+"
+                                           << "N";
+    QTest::newRow("all after one") << "N-G+"
+                                   << "NF";
+    QTest::newRow("hidden again") << "F-F+F-"
+                                  << "N";
+    QTest::newRow("one after all") << "N-F-G+N-"
+                                   << "F";
+    QTest::newRow("group last") << "F-N-F+G-"
+                                << "";
+  }
+  void eyesKeepTheOrderOfTime() {
+    QFETCH(QString, done);
+    QFETCH(QString, seen);
+    Balls balls;
+    balls.scene.setViews({});
+    const model::PackedScene packed = model::packedScene(balls.scene, {.later = {balls.far}});
+    PageEngine engine;
+    QVERIFY(engine.take(packed.first).ok());
+    for (qsizetype i = 0; i < done.size(); i += 2) {
+      const model::NodeId id = done[i] == 'N'   ? balls.near
+                               : done[i] == 'F' ? balls.far
+                                                : balls.group;
+      engine.setVisible({{id}}, done[i + 1] == '+');
+    }
+    const auto shown = [&] {
+      return QString(engine.visible(balls.near) ? "N" : "") +
+             (engine.visible(balls.far) ? "F" : "");
+    };
+    QCOMPARE(shown(), seen);
+    QVERIFY(engine.take(packed.rest).ok());
+    QCOMPARE(shown(), seen);
+  }
+
   void refusesWhatIsNoScene() {
     PageEngine engine;
     const Status taken = engine.take("nothing of the kind");
@@ -228,6 +270,57 @@ class PageEngineTest : public QObject {
     QVERIFY(box.low.x >= 0.0f && box.low.y >= 0.0f && box.high.x <= size.x && box.high.y <= size.y);
     const glm::vec2 middle = box.middle() / PageEngine::millimetres;
     QCOMPARE(engine.pick(middle).label, id);
+  }
+
+  /// Labels that were found for a page stand in the pictures that show what they name, and nowhere
+  /// else; while the scene turns none is added.
+  void labelsOfWhatIsSeen() {
+    Balls balls;
+    balls.scene.setViews({});
+    // From the front the near one hides the far one.
+    std::vector<model::Node> nodes = balls.scene.nodes();
+    nodes[2].mesh = test::moved(*test::sphere(20.0f, 4), 1.0f, {0.0f, 80.0f, 0.0f});
+    for (model::Node& node : nodes)
+      node.style.gamma = Gamma::clamped(5.0f);
+    balls.scene.setAnnotations({});
+    balls.scene.setNodes(nodes);
+    for (const model::NodeId id : {balls.near, balls.far}) {
+      model::Annotation label{.text = "ball", .found = true};
+      label.anchors = {model::SurfacePoint{.structure = id}};
+      balls.scene.appendAnnotation(label);
+    }
+    const auto made = balls.engine();
+    PageEngine& engine = *made;
+    engine.look(model::AnatomicalView::anterior);
+    std::vector<TextRoom> rooms;
+    for (const model::Annotation& label : engine.shown().annotations())
+      rooms.push_back({label.id, {60.0f, 20.0f}});
+    const auto standing = [&](bool moving) {
+      engine.layOutLabels(moving);
+      QString all;
+      for (const render::PlacedLabel& label : engine.labels().labels)
+        all += (label.id == rooms[0].id ? "near" : "far") + QString(label.hidden ? "? " : " ");
+      return all.trimmed();
+    };
+    engine.setLabels(rooms);
+    QCOMPARE(standing(false), QString("near far?"));
+    engine.setLabels(rooms, true);
+    QCOMPARE(standing(false), QString("near"));
+    engine.look(model::AnatomicalView::left);
+    QVERIFY(!standing(true).contains("far"));
+    QCOMPARE(standing(false), QString("near far"));
+    // From either side each label stands on the side of what it names.
+    for (const model::AnatomicalView side :
+         {model::AnatomicalView::left, model::AnatomicalView::right}) {
+      engine.look(side);
+      QCOMPARE(standing(false), QString("near far"));
+      for (std::size_t i = 0; i < 2; ++i) {
+        const render::PlacedLabel& label = engine.labels().labels[i];
+        const float place = engine.labelItems()[i].places.front().x;
+        const float middle = PageEngine::millimetres * 400.0f;
+        QVERIFY((label.box.middle().x < middle) == (place < middle));
+      }
+    }
   }
 
   /// The strokes of a canvas lie where the picture's ink is, and the other way round.

@@ -118,6 +118,40 @@ class PageSceneTest : public QObject {
     QCOMPARE(page.scene.views()[0].words.title.text, std::string("As it is"));
   }
 
+  /// A scene without labels has one for each structure, whichever side one turns to the eye; those
+  /// of a view are of what is seen in it.
+  void labelsAreFound() {
+    render::ExportOrder order = lessonOf({"liver", "spleen"});
+    order.scene.setAnnotations({});
+    std::vector<model::Node> nodes = order.scene.nodes();
+    // The spleen lies behind the liver, a little smaller.
+    nodes[0].mesh = sphere(10.0f, 4);
+    nodes[1].mesh = moved(*sphere(8.0f, 4), 1.0f, {0.0f, 30.0f, 0.0f});
+    for (model::Node& node : nodes)
+      node.style.gamma = Gamma::clamped(5.0f);
+    order.scene.setNodes(nodes);
+    fitCamera(order);
+    std::vector<model::View> views;
+    addView(order, views, "Front");
+    model::View& behind = addView(order, views, "Behind");
+    behind.camera = model::anatomicalCamera(model::AnatomicalView::posterior,
+                                            order.scene.visibleBounds(), 1.5f);
+    order.scene.setViews(views);
+    const render::ExportOrder page = render::pageOrder(order);
+    QVERIFY(page.of<render::StudentsOptions>().foundLabels);
+    const auto& labels = page.scene.annotations();
+    QCOMPARE(labels.size(), std::size_t(2));
+    QCOMPARE(labels[0].text, std::string("liver"));
+    QVERIFY(labels[0].visible && !labels[1].visible);
+    const auto& of = page.scene.views();
+    QVERIFY(*of[0].annotations == std::vector{labels[0].id});
+    QVERIFY(*of[1].annotations == std::vector{labels[1].id});
+    const nlohmann::json facts = factsOf(pageOf(order).html);
+    QCOMPARE(facts["labels"].size(), std::size_t(2));
+    QVERIFY(facts["labelsFound"] == nlohmann::json(true));
+    QVERIFY(!factsOf(pageOf(lessonOf({"liver"})).html).contains("labelsFound"));
+  }
+
   void whatNobodySees() {
     render::ExportOrder order = lessonOf({"liver", "spleen"});
     std::vector<model::Node> nodes = order.scene.nodes();
