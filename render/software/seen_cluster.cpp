@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/base/wide_loops.h"
+
 namespace sline::render {
 
 namespace {
@@ -20,8 +22,9 @@ std::int32_t below(float x) {
 
 }  // namespace
 
-bool SeenCluster::project(const model::Cluster& cluster, const model::Surface& surface,
-                          const PictureView& view, const SampleGrid& grid) {
+SLINE_WIDE_LOOPS bool SeenCluster::project(const model::Cluster& cluster,
+                                           const model::Surface& surface, const PictureView& view,
+                                           const SampleGrid& grid) {
   const glm::mat4& m = view.viewProjection();
   const glm::vec2 half = 0.5f * view.size();
   const glm::vec2 corner(grid.corner);
@@ -53,7 +56,8 @@ bool SeenCluster::project(const model::Cluster& cluster, const model::Surface& s
   return lost == 0;
 }
 
-void SeenCluster::findBoxes(std::span<const std::array<std::uint8_t, 3>> triangles) {
+SLINE_WIDE_LOOPS void SeenCluster::findBoxes(
+    std::span<const std::array<std::uint8_t, 3>> triangles) {
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       cornerX[c][i] = x[triangles[i][c]];

@@ -233,9 +233,10 @@ class SurfaceBand {
         (m_view.project(sphere.centre).pixel - glm::vec2(m_samples.grid.corner)) / step -
         glm::vec2(float(m_samples.area.x), float(m_samples.area.y)) - 0.5f;
     // Seen aslant it is narrower along its normal, but for what its cone of normals adds.
-    const float facing = glm::dot(cluster.coneAxis, directionTo(m_view.eye(), sphere.centre)) +
-                         std::sqrt(std::max(1.0f - cluster.coneCosine * cluster.coneCosine, 0.0f));
-    const glm::vec2 slant = m_view.projectedDirection(sphere.centre, cluster.coneAxis);
+    const float facing =
+        glm::dot(cluster.cone.axis, directionTo(m_view.eye(), sphere.centre)) +
+        std::sqrt(std::max(1.0f - cluster.cone.cosine * cluster.cone.cosine, 0.0f));
+    const glm::vec2 slant = m_view.projectedDirection(sphere.centre, cluster.cone.axis);
     const float longer = 1.0f / std::clamp(facing, 0.01f, 1.0f);
     const int bottom = std::max(int(std::ceil(at.y - radius)), m_first);
     const int top = std::min(int(std::floor(at.y + radius)) + 1, m_end);
@@ -264,9 +265,9 @@ class SurfaceBand {
       return;
     const model::Surface& surface = member.shown->surface();
     const std::uint32_t vertex = surface.clusters.vertices[cluster.firstVertex];
-    m_values[normalX][at] = cluster.coneAxis.x;
-    m_values[normalY][at] = cluster.coneAxis.y;
-    m_values[normalZ][at] = cluster.coneAxis.z;
+    m_values[normalX][at] = cluster.cone.axis.x;
+    m_values[normalY][at] = cluster.cone.axis.y;
+    m_values[normalZ][at] = cluster.cone.axis.z;
     if (member.needs[gradient])
       m_values[gradient][at] =
           gradientAt(surface, vertex, surface.mesh->positions()[vertex], member.fill);

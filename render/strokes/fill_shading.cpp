@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "model/base/wide_loops.h"
+
 namespace sline::render {
 
 namespace {
@@ -134,7 +136,8 @@ glm::vec4 FillShading::colourAt(const glm::vec3& normal, const glm::vec3& toward
 }
 
 template <bool keyed, bool varies, bool byForm>
-void FillShading::shadeRow(const SampleRow& row, std::uint32_t* colours) const {
+[[gnu::always_inline]] inline void FillShading::shadeRow(const SampleRow& row,
+                                                         std::uint32_t* colours) const {
   std::array<float, rowPiece> shading;
   std::array<float, rowPiece> complete;
   if (varies)
@@ -184,7 +187,8 @@ void FillShading::shadeRow(const SampleRow& row, std::uint32_t* colours) const {
 }
 
 template <bool keyed>
-void FillShading::shadeKeyed(const SampleRow& row, std::uint32_t* colours) const {
+[[gnu::always_inline]] inline void FillShading::shadeKeyed(const SampleRow& row,
+                                                           std::uint32_t* colours) const {
   if (m_fill.gammaOffsets && m_fill.byForm)
     shadeRow<keyed, true, true>(row, colours);
   else if (m_fill.gammaOffsets)
@@ -195,7 +199,7 @@ void FillShading::shadeKeyed(const SampleRow& row, std::uint32_t* colours) const
     shadeRow<keyed, false, false>(row, colours);
 }
 
-void FillShading::shade(const SampleRow& row, std::uint32_t* colours) const {
+SLINE_WIDE_LOOPS void FillShading::shade(const SampleRow& row, std::uint32_t* colours) const {
   for (std::size_t first = 0; first < row.count; first += rowPiece) {
     SampleRow piece = row;
     for (const float*& normal : piece.normal)
