@@ -4,8 +4,11 @@
 // additions are not fused.
 #pragma once
 
-/// Stands before a function, no template, with such loops; what it calls must be inlined.
-#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
+/// Stands before a function, no template, with such loops; what it calls must be inlined. Which of
+/// the function's two versions is called is decided while the program starts, before sanitizers are
+/// ready: they get one.
+#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define SLINE_WIDE_LOOPS __attribute__((target_clones("avx2", "default")))
 #else
 #define SLINE_WIDE_LOOPS

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -78,10 +79,34 @@ std::uint8_t sampleOf(float difference, float perStep) {
   return std::uint8_t(Clusters::mostSteps + steps);
 }
 
-/// Bounds the shape operators of these vertices, whose positions are bounded, and appends their
-/// samples.
-TensorBounds boundTensors(const Source& source, const Sphere& places,
-                          std::span<const std::uint32_t> vertices,
+/// Appends the samples of positions and normals, which are bounded.
+void samplePlaces(Cluster& cluster, const Source& source, std::span<const std::uint32_t> vertices,
+                  std::vector<std::uint8_t>& samples) {
+  const Sphere& places = cluster.bounds;
+  float reach = 0.0f;
+  for (const std::uint32_t v : vertices) {
+    const glm::vec3 turned = glm::abs(source.vertices[v].normal - cluster.cone.axis);
+    reach = std::max({reach, turned.x, turned.y, turned.z});
+  }
+  cluster.normalStep = reach / Clusters::mostSteps;
+  const float perNormal = reach > 0.0f ? Clusters::mostSteps / reach : 0.0f;
+  const float perPlace = places.radius > 0.0f ? Clusters::mostSteps / places.radius : 0.0f;
+  const std::size_t count = vertices.size();
+  const std::size_t first = samples.size();
+  samples.resize(first + Clusters::placeRows * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const SurfaceVertex& v = source.vertices[vertices[i]];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto axis = glm::length_t(c);
+      samples[first + c * count + i] = sampleOf(v.position[axis] - places.centre[axis], perPlace);
+      samples[first + (3 + c) * count + i] =
+          sampleOf(v.normal[axis] - cluster.cone.axis[axis], perNormal);
+    }
+  }
+}
+
+/// Bounds the shape operators of these vertices, and appends their samples.
+TensorBounds boundTensors(const Source& source, std::span<const std::uint32_t> vertices,
                           std::vector<std::uint8_t>& samples) {
   TensorBounds bounds;
   if (vertices.empty())
@@ -107,22 +132,88 @@ TensorBounds boundTensors(const Source& source, const Sphere& places,
   }
   bounds.step = reach / Clusters::mostSteps;
   const float perStep = reach > 0.0f ? Clusters::mostSteps / reach : 0.0f;
-  const float perPlace = places.radius > 0.0f ? Clusters::mostSteps / places.radius : 0.0f;
   const std::size_t count = vertices.size();
   const std::size_t first = samples.size();
-  samples.resize(first + Clusters::sampleRows * count);
+  samples.resize(first + Clusters::bendingRows * count);
   for (std::size_t i = 0; i < count; ++i) {
-    const glm::vec3 place = source.vertices[vertices[i]].position - places.centre;
-    for (std::size_t c = 0; c < 3; ++c)
-      samples[first + c * count + i] = sampleOf(place[glm::length_t(c)], perPlace);
     Matrix difference;
     for (std::size_t c = 0; c < 6; ++c) {
       difference[c] = s[i][c] - bounds.middle[c];
-      samples[first + (3 + c) * count + i] = sampleOf(difference[c], perStep);
+      samples[first + c * count + i] = sampleOf(difference[c], perStep);
     }
     bounds.spread = std::max(bounds.spread, norm(difference));
   }
   return bounds;
+}
+
+/// Returns the smallest cone around the axis that holds these.
+NormalCone coneOf(const glm::vec3& axis, std::span<const Cluster> clusters) {
+  NormalCone all{.axis = axis, .cosine = 1.0f};
+  for (const Cluster& cluster : clusters) {
+    const float apart = std::clamp(glm::dot(axis, cluster.cone.axis), -1.0f, 1.0f);
+    const float own = cluster.cone.cosine;
+    // The sum of both angles must stay below half a turn.
+    if (!(own > -apart))
+      return {};
+    const float sines = std::sqrt((1.0f - apart * apart) * std::max(1.0f - own * own, 0.0f));
+    all.cosine = std::min(all.cosine, apart * own - sines - 1e-5f);
+  }
+  return all;
+}
+
+TensorBounds together(std::span<const Cluster> clusters) {
+  TensorBounds all;
+  Matrix low;
+  low.fill(std::numeric_limits<float>::infinity());
+  Matrix high;
+  high.fill(-std::numeric_limits<float>::infinity());
+  for (const Cluster& cluster : clusters)
+    for (std::size_t c = 0; cluster.candidateTriangles > 0 && c < 6; ++c) {
+      low[c] = std::min(low[c], cluster.tensorBounds.middle[c]);
+      high[c] = std::max(high[c], cluster.tensorBounds.middle[c]);
+    }
+  for (std::size_t c = 0; c < 6; ++c)
+    all.middle[c] = low[c] <= high[c] ? 0.5f * (low[c] + high[c]) : 0.0f;
+  for (const Cluster& cluster : clusters) {
+    if (cluster.candidateTriangles == 0)
+      continue;
+    Matrix difference;
+    for (std::size_t c = 0; c < 6; ++c)
+      difference[c] = cluster.tensorBounds.middle[c] - all.middle[c];
+    all.spread = std::max(all.spread, 1.0001f * (norm(difference) + cluster.tensorBounds.spread));
+    all.largest = std::max(all.largest, cluster.tensorBounds.largest);
+  }
+  return all;
+}
+
+Cluster groupOf(std::span<const Cluster> clusters) {
+  Cluster group{.firstTriangle = clusters.front().firstTriangle};
+  Box box;
+  glm::vec3 sum(0.0f);
+  for (const Cluster& cluster : clusters) {
+    group.triangleCount += cluster.triangleCount;
+    group.candidateTriangles += cluster.candidateTriangles;
+    box.add(cluster.bounds.centre);
+    sum += cluster.cone.axis;
+  }
+  group.bounds.centre = box.centre();
+  for (const Cluster& cluster : clusters)
+    group.bounds.radius = std::max(
+        group.bounds.radius, 1.0001f * (glm::distance(group.bounds.centre, cluster.bounds.centre) +
+                                        cluster.bounds.radius));
+  if (const float length = glm::length(sum); length > 0.0f)
+    group.cone = coneOf(sum / length, clusters);
+  group.tensorBounds = together(clusters);
+  return group;
+}
+
+std::vector<Cluster> groupsOf(std::span<const Cluster> clusters) {
+  constexpr std::size_t most = Clusters::itemsOfGroup;
+  std::vector<Cluster> groups((clusters.size() + most - 1) / most);
+  parallelFor(groups.size(), 64, [&](std::size_t i) {
+    groups[i] = groupOf(clusters.subspan(i * most, std::min(most, clusters.size() - i * most)));
+  });
+  return groups;
 }
 
 /// Numbers the vertices of one cluster in the order in which its triangles use them.
@@ -171,8 +262,8 @@ class Stretch {
     const std::span<const std::uint32_t> own(vertices.data() + cluster.firstVertex,
                                              cluster.vertexCount);
     boundShape(cluster, m_source, own, facesOf(cluster));
-    cluster.tensorBounds =
-        boundTensors(m_source, cluster.bounds, own.first(cluster.candidateVertices), samples);
+    samplePlaces(cluster, m_source, own, samples);
+    cluster.tensorBounds = boundTensors(m_source, own.first(cluster.candidateVertices), samples);
   }
 
   std::vector<std::uint32_t> vertices;
@@ -247,6 +338,7 @@ Clusters buildClusters(const Mesh& mesh, std::vector<std::uint32_t> order,
     stretches[s].vertices = {};
     stretches[s].samples = {};
   }
+  clusters.groups = groupsOf(clusters.items);
   return clusters;
 }
 

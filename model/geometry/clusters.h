@@ -29,6 +29,8 @@ struct NormalCone {
   float cosine = -1.0f;  ///< the smallest between the axis and any of them
 };
 
+/// A run of triangles; or a group of clusters, of which only what bounds it is known, and how many
+/// triangles and candidates it has.
 struct Cluster {
   std::uint32_t firstTriangle = 0;  ///< index into Clusters::triangles
   std::uint32_t triangleCount = 0;
@@ -41,6 +43,7 @@ struct Cluster {
   std::uint32_t firstSample = 0;  ///< index into Clusters::samples
   Sphere bounds;
   NormalCone cone;            ///< of its vertex and face normals
+  float normalStep = 0.0f;    ///< of Clusters::samples
   TensorBounds tensorBounds;  ///< of its candidate vertices
 };
 
@@ -53,13 +56,19 @@ struct Clusters {
   std::vector<std::uint32_t> vertices;   ///< the mesh's vertices of each cluster, each once
   /// For each slot, the indices into its cluster's vertices.
   std::vector<std::array<std::uint8_t, 3>> localTriangles;
-  static constexpr std::size_t sampleRows = 9;
+  static constexpr std::size_t placeRows = 6;
+  static constexpr std::size_t bendingRows = 6;
   static constexpr float mostSteps = 127.0f;  ///< also the number that stands for none
-  /// For each cluster nine rows of a number for each of its candidate vertices, from which signs of
-  /// κr are found without looking at the mesh: how its position differs from the centre of the
-  /// bounds, in steps of radius / 127, and S from the middle, in steps of the tensor bounds. Both
-  /// are rounded to the nearest step.
+  /// For each cluster six rows of a number for each of its vertices, from which signs of nv are
+  /// found without looking at the mesh: how its position differs from the centre of the bounds, in
+  /// steps of radius / 127, and its normal from the cone's axis, in the cluster's steps; then six
+  /// rows for each of its candidate vertices, from which signs of κr are found: how S differs from
+  /// the middle, in steps of the tensor bounds. All are rounded to the nearest step.
   std::vector<std::uint8_t> samples;
+
+  /// For so many items in a row, what bounds all of them, so that a view can skip them together.
+  static constexpr std::size_t itemsOfGroup = 64;
+  std::vector<Cluster> groups;
 };
 
 /// Cuts `order` (see clusterOrder) into clusters; `vertices` are those of the mesh.

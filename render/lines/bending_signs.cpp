@@ -2,7 +2,11 @@
 #include "render/lines/bending_signs.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <glm/geometric.hpp>
+
+#include "model/base/wide_loops.h"
 
 namespace sline::render {
 
@@ -50,7 +54,46 @@ bool mayBendBothWays(const model::Cluster& cluster, const model::EyePoint& eye) 
            bounds.spread + bounds.largest * (2.1f * view.radius + rounding));
 }
 
+namespace {
+
+/// What the loop over a cluster's candidates reads.
+struct BendingRows {
+  const std::uint8_t* places;
+  std::size_t vertices;
+  const std::uint8_t* tensors;
+  std::size_t candidates;
+};
+
 // The straight loop over arrays becomes vector instructions in the compiler.
+SLINE_WIDE_LOOPS
+void findBendings(const BendingRows& rows, const ClusterView& view,
+                  const model::TensorBounds& bounds, float* bendings) {
+  constexpr float none = model::Clusters::mostSteps;
+  const float place = view.radius / none;
+  const float step = bounds.step;
+  const glm::vec3 d = view.d + none * place;
+  std::array<float, 6> s = bounds.middle;
+  for (float& number : s)
+    number -= none * step;
+  const std::uint8_t* p = rows.places;
+  const std::uint8_t* t = rows.tensors;
+  const std::size_t vertices = rows.vertices;
+  const std::size_t count = rows.candidates;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float x = d.x - place * float(p[i]);
+    const float y = d.y - place * float(p[vertices + i]);
+    const float z = d.z - place * float(p[2 * vertices + i]);
+    bendings[i] = x * ((s[0] + step * float(t[i])) * x +
+                       2.0f * ((s[1] + step * float(t[count + i])) * y +
+                               (s[2] + step * float(t[2 * count + i])) * z)) +
+                  y * ((s[3] + step * float(t[3 * count + i])) * y +
+                       2.0f * (s[4] + step * float(t[4 * count + i])) * z) +
+                  (s[5] + step * float(t[5 * count + i])) * z * z;
+  }
+}
+
+}  // namespace
+
 float BendingSigns::estimate(const ClusterWalk& walk) {
   const model::Cluster& cluster = walk.cluster();
   const model::TensorBounds& bounds = cluster.tensorBounds;
@@ -60,30 +103,16 @@ float BendingSigns::estimate(const ClusterWalk& walk) {
     std::fill_n(m_bending.begin(), count, 0.0f);
     return 0.0f;
   }
-  const std::uint8_t* in = walk.surface().clusters.samples.data() + cluster.firstSample;
-  constexpr float none = model::Clusters::mostSteps;
-  const float place = view.radius / none;
-  const float step = bounds.step;
-  const glm::vec3 d = view.d + none * place;
-  std::array<float, 6> s = bounds.middle;
-  for (float& number : s)
-    number -= none * step;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float x = d.x - place * float(in[i]);
-    const float y = d.y - place * float(in[count + i]);
-    const float z = d.z - place * float(in[2 * count + i]);
-    m_bending[i] = x * ((s[0] + step * float(in[3 * count + i])) * x +
-                        2.0f * ((s[1] + step * float(in[4 * count + i])) * y +
-                                (s[2] + step * float(in[5 * count + i])) * z)) +
-                   y * ((s[3] + step * float(in[6 * count + i])) * y +
-                        2.0f * (s[4] + step * float(in[7 * count + i])) * z) +
-                   (s[5] + step * float(in[8 * count + i])) * z * z;
-  }
+  const std::uint8_t* places = walk.samples();
+  findBendings({places, cluster.vertexCount,
+                places + model::Clusters::placeRows * cluster.vertexCount, count},
+               view, bounds, m_bending.data());
   // Half a step of each number of S, and of each coordinate: √¾ / 127 of the radius, where d is at
   // most 1.5 long.
   const float longest =
       std::abs(view.d.x) + std::abs(view.d.y) + std::abs(view.d.z) + 1.74f * view.radius;
-  return 0.51f * step * longest * longest + bounds.largest * (0.021f * view.radius + rounding);
+  return 0.51f * bounds.step * longest * longest +
+         bounds.largest * (0.021f * view.radius + rounding);
 }
 
 bool BendingSigns::find(const ClusterWalk& walk) {

@@ -107,12 +107,16 @@ class ClusterWalk {
     return m_surface.clusters.vertices[m_cluster->firstVertex + local];
   }
 
+  /// Returns the cluster's samples (model::Clusters).
+  const std::uint8_t* samples() const {
+    return m_surface.clusters.samples.data() + m_cluster->firstSample;
+  }
+
   const model::SurfaceVertex& shapeAt(std::uint8_t local) const {
     return m_surface.vertices[vertex(local)];
   }
-  /// Have the processor fetch a vertex, or those of a cluster, that will be looked at soon.
+  /// Has the processor fetch a vertex that will be looked at soon.
   void fetch(std::uint8_t local) const { __builtin_prefetch(&shapeAt(local)); }
-  void fetch(const model::Cluster& cluster) const;
 
   // d is the vector to the eye, of any length, which is enough for signs.
   /// Returns ⟨n, d⟩ = nv·|d| of all vertices.

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/lines/coarse_depth.h"
+#include "render/lines/facing_signs.h"
 #include "render/lines/stage_entry.h"
 #include "render/lines/view_scale.h"
 
@@ -35,11 +36,15 @@ bool contoursMayPass(const model::Cluster&, model::Facing facing, const model::E
 
 void extractContours(const ClusterWalk& walk, const LineRequest& request,
                      std::vector<Segment>& segments) {
-  Signs signs;
-  if (!signs.take(walk.facing()))
+  FacingSigns signs;
+  if (!signs.find(walk))
     return;
   const auto nvAt = [&walk](std::uint8_t vertex) { return walk.nvAt(vertex); };
-  for (const Signs::Crossed& crossed : signs.crossed(walk.locals(walk.cluster().triangleCount))) {
+  const std::span<const Signs::Crossed> all = signs.crossed(walk);
+  for (const Signs::Crossed& crossed : all)
+    for (const std::uint8_t corner : walk.local(crossed.triangle))
+      walk.fetch(corner);
+  for (const Signs::Crossed& crossed : all) {
     const ClusterWalk::Local& local = walk.local(crossed.triangle);
     const bool concave = risesAwayFromEye(walk, local);
     if (concave && !request.hiddenContours)

@@ -34,13 +34,16 @@ class Descent {
         m_perMm(layout.surface().clusters.items.size(), 0.0f) {}
 
   std::vector<const KeptCell*> cells() {
-    const std::vector<model::Cluster>& clusters = m_layout.surface().clusters.items;
-    for (std::size_t c = 0; c < clusters.size(); ++c) {
-      const model::Sphere& bounds = clusters[c].bounds;
-      if ((m_view.twoSided || model::facing(clusters[c], m_view.eye) != model::Facing::back) &&
-          !m_view.frustum.misses(bounds))
-        m_perMm[c] = perMmAt(m_view.scale.project(bounds.centre).distanceMm - bounds.radius);
-    }
+    const model::Clusters& clusters = m_layout.surface().clusters;
+    constexpr std::size_t most = model::Clusters::itemsOfGroup;
+    for (std::size_t group = 0; group < clusters.groups.size(); ++group)
+      if (shows(clusters.groups[group]))
+        for (std::size_t c = group * most; c < std::min(clusters.items.size(), (group + 1) * most);
+             ++c)
+          if (const model::Cluster& cluster = clusters.items[c]; shows(cluster)) {
+            const model::Sphere& bounds = cluster.bounds;
+            m_perMm[c] = perMmAt(m_view.scale.project(bounds.centre).distanceMm - bounds.radius);
+          }
     std::vector<const KeptCell*> candidates = m_layout.coarsest();
     while (!candidates.empty()) {
       m_next.clear();
@@ -54,6 +57,11 @@ class Descent {
   }
 
  private:
+  bool shows(const model::Cluster& cluster) const {
+    return (m_view.twoSided || model::facing(cluster, m_view.eye) != model::Facing::back) &&
+           !m_view.frustum.misses(cluster.bounds);
+  }
+
   /// Returns the most λ that a millimetre takes on clusters which strokes of the cell may reach; or
   /// any number above `enough`.
   float mostReached(const KeptCell& cell, float enough) const {

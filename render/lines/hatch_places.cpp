@@ -72,11 +72,11 @@ template <bool atInfinity>
     const float across = lengths > 1e-30f ? alongStroke : anyWay;
     const float wide = std::sqrt(std::max(across, 0.0f));
     const float narrow = across * (1.0f / 0.5f);
-    const bool near = (std::abs(x) <= farthest.x) & (std::abs(y) <= farthest.y);
+    const float beyond = std::max(std::abs(x) - farthest.x, std::abs(y) - farthest.y);
     block.x[i] = x;
     block.y[i] = y;
     block.across[i] = across;
-    block.perMm[i] = near ? perMm * (across >= deep ? wide : narrow) : 0.0f;
+    block.perMm[i] = beyond <= 0.0f ? perMm * (across >= deep ? wide : narrow) : 0.0f;
   }
   static_assert(deep == 0.25f, "its root is 0.5");
 }

@@ -2,6 +2,8 @@
 #include "render/lines/lines.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <glm/vector_relational.hpp>
 #include <span>
 
@@ -16,7 +18,7 @@ using model::Surface;
 
 namespace {
 
-constexpr std::size_t clustersPerTask = 128;
+constexpr std::size_t groupsPerTask = 2;
 
 /// Returns those of the wanted techniques whose lines come from clusters.
 std::vector<const LineTechnique*> byCluster(const LineRequest& request) {
@@ -27,27 +29,82 @@ std::vector<const LineTechnique*> byCluster(const LineRequest& request) {
   return techniques;
 }
 
-/// A cluster, and how it faces the eye.
-struct Faced {
-  const Cluster& cluster;
-  Facing facing;
-};
+/// Finds lines by cluster, one group of clusters after the other.
+class GroupScan {
+ public:
+  GroupScan(const Surface& surface, const model::EyePoint& eye, const LineRequest& request,
+            std::span<const LineTechnique* const> techniques)
+      : m_clusters(surface.clusters),
+        m_request(request),
+        m_techniques(techniques),
+        m_walk(surface, eye) {}
 
-void extract(ClusterWalk& walk, const Faced& faced, const LineRequest& request,
-             std::span<const LineTechnique* const> techniques, LineSet& lines) {
-  const auto& [cluster, facing] = faced;
-  if (facing == Facing::back && !request.twoSided)
-    return;
-  bool entered = false;
-  for (const LineTechnique* technique : techniques) {
-    if (!technique->mayPass(cluster, facing, walk.eye()))
-      continue;
-    if (!entered)
-      walk.enter(cluster);
-    entered = true;
-    technique->extract(walk, request, lines[technique->kind]);
+  void scan(std::size_t group, LineSet& lines) {
+    const Mask all = (Mask(1) << m_techniques.size()) - 1;
+    const Mask some = passing(m_clusters.groups[group], all);
+    if (some == 0)
+      return;
+    const std::size_t first = group * model::Clusters::itemsOfGroup;
+    const std::size_t end =
+        std::min(m_clusters.items.size(), first + model::Clusters::itemsOfGroup);
+    m_found.clear();
+    for (std::size_t i = first; i < end; ++i)
+      if (const Mask own = passing(m_clusters.items[i], some); own != 0)
+        m_found.push_back({&m_clusters.items[i], own});
+    for (std::size_t i = 0; i < m_found.size(); ++i) {
+      if (i + 1 < m_found.size())
+        fetch(*m_found[i + 1].cluster);
+      extract(*m_found[i].cluster, m_found[i].techniques, lines);
+    }
   }
-}
+
+ private:
+  using Mask = std::uint32_t;  ///< a bit for each technique
+  static_assert(lineKindCount < 32);
+
+  /// Returns those of the techniques whose lines may pass through a cluster or group.
+  Mask passing(const Cluster& cluster, Mask techniques) const {
+    const Facing facing = model::facing(cluster, m_walk.eye());
+    if (facing == Facing::back && !m_request.twoSided)
+      return 0;
+    Mask passing = 0;
+    for (std::size_t i = 0; i < m_techniques.size(); ++i)
+      if ((techniques >> i & 1u) != 0 && m_techniques[i]->mayPass(cluster, facing, m_walk.eye()))
+        passing |= Mask(1) << i;
+    return passing;
+  }
+
+  /// Has the processor fetch what techniques look at first.
+  void fetch(const Cluster& cluster) const {
+    constexpr std::size_t line = 64;  // bytes of the processor's cache
+    const auto all = [](const void* from, std::size_t bytes) {
+      for (std::size_t at = 0; at < bytes; at += line)
+        __builtin_prefetch(static_cast<const char*>(from) + at);
+    };
+    all(m_clusters.samples.data() + cluster.firstSample,
+        model::Clusters::placeRows * cluster.vertexCount +
+            model::Clusters::bendingRows * cluster.candidateVertices);
+    all(m_clusters.localTriangles.data() + cluster.firstTriangle, 3 * cluster.triangleCount);
+    all(m_clusters.vertices.data() + cluster.firstVertex, 4 * cluster.vertexCount);
+  }
+
+  void extract(const Cluster& cluster, Mask techniques, LineSet& lines) {
+    m_walk.enter(cluster);
+    for (std::size_t i = 0; i < m_techniques.size(); ++i)
+      if ((techniques >> i & 1u) != 0)
+        m_techniques[i]->extract(m_walk, m_request, lines[m_techniques[i]->kind]);
+  }
+
+  const model::Clusters& m_clusters;
+  const LineRequest& m_request;
+  std::span<const LineTechnique* const> m_techniques;
+  ClusterWalk m_walk;
+  struct Found {
+    const Cluster* cluster;
+    Mask techniques;
+  };
+  std::vector<Found> m_found;  ///< in the group in work
+};
 
 /// Finds the lines of a technique that looks at the whole surface.
 void find(const LineTechnique& technique, const Surface& surface, const model::Camera& camera,
@@ -70,24 +127,13 @@ LineThresholds::LineThresholds() {
 LineSet extractLines(const Surface& surface, const model::Camera& camera,
                      const LineRequest& request) {
   const model::EyePoint eye = eyeOf(camera);
-  const std::vector<Cluster>& clusters = surface.clusters.items;
   const std::vector<const LineTechnique*> techniques = byCluster(request);
-  std::vector<LineSet> parts(
-      techniques.empty() ? 0 : (clusters.size() + clustersPerTask - 1) / clustersPerTask);
-  parallelFor(parts.size(), 1, [&](std::size_t part) {
-    ClusterWalk walk(surface, eye);
-    const std::size_t first = part * clustersPerTask;
-    const std::size_t end = std::min(clusters.size(), first + clustersPerTask);
-    Facing next = model::facing(clusters[first], eye);
-    for (std::size_t i = first; i < end; ++i) {
-      const Facing facing = next;
-      if (i + 1 < end) {
-        next = model::facing(clusters[i + 1], eye);
-        if (next == Facing::mixed)
-          walk.fetch(clusters[i + 1]);
-      }
-      extract(walk, {clusters[i], facing}, request, techniques, parts[part]);
-    }
+  const std::size_t groups = techniques.empty() ? 0 : surface.clusters.groups.size();
+  std::vector<LineSet> parts(groups);
+  parallelChunks(groups, groupsPerTask, [&](std::size_t begin, std::size_t end) {
+    GroupScan scan(surface, eye, request, techniques);
+    for (std::size_t group = begin; group < end; ++group)
+      scan.scan(group, parts[begin]);
   });
   LineSet lines;
   parallelFor(techniques.size(), 1, [&](std::size_t i) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <span>
 
 #include "render/lines/stroke_placer.h"
 
@@ -23,28 +22,9 @@ constexpr float sideMargin = 4.0f;
 // times the points of the last view.
 constexpr std::size_t fewPoints = 50'000;
 constexpr std::size_t viewsKept = 4;
-// Clusters that follow each other in space are looked at together first.
-constexpr std::size_t clustersOfGroup = 64;
 
 model::Box grown(const model::Box& box, float by) {
   return {box.low - by, box.high + by};
-}
-
-std::vector<model::Sphere> groupsOf(const std::vector<model::Cluster>& clusters) {
-  std::vector<model::Sphere> groups;
-  for (std::size_t first = 0; first < clusters.size(); first += clustersOfGroup) {
-    const auto own =
-        std::span(clusters).subspan(first, std::min(clustersOfGroup, clusters.size() - first));
-    model::Box box;
-    for (const model::Cluster& cluster : own)
-      box.add(cluster.bounds.centre);
-    float radius = 0.0f;
-    for (const model::Cluster& cluster : own)
-      radius = std::max(radius,
-                        glm::distance(box.centre(), cluster.bounds.centre) + cluster.bounds.radius);
-    groups.push_back({box.centre(), 1.0001f * radius});
-  }
-  return groups;
 }
 
 int order(const LaidCell& cell) {
@@ -59,7 +39,6 @@ bool touches(const model::Sphere& sphere, const model::Box& box) {
 
 StrokeLayout::StrokeLayout(model::SurfacePtr surface, float length)
     : m_surface(std::move(surface)),
-      m_groups(groupsOf(m_surface->clusters.items)),
       m_neighbours(*m_surface->mesh),
       m_directions(*m_surface),
       m_length(length) {
@@ -211,11 +190,12 @@ KeptCell& StrokeLayout::keep(const LaidCell& cell, std::vector<std::uint32_t> cl
 
 std::vector<std::uint32_t> StrokeLayout::clustersWithin(const model::Box& box) const {
   const std::vector<model::Cluster>& items = m_surface->clusters.items;
+  const std::vector<model::Cluster>& groups = m_surface->clusters.groups;
+  constexpr std::size_t most = model::Clusters::itemsOfGroup;
   std::vector<std::uint32_t> clusters;
-  for (std::size_t group = 0; group < m_groups.size(); ++group)
-    if (touches(m_groups[group], box))
-      for (std::size_t c = group * clustersOfGroup;
-           c < std::min(items.size(), (group + 1) * clustersOfGroup); ++c)
+  for (std::size_t group = 0; group < groups.size(); ++group)
+    if (touches(groups[group].bounds, box))
+      for (std::size_t c = group * most; c < std::min(items.size(), (group + 1) * most); ++c)
         if (touches(items[c].bounds, box))
           clusters.push_back(std::uint32_t(c));
   clusters.shrink_to_fit();

@@ -192,8 +192,7 @@ class StrokeLayout {
             StrokeSpacing& taken) const;
 
   model::SurfacePtr m_surface;
-  std::vector<std::uint32_t> m_slots;   ///< of each triangle, in Clusters::triangles
-  std::vector<model::Sphere> m_groups;  ///< around so many clusters in a row
+  std::vector<std::uint32_t> m_slots;  ///< of each triangle, in Clusters::triangles
   model::FaceNeighbours m_neighbours;
   StrokeDirections m_directions;
   float m_length;

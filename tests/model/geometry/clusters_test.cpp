@@ -91,8 +91,10 @@ class ClustersTest : public QObject {
         }
         QVERIFY(convex == 3 || concave == 3);
       }
+      for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)
+        checkPlace(*surface, cluster, i);
       for (std::uint32_t i = 0; i < cluster.candidateVertices; ++i)
-        checkSample(*surface, cluster, i);
+        checkBending(*surface, cluster, i);
     }
     QVERIFY(candidates > surface->mesh->triangleCount() / 4);
     QVERIFY(candidates < surface->mesh->triangleCount());
@@ -133,35 +135,80 @@ class ClustersTest : public QObject {
     QVERIFY2(decided > 500, "the bounds decide hardly anything");
   }
 
+  // A group says of all its clusters what each says of itself.
+  void groupsBoundTheirClusters() {
+    const auto surface = model::prepareSurface(test::torus(10, 3, 240, 120));
+    const model::Clusters& clusters = surface->clusters;
+    constexpr std::size_t most = model::Clusters::itemsOfGroup;
+    QCOMPARE(clusters.groups.size(), (clusters.items.size() + most - 1) / most);
+    int narrow = 0;
+    for (std::size_t i = 0; i < clusters.items.size(); ++i) {
+      const model::Cluster& item = clusters.items[i];
+      const model::Cluster& group = clusters.groups[i / most];
+      QVERIFY(glm::distance(item.bounds.centre, group.bounds.centre) + item.bounds.radius <=
+              group.bounds.radius);
+      QVERIFY(group.candidateTriangles >= item.candidateTriangles);
+      narrow += group.cone.cosine > 0.0f;
+      for (std::uint32_t k = 0; k < item.vertexCount; ++k) {
+        const model::SurfaceVertex& v = surface->vertices[clusters.vertices[item.firstVertex + k]];
+        if (group.cone.cosine > -1.0f)
+          QVERIFY(glm::dot(v.normal, group.cone.axis) >= group.cone.cosine);
+        if (k >= item.candidateVertices)
+          continue;
+        const std::array<float, 6> s = model::shapeOperator(v);
+        float squared = 0.0f;
+        for (std::size_t c = 0; c < 6; ++c) {
+          const float difference = s[c] - group.tensorBounds.middle[c];
+          squared += (c == 0 || c == 3 || c == 5 ? 1.0f : 2.0f) * difference * difference;
+        }
+        QVERIFY(std::sqrt(squared) <= group.tensorBounds.spread + 1e-6f);
+        QVERIFY(std::max(std::abs(v.k.x), std::abs(v.k.y)) <= group.tensorBounds.largest);
+      }
+    }
+    QVERIFY2(narrow > 0, "the cones decide nothing");
+  }
+
  private:
-  static void checkSample(const model::Surface& surface, const model::Cluster& cluster,
-                          std::uint32_t vertex) {
+  static float sample(const model::Clusters& clusters, std::size_t at) {
+    return float(clusters.samples[at]) - model::Clusters::mostSteps;
+  }
+
+  static void checkPlace(const model::Surface& surface, const model::Cluster& cluster,
+                         std::uint32_t vertex) {
     const model::Clusters& clusters = surface.clusters;
     const model::SurfaceVertex& v =
         surface.vertices[clusters.vertices[cluster.firstVertex + vertex]];
-    const auto sample = [&](std::size_t row) {
-      return float(
-                 clusters.samples[cluster.firstSample + row * cluster.candidateVertices + vertex]) -
-             model::Clusters::mostSteps;
-    };
     const float place = cluster.bounds.radius / model::Clusters::mostSteps;
-    const glm::vec3 e2 = glm::cross(v.normal, v.e1);
-    std::size_t row = 3;
-    float squared = 0.0f;
     for (glm::length_t a = 0; a < 3; ++a) {
-      QVERIFY(std::abs(cluster.bounds.centre[a] + place * sample(std::size_t(a)) - v.position[a]) <=
+      const std::size_t at = cluster.firstSample + std::size_t(a) * cluster.vertexCount + vertex;
+      QVERIFY(std::abs(cluster.bounds.centre[a] + place * sample(clusters, at) - v.position[a]) <=
               0.501f * place);
-      for (glm::length_t b = a; b < 3; ++b, ++row) {
-        const model::TensorBounds& bounds = cluster.tensorBounds;
-        const float s = v.k.x * v.e1[a] * v.e1[b] + v.k.y * e2[a] * e2[b];
-        QVERIFY(std::abs(bounds.middle[row - 3] + bounds.step * sample(row) - s) <=
-                0.501f * bounds.step + 1e-6f * bounds.largest);
-        const float difference = s - bounds.middle[row - 3];
-        squared += (a == b ? 1.0f : 2.0f) * difference * difference;
-      }
+      QVERIFY(std::abs(cluster.cone.axis[a] +
+                       cluster.normalStep *
+                           sample(clusters, at + std::size_t(3) * cluster.vertexCount) -
+                       v.normal[a]) <= 0.501f * cluster.normalStep + 1e-6f);
     }
-    QVERIFY(std::sqrt(squared) <= 1.001f * cluster.tensorBounds.spread + 1e-6f);
-    QVERIFY(std::max(std::abs(v.k.x), std::abs(v.k.y)) <= cluster.tensorBounds.largest);
+  }
+
+  static void checkBending(const model::Surface& surface, const model::Cluster& cluster,
+                           std::uint32_t vertex) {
+    const model::Clusters& clusters = surface.clusters;
+    const model::TensorBounds& bounds = cluster.tensorBounds;
+    const model::SurfaceVertex& v =
+        surface.vertices[clusters.vertices[cluster.firstVertex + vertex]];
+    const std::array<float, 6> s = model::shapeOperator(v);
+    const std::size_t first =
+        cluster.firstSample + model::Clusters::placeRows * cluster.vertexCount;
+    float squared = 0.0f;
+    for (std::size_t c = 0; c < 6; ++c) {
+      const std::size_t at = first + c * cluster.candidateVertices + vertex;
+      QVERIFY(std::abs(bounds.middle[c] + bounds.step * sample(clusters, at) - s[c]) <=
+              0.501f * bounds.step + 1e-6f * bounds.largest);
+      const float difference = s[c] - bounds.middle[c];
+      squared += (c == 0 || c == 3 || c == 5 ? 1.0f : 2.0f) * difference * difference;
+    }
+    QVERIFY(std::sqrt(squared) <= 1.001f * bounds.spread + 1e-6f);
+    QVERIFY(std::max(std::abs(v.k.x), std::abs(v.k.y)) <= bounds.largest);
   }
 };
 
