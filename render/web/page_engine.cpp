@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <utility>
 
 #include "model/edit/look.h"
@@ -41,11 +40,9 @@ LabelPost nearerSide(const LabelItem& item, const LabelBox& anatomy) {
   return item.places.front().x < anatomy.middle().x ? LabelPost::left : LabelPost::right;
 }
 
-/// How often labels are taken away where a side has too many.
-constexpr int mostTries = 10;
-
-/// Returns the side from which a label had to go to the other one, past the anatomy's middle.
-std::optional<LabelPost> crowdedSide(const LabelRequest& request, const LabelLayout& layout) {
+/// Returns a label that had to go to the far side, past the anatomy's middle.
+std::optional<model::AnnotationId> strayLabel(const LabelRequest& request,
+                                              const LabelLayout& layout) {
   constexpr float beyond = 0.06f;  // of the anatomy's width, from its middle
   const LabelBox& anatomy = *request.obstacles.extent;
   for (const LabelItem& item : request.items) {
@@ -54,7 +51,7 @@ std::optional<LabelPost> crowdedSide(const LabelRequest& request, const LabelLay
     const bool column =
         placed && (placed->post == LabelPost::left || placed->post == LabelPost::right);
     if (column && past > beyond * anatomy.size().x && placed->post != nearerSide(item, anatomy))
-      return nearerSide(item, anatomy);
+      return item.id;
   }
   return std::nullopt;
 }
@@ -300,17 +297,10 @@ std::vector<glm::vec3> PageEngine::segments() {
 
 LabelLayout PageEngine::laidOut(LabelRequest& request, const LabelLayout* before) const {
   LabelLayout layout = render::layOutLabels(request, before);
-  const auto& extent = request.obstacles.extent;
-  if (!m_onlySeen || request.moving || !extent)
+  if (!m_onlySeen || request.moving || !request.obstacles.extent)
     return layout;
-  for (int tries = 0; tries < mostTries; ++tries) {
-    const std::optional<LabelPost> crowded = crowdedSide(request, layout);
-    const auto last =
-        std::find_if(request.items.rbegin(), request.items.rend(),
-                     [&](const LabelItem& item) { return crowded == nearerSide(item, *extent); });
-    if (!crowded || last == request.items.rend())
-      break;
-    request.items.erase(std::next(last).base());
+  while (const std::optional<model::AnnotationId> stray = strayLabel(request, layout)) {
+    std::erase_if(request.items, [&](const LabelItem& item) { return item.id == *stray; });
     layout = render::layOutLabels(request, before);
   }
   return layout;

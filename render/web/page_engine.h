@@ -122,8 +122,8 @@ class PageEngine {
   void show();
   /// Returns what is shown, in which those labels are visible that may stand in its picture.
   model::Scene labelled(bool moving) const;
-  /// Lays the labels out; of those of what is seen it takes away the least, until none must go to
-  /// the far side of the anatomy.
+  /// Lays the labels out; those of what is seen are left out where they would have to go to the far
+  /// side of the anatomy.
   LabelLayout laidOut(LabelRequest& request, const LabelLayout* before) const;
 
   model::UnpackedScene m_unpacked;

@@ -85,8 +85,7 @@ Replacements withTriangles(const model::Scene& scene, std::size_t most, Work& wo
   constexpr float smallest = 0.0005f;  // mm
   constexpr float largest = 20.0f;
   constexpr int turns = 7;
-  constexpr double measuring = 0.5;  // of the time
-  constexpr float outlying = 6.0f;   // tolerances
+  constexpr double measuring = 0.3;  // of the time
   const model::Box box = scene.visibleBounds();
   float low = smallest;
   float high = largest;
@@ -116,14 +115,8 @@ Replacements withTriangles(const model::Scene& scene, std::size_t most, Work& wo
   }
   const Replacements& wanted = trianglesOf(best) <= most ? best : found;
   return replaced(scene, work, 1.0 - measuring, measuring, [&](const model::MeshPtr& mesh) {
-    const model::Simplified fewer{wanted.at(mesh).mesh,
-                                  model::deviation(wanted.at(mesh).mesh, mesh)};
-    // A tip or a fold may be off much farther than the rest; there, a bound keeps it.
-    const float bound = outlying * tolerance;
-    if (fewer.error <= bound)
-      return fewer;
-    model::Simplified bounded = model::simplified(mesh, bound, [&work] { return work.goesOn(); });
-    return bounded.mesh->triangleCount() <= fewer.mesh->triangleCount() ? bounded : fewer;
+    const model::MeshPtr& fewer = wanted.at(mesh).mesh;
+    return model::Simplified{fewer, model::deviation(fewer, mesh)};
   });
 }
 
