@@ -160,8 +160,9 @@ class SurfaceBand {
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
       m_holders[count] = std::uint8_t(i);
-      count += std::size_t((m_seen.columns[i] > 0) & (m_seen.rows[i] > 0) &
-                           (!mixed | (m_seen.area[i] > 0.0f)));
+      const int holds = int(m_seen.columns[i] > 0) & int(m_seen.rows[i] > 0);
+      const int turns = int(!mixed) | int(m_seen.area[i] > 0.0f);
+      count += std::size_t(holds & turns);
     }
     return {m_holders.data(), count};
   }
