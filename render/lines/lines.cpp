@@ -84,8 +84,9 @@ class GroupScan {
     all(m_clusters.samples.data() + cluster.firstSample,
         model::Clusters::placeRows * cluster.vertexCount +
             model::Clusters::bendingRows * cluster.candidateVertices);
-    all(m_clusters.localTriangles.data() + cluster.firstTriangle, 3 * cluster.triangleCount);
-    all(m_clusters.vertices.data() + cluster.firstVertex, 4 * cluster.vertexCount);
+    all(m_clusters.localTriangles.data() + cluster.firstTriangle,
+        std::size_t(3) * cluster.triangleCount);
+    all(m_clusters.vertices.data() + cluster.firstVertex, std::size_t(4) * cluster.vertexCount);
   }
 
   void extract(const Cluster& cluster, Mask techniques, LineSet& lines) {

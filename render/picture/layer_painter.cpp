@@ -344,7 +344,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
                [&](std::size_t i) { return !drawn(layers[i]); });
   const bool blends = input.processor && std::all_of(layers.begin(), layers.end(), drawn);
   if (!blends) {
-    const auto outcome = drive(device, input, layers, driven, stopwatch);
+    auto outcome = drive(device, input, layers, driven, stopwatch);
     if (!outcome || *outcome != Outcome::painted)
       return outcome;
   }

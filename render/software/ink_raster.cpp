@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
+#include "render/raster/rounding.h"
 #include "render/software/line_sight.h"
 #include "render/software/paper.h"
 #include "render/software/trims.h"
@@ -108,7 +109,7 @@ float coverageOf(float halfWidth, float distance, float edge) {
 }
 
 std::uint16_t byteOf(float value) {
-  return std::uint16_t(255.0f * std::clamp(value, 0.0f, 1.0f) + 0.5f);
+  return std::uint16_t(nearestWhole(255.0f * std::clamp(value, 0.0f, 1.0f)));
 }
 
 /// Draws capsules of one kind, row by row.
@@ -168,7 +169,7 @@ class CapsuleDrawer {
 
   /// Returns the bits of the place that is nearest to the spot's.
   static std::uint32_t sightAt(const Capsule& c, const Spot& spot) {
-    return c.sight >> int(spot.t * float(c.steps) + 0.5f);
+    return c.sight >> nearestWhole(spot.t * float(c.steps));
   }
   static glm::vec2 outwardAt(const Capsule& c, float t) {
     return glm::normalize(glm::mix(c.outwardA, c.outwardB, t) + glm::vec2(1e-6f, 0.0f));

@@ -110,7 +110,7 @@ class SquareBlender {
         const float depth = depths[i];
         if (!(depth < 1.0f))
           continue;
-        const auto k = std::size_t(first - left + i);
+        const auto k = std::size_t(first - left) + std::size_t(i);
         Found* found = m_found.data() + k * most;
         std::size_t place = m_counts[k]++;
         for (; place > 0 && found[place - 1].depth > depth; --place)

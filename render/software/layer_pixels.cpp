@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "model/base/parallel.h"
+#include "render/raster/rounding.h"
 
 namespace sline::render {
 
@@ -143,7 +144,7 @@ class Enlarger {
 std::uint32_t packedColour(const glm::vec4& colour) {
   std::uint32_t word = 0;
   for (int c = 0; c < 4; ++c)
-    word |= std::uint32_t(255.0f * std::clamp(colour[c], 0.0f, 1.0f) + 0.5f) << (8 * c);
+    word |= nearestWhole(255.0f * std::clamp(colour[c], 0.0f, 1.0f)) << (8 * c);
   return word;
 }
 

@@ -10,7 +10,6 @@ namespace sline::render {
 
 namespace {
 
-constexpr float slack = SeenCluster::slack;
 /// Farther from the picture's corner floats do not resolve the slack.
 constexpr float farthest = 8192.0f;
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "render/raster/rounding.h"
+
 namespace sline::render {
 
 namespace {
@@ -73,8 +75,7 @@ class Trimmer {
     std::uint32_t& word = m_pixels.colours[at];
     std::uint32_t trimmed = 0;
     for (int channel = 0; channel < 4; ++channel)
-      trimmed |= std::uint32_t(left * float((word >> (8 * channel)) & 255u) + 0.5f)
-                 << (8 * channel);
+      trimmed |= nearestWhole(left * float((word >> (8 * channel)) & 255u)) << (8 * channel);
     word = trimmed;
   }
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/wide_loops.h"
+#include "render/raster/rounding.h"
 
 namespace sline::render {
 
@@ -84,7 +85,7 @@ inline float channel(const SurfaceFill& fill, const Lit& lit, float shadow, floa
 }
 
 inline std::uint32_t byte(float value) {
-  return std::uint32_t(std::int32_t(255.0f * std::min(value, 1.0f) + 0.5f));
+  return nearestWhole(255.0f * std::min(value, 1.0f));
 }
 
 }  // namespace

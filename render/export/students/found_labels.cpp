@@ -101,6 +101,7 @@ model::Scene withFoundLabels(const ExportOrder& order) {
   const std::set<model::NodeId> opening = finder.look(order);
   std::vector<model::View> views = order.scene.views();
   std::vector<std::set<model::NodeId>> seen;
+  seen.reserve(views.size());
   for (const model::View& view : views)
     seen.push_back(finder.look(orderOfView(order, view)));
   finder.label(labelled, opening);
