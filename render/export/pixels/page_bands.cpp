@@ -95,7 +95,9 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
   if (!overlay.ok())
     return overlay.error();
   progress.note((*overlay)->notes());
-  const Result<HeadlessPicture> picture = HeadlessPicture::create({.deep = bands.deep});
+  // Files of 8 and of 16 bits show the same pixels, and 16 bits are drawn by drivers alone.
+  const Result<HeadlessPicture> picture =
+      HeadlessPicture::create({.painter = PictureOptions::Painter::driver, .deep = bands.deep});
   if (!picture.ok())
     return picture.error();
   (*picture)->prepare(order.scene);

@@ -129,8 +129,7 @@ class PassesTest : public QObject {
  private:
   std::vector<std::uint8_t> resolved(const Case& c, const glm::vec4& background);
   /// Returns the ink's coverage, 0 … 255, where something nearer lies in the rectangle.
-  std::vector<int> inked(std::span<const Stroke> segments,
-                         InkKind kind = InkKind::surfaceLines,
+  std::vector<int> inked(std::span<const Stroke> segments, InkKind kind = InkKind::surfaceLines,
                          const PixelRect& nearer = {});
   std::unique_ptr<gpu::HeadlessContext> m_context;
   std::unique_ptr<gpu::Device> m_device;
@@ -244,10 +243,10 @@ std::vector<int> PassesTest::inked(std::span<const Stroke> segments, InkKind kin
   if (!nearer.empty())
     m_device->clear(*surface, {.depth = 0.3f, .area = nearer});
   const InkDraw draw{.kind = kind,
-                             .strokes = segments,
-                             .layer = {0, 0, 64, 64},
-                             .slot = {0, 0, 64, 64},
-                             .projection = {-1.0f, 0.0f, 0.0f, 1.0f}};
+                     .strokes = segments,
+                     .layer = {0, 0, 64, 64},
+                     .slot = {0, 0, 64, 64},
+                     .projection = {-1.0f, 0.0f, 0.0f, 1.0f}};
   const Status drawn = pass->draw(*m_device, {*target, *target}, surfaceDepths, {&draw, 1});
   if (!drawn)
     qFatal("%s", drawn.error().text().c_str());
@@ -407,18 +406,18 @@ void PassesTest::linesEndWhereTheirSurfaceHidesThem() {
   QFETCH(float, piece);
   std::vector<Stroke> line;
   for (float x = 10.0f; x < 53.9f; x += piece)
-    line.push_back({.a = {x, 32.5f},
-                    .b = {x + piece, 32.5f},
-                    .depthA = 0.5f,
-                    .depthB = 0.5f,
-                    .kind = kind == int(InkKind::surfaceLines) ? StrokeKind::surfaceLine
-                                                                       : StrokeKind::contour,
-                    .outwardA = {0.0f, 1.0f},
-                    .outwardB = {0.0f, 1.0f},
-                    .halfWidthA = 1.5f,
-                    .halfWidthB = 1.5f,
-                    .capA = 0.25f,
-                    .capB = 0.25f});
+    line.push_back(
+        {.a = {x, 32.5f},
+         .b = {x + piece, 32.5f},
+         .depthA = 0.5f,
+         .depthB = 0.5f,
+         .kind = kind == int(InkKind::surfaceLines) ? StrokeKind::surfaceLine : StrokeKind::contour,
+         .outwardA = {0.0f, 1.0f},
+         .outwardB = {0.0f, 1.0f},
+         .halfWidthA = 1.5f,
+         .halfWidthB = 1.5f,
+         .capA = 0.25f,
+         .capB = 0.25f});
   const auto at = [&](const std::vector<int>& coverage, int x) {
     return coverage[33 * 64 + std::size_t(x)];
   };
