@@ -118,16 +118,7 @@ float BendingSigns::estimate(const ClusterWalk& walk) {
 bool BendingSigns::find(const ClusterWalk& walk) {
   const std::size_t count = walk.cluster().candidateVertices;
   const float open = estimate(walk);
-  std::array<std::uint8_t, model::Clusters::maximumVertices> left;
-  std::size_t leftCount = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    left[leftCount] = std::uint8_t(i);
-    leftCount += std::abs(m_bending[i]) > open ? 0 : 1;
-  }
-  for (std::size_t i = 0; i < leftCount; ++i)
-    walk.fetch(left[i]);
-  for (std::size_t i = 0; i < leftCount; ++i)
-    m_bending[left[i]] = walk.bendingAt(left[i]);
+  walk.settle({m_bending.data(), count}, open, [&](std::uint8_t i) { return walk.bendingAt(i); });
   return m_signs.take({m_bending.data(), count});
 }
 

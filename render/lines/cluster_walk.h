@@ -115,6 +115,21 @@ class ClusterWalk {
   const model::SurfaceVertex& shapeAt(std::uint8_t local) const {
     return m_surface.vertices[vertex(local)];
   }
+  /// Replaces those of the first vertices' values whose sign is open, as they lie within ±`open`,
+  /// by what `exact` returns for a vertex.
+  template <class Exact>
+  void settle(std::span<float> values, float open, const Exact& exact) const {
+    std::array<std::uint8_t, model::Clusters::maximumVertices> left;
+    std::size_t leftCount = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      left[leftCount] = std::uint8_t(i);
+      leftCount += std::abs(values[i]) > open ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < leftCount; ++i)
+      fetch(left[i]);
+    for (std::size_t i = 0; i < leftCount; ++i)
+      values[left[i]] = exact(left[i]);
+  }
   /// Has the processor fetch a vertex that will be looked at soon.
   void fetch(std::uint8_t local) const { __builtin_prefetch(&shapeAt(local)); }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/lines/facing_signs.h"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -66,16 +65,7 @@ bool FacingSigns::find(const ClusterWalk& walk) {
   const float offNormal = offByRounding * cluster.normalStep;
   const float open = offNormal * longest + (1.0f + offNormal) * offByRounding * place +
                      facingRounding * (longest + glm::length(eye.value));
-  std::array<std::uint8_t, model::Clusters::maximumVertices> left;
-  std::size_t leftCount = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    left[leftCount] = std::uint8_t(i);
-    leftCount += std::abs(m_facing[i]) > open ? 0 : 1;
-  }
-  for (std::size_t i = 0; i < leftCount; ++i)
-    walk.fetch(left[i]);
-  for (std::size_t i = 0; i < leftCount; ++i)
-    m_facing[left[i]] = walk.facingAt(left[i]);
+  walk.settle({m_facing.data(), count}, open, [&](std::uint8_t i) { return walk.facingAt(i); });
   return m_signs.take({m_facing.data(), count});
 }
 

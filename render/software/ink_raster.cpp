@@ -12,6 +12,7 @@
 #include "render/software/paper.h"
 #include "render/software/trims.h"
 #include "render/strokes/fill_shading.h"
+#include "render/strokes/window_depth.h"
 
 namespace sline::render {
 

@@ -6,14 +6,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/strokes/window_depth.h"
+
 namespace sline::render {
 
 namespace {
-
-float eyeDistanceAt(float windowDepth, const glm::vec4& projection) {
-  const float z = 2.0f * windowDepth - 1.0f;
-  return (projection.y - z * projection.w) / (projection.x - z * projection.z);
-}
 
 /// A place of a stroke that is looked for.
 struct Place {
@@ -53,15 +50,6 @@ int contourLook(const LayerPixels& pixels, const Place& place, const glm::vec2& 
 }
 
 }  // namespace
-
-float depthLift(float windowDepth, float mm, const glm::vec4& projection) {
-  const float from = eyeDistanceAt(windowDepth, projection);
-  float to = from - mm;
-  if (projection.z != 0.0f)
-    to = std::max(to, 1e-3f * from);  // in perspective not behind the eye
-  const float z = (projection.y - to * projection.x) / (projection.w - to * projection.z);
-  return windowDepth - (0.5f * z + 0.5f);
-}
 
 std::uint32_t lineSight(const LayerPixels& pixels, const InkDraw& draw, const Stroke& stroke,
                         int steps) {

@@ -9,10 +9,6 @@
 
 namespace sline::render {
 
-/// Returns by how much window depth falls where a point comes nearer to the eye by so many
-/// millimetres; see depth.glsl.
-float depthLift(float windowDepth, float mm, const glm::vec4& projection);
-
 /// For a stroke no longer than `mostInkSteps`: bit i tells whether place i of `inkSteps` + 1 is in
 /// sight, bit 16 + i whether a contour's surface goes on there outside the pen.
 std::uint32_t lineSight(const LayerPixels& pixels, const InkDraw& draw, const Stroke& stroke,

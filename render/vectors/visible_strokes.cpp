@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/strokes/window_depth.h"
+
 namespace sline::render {
 
 namespace {
@@ -31,12 +33,6 @@ struct Sample {
   int grade = 0;       ///< 0 hidden … veilGrades whole
   bool inked = false;  ///< a nearer structure's outline lies over it
 };
-
-/// Returns what the function in depth.glsl returns.
-float eyeDistance(float windowDepth, const glm::vec4& projection) {
-  const float z = 2.0f * windowDepth - 1.0f;
-  return (projection.y - z * projection.w) / (projection.x - z * projection.z);
-}
 
 class StrokeSampler {
  public:

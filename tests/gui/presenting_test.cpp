@@ -36,13 +36,7 @@ struct Presented : Views {
     words.text.text = "Seen *from the front*";
     words.notes.text = "Say <i>hello</i>\nand wait";
     session.apply(QStringLiteral("words"), model::withViewWords(scene(), 0, words));
-    clickCard(0);
-    if (!settled())
-      qFatal("no picture");
-    before = scene();
-    QTest::keyClick(&viewport(), Qt::Key_F5, Qt::ShiftModifier);
-    if (!settled())
-      qFatal("no presentation");
+    before = presentedFrom(0);
   }
   ~Presented() { window.close(); }
   void key(Qt::Key key, Qt::KeyboardModifiers with = {}) {

@@ -52,6 +52,17 @@ struct Views : WindowFixture {
   void clickCard(int index) {
     QTest::mouseClick(row().viewport(), Qt::LeftButton, {}, card(index).center());
   }
+  /// Goes to the view of the card and presents from there on; returns the scene before that.
+  model::Scene presentedFrom(int index) {
+    clickCard(index);
+    if (!settled())
+      qFatal("no picture");
+    const model::Scene before = scene();
+    QTest::keyClick(&viewport(), Qt::Key_F5, Qt::ShiftModifier);
+    if (!settled())
+      qFatal("no presentation");
+    return before;
+  }
   void press(const char* button) {
     QTest::mouseClick(&control<QToolButton>(button), Qt::LeftButton);
   }
