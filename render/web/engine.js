@@ -25,17 +25,6 @@ const svgSpace = "http://www.w3.org/2000/svg";
 /** Lengths of labels, in CSS pixels. */
 const labelSize = { text: 14, line: 18, padding: 3, badge: 11, dot: 2 };
 
-/** Tells whether WebGL draws on the processor, where the same strokes on a canvas are several times as quick. */
-function drawsOnProcessor() {
-  const context = document.createElement("canvas").getContext("webgl2");
-  if (!context)
-    return false;
-  const named = context.getExtension("WEBGL_debug_renderer_info");
-  const name = String(context.getParameter(named ? named.UNMASKED_RENDERER_WEBGL : context.RENDERER));
-  context.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|basic render|software/i.test(name);
-}
-
 class Engine {
   /** @param {EngineOptions} options @returns {Promise<Engine>} */
   static async start(options) {
@@ -68,7 +57,7 @@ class Engine {
     /** The fills of a drawing without WebGL. @type {HTMLCanvasElement | null} */
     this.fills = null;
     module._slineOpen();
-    if ((!options.software && drawsOnProcessor()) || !this.openWebgl())
+    if (!this.openWebgl())
       this.openPen();
   }
 

@@ -11,8 +11,6 @@ interface EngineOptions {
    * `hidden` (a leader to what is hidden), `dot` and `badge`.
    */
   overlay: SVGSVGElement;
-  /** Whether WebGL is taken where it draws on the processor; else a canvas draws there, as it is quicker. */
-  software?: boolean;
 }
 
 /** Opaque; may go through JSON. */

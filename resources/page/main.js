@@ -153,8 +153,7 @@ class Page {
     await new Promise((shown) => requestAnimationFrame(() => window.setTimeout(shown)));
     const [program, scene] = await Promise.all([unpacked("program"), unpacked("scene")]);
     if (!program || !scene) throw new PageError("spoiled");
-    const software = new URLSearchParams(location.search).get("webgl") === "software";
-    const engine = await Engine.start({ program, canvas: stage.canvas, overlay: stage.overlay, software });
+    const engine = await Engine.start({ program, canvas: stage.canvas, overlay: stage.overlay });
     engine.load(scene);
     stage.begin(engine);
     stage.element.querySelector(".first-picture")?.remove();

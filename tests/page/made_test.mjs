@@ -35,8 +35,7 @@ async function open(file, { means = "webgl", hash = "", width = 1280, height = 8
   const complaints = [];
   page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(String(error)));
-  // A page draws by WebGL of the processor where it is asked to, as a canvas is quicker.
-  await page.goto(`file://${file}${means === "webgl" ? "?webgl=software" : ""}${hash}`);
+  await page.goto(`file://${file}${hash}`);
   await page.waitForFunction(() => document.body.classList.contains("complete") || !document.getElementById("stills").hidden,
                              undefined, { timeout: 60000 });
   page.still = means === "canvas" && !drawsAnywhere;
