@@ -28,10 +28,21 @@ after(() => Promise.all(Object.values(browsers).map((browser) => browser.close()
 
 const factsOf = (file) => JSON.parse(/id="facts">([^]*?)<\/script>/.exec(readFileSync(file, "utf8"))[1]);
 
-/** Opens a page and waits for the whole scene; errors fail the test at `page.done`. */
-async function open(file, { means = "webgl", hash = "", width = 1280, height = 800, touch = false } = {}) {
+/**
+ * Opens a page and waits for the whole scene; errors fail the test at `page.done`. With a `card` the engine is told of
+ * a graphics card, and has the driver draw what its own drawing would where the driver is software.
+ */
+async function open(file, { means = "webgl", hash = "", width = 1280, height = 800, touch = false, card = false } = {}) {
   const context = await browsers[means].newContext({ viewport: { width, height }, hasTouch: touch, isMobile: touch, locale: "en" });
   const page = await context.newPage();
+  if (card)
+    await page.addInitScript(() => {
+      const { getParameter } = WebGL2RenderingContext.prototype;
+      WebGL2RenderingContext.prototype.getParameter = function (name) {
+        window.askedForCard ||= name === 0x9246;
+        return name === 0x9246 ? "A card" : getParameter.call(this, name);
+      };
+    });
   const complaints = [];
   page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(String(error)));
@@ -59,6 +70,20 @@ const fields = (page) => page.evaluate(async () => {
   pen.drawImage(canvas, 0, 0, 16, 16);
   return [...pen.getImageData(0, 0, 16, 16).data].filter((_, i) => i % 4 !== 3);
 });
+
+/** The picture at rest, as the bytes of its pixels. */
+const pixels = async (page) => Buffer.from(await page.evaluate(async () => {
+  await new Promise((passed) => setTimeout(passed, 2500));
+  const canvas = document.querySelector(".stage canvas");
+  const copy = document.createElement("canvas");
+  copy.width = canvas.width;
+  copy.height = canvas.height;
+  const pen = copy.getContext("2d");
+  pen.fillStyle = "white";
+  pen.fillRect(0, 0, copy.width, copy.height);
+  pen.drawImage(canvas, 0, 0);
+  return [...pen.getImageData(0, 0, copy.width, copy.height).data];
+}));
 
 const differ = (a, b) => a.filter((value, i) => Math.abs(value - b[i]) > 4).length;
 
@@ -109,6 +134,23 @@ for (const means of Object.keys(drivers))
       await page.done();
     }
   });
+
+test("made pages: a driver for a card draws what the engine's own drawing does", { skip }, async () => {
+  const found = [];
+  for (const card of [false, true]) {
+    const page = await open(made[0], { card, hash: "#view=1" });
+    assert.equal(await page.evaluate(() => Boolean(window.askedForCard)), card);
+    found.push(await pixels(page));
+    await page.done();
+  }
+  const [own, driver] = found;
+  assert.equal(own.length, driver.length);
+  assert.ok(new Set(own).size > 50, "there is a picture");
+  let off = 0;
+  for (let i = 0; i < own.length; i += 4)
+    off += [0, 1, 2].some((channel) => Math.abs(own[i + channel] - driver[i + channel]) > 8);
+  assert.ok(off <= 0.01 * own.length / 4, `${off} of ${own.length / 4} pixels differ`);
+});
 
 test("made pages: search in every language, deep links, tour", { skip }, async () => {
   for (const file of made) {
