@@ -25,7 +25,7 @@ struct PreparedStructure : DrawnStructure {
   std::shared_ptr<CappedSurface> capped;  ///< the same as `cut`, with the GPU's part
 
   bool operator==(const PreparedStructure& other) const {
-    return id == other.id && mesh == other.mesh && style == other.style &&
+    return id == other.id && mesh == other.mesh && cached == other.cached && style == other.style &&
            gammaOffsets == other.gammaOffsets && printedHatching == other.printedHatching &&
            pattern == other.pattern && alike(sections, other.sections);
   }

@@ -31,6 +31,28 @@ struct Output {
   bool aside = false;  ///< it is not one of those that are drawn again and again
 };
 
+/// What a picture shows, and from where.
+struct Sitting {
+  const model::Scene& scene;
+  const PictureSettings& settings;
+  std::vector<model::VisibleStructure> structures;
+  PictureView view;
+
+  Sitting(const model::Scene& drawn, const model::Camera& camera, const PictureSettings& asked)
+      : scene(drawn),
+        settings(asked),
+        structures(model::visibleStructures(drawn)),
+        view(camera, boundsOf(structures), asked.width, asked.height) {}
+
+ private:
+  static model::Box boundsOf(std::span<const model::VisibleStructure> structures) {
+    model::Box bounds;
+    for (const model::VisibleStructure& structure : structures)
+      bounds.add(structure.node->mesh->bounds());
+    return bounds;
+  }
+};
+
 Status checkRequest(const model::Camera& camera, const PictureSettings& settings) {
   if (settings.width < 1 || settings.height < 1 || settings.width > 65535 ||
       settings.height > 65535)
@@ -58,8 +80,8 @@ struct Picture::Data {
 
   /// Returns the prepared structures; nothing if `unwanted` asks to stop before all are prepared,
   /// and those that are ready by then are kept.
-  std::optional<std::vector<PreparedStructure>> prepareStructures(const model::Scene& scene,
-                                                                  const Output& output = {});
+  std::optional<std::vector<PreparedStructure>> prepareStructures(const Sitting& sitting,
+                                                                  const Output& output);
   int regionSide() const;
   bool processor() const;
   Easel& easel(const Output& output);
@@ -70,11 +92,11 @@ struct Picture::Data {
 };
 
 std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
-    const model::Scene& scene, const Output& output) {
+    const Sitting& sitting, const Output& output) {
+  const model::Scene& scene = sitting.scene;
   std::vector<PreparedStructure> visible;
-  const std::vector<model::VisibleStructure> structures = model::visibleStructures(scene);
-  surfaces.prepareSmall(structures, output.unwanted);
-  for (const model::VisibleStructure& structure : structures) {
+  surfaces.prepareSmall(sitting.structures, output.unwanted);
+  for (const model::VisibleStructure& structure : sitting.structures) {
     if (output.unwanted && *output.unwanted)
       return std::nullopt;
     const model::Node& node = *structure.node;
@@ -82,10 +104,13 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
     shown.id = node.id;
     shown.mesh = node.mesh;
     shown.style = structure.style;
-    shown.cached = &surfaces.at(node.mesh, node.provenance);
+    shown.sections = sectionsThatCut(scene.sectionsOf(node.id), node.mesh->bounds());
+    const Coarseness allowed = options.levelsOfDetail
+                                   ? allowedCoarseness(shown, sitting.view, sitting.settings)
+                                   : Coarseness{};
+    shown.cached = &surfaces.at(node.mesh, node.provenance, allowed);
     shown.prepared = shown.cached;
     findGammaOffsets(scene, shown);
-    shown.sections = sectionsThatCut(scene.sectionsOf(node.id), node.mesh->bounds());
     if (!shown.sections.empty()) {
       shown.pattern = cutPattern(scene, node);
       shown.cut = shown.capped = sections.at(shown.cached->surface, shown.sections);
@@ -181,23 +206,22 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   if (Status s = checkRequest(camera, settings); !s)
     return s;
   givenUp = false;
-  std::optional<std::vector<PreparedStructure>> prepared = prepareStructures(scene, output);
+  const Sitting sitting(scene, camera, settings);
+  const PictureView& view = sitting.view;
+  std::optional<std::vector<PreparedStructure>> prepared = prepareStructures(sitting, output);
   if (!prepared) {
     givenUp = true;
     return Unit{};
   }
   std::vector<PreparedStructure>& visible = *prepared;
-  model::Box bounds;
   int step = settings.surfaceStep;
   for (PreparedStructure& s : visible) {
     s.printedHatching = showsPrintedHatching(s.style, settings);
     if (s.printedHatching)
       step = 1;  // its ink is found from the surface, pixel by pixel
-    bounds.add(s.mesh->bounds());
   }
   const model::KeyLight own = scene.keyLight().value_or(model::KeyLight());
   Stopwatch stopwatch;
-  const PictureView view(camera, bounds, settings.width, settings.height);
   std::map<model::NodeId, StructureLines> lines;
   const bool whole = !output.pieces && std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
@@ -254,8 +278,15 @@ Result<std::unique_ptr<Picture>> Picture::create(const PictureOptions& options) 
   return picture;
 }
 
-void Picture::prepare(const model::Scene& scene) {
-  m_data->prepareStructures(scene);
+void Picture::prepare(const model::Scene& scene, const model::Camera& camera,
+                      const PictureSettings& settings, int samples,
+                      const std::atomic<bool>* unwanted) {
+  if (!checkRequest(camera, settings).ok())
+    return;  // the picture itself will say so
+  PictureSettings sampled = settings;
+  sampled.width *= samples;
+  sampled.height *= samples;
+  m_data->prepareStructures({scene, camera, sampled}, {.unwanted = unwanted, .aside = true});
 }
 
 Result<Image> Picture::render(const model::Scene& scene, const model::Camera& camera,

@@ -48,6 +48,8 @@ struct PictureOptions {
   /// What draws: the processor where the driver would draw on it, too, but more slowly, or as said.
   enum class Painter { automatic, driver, processor };
   Painter painter = Painter::automatic;
+  /// Surfaces whose triangles are far smaller than pixels are drawn with fewer of them.
+  bool levelsOfDetail = true;
   /// Intermediate colours have 16 bits per channel (17 bytes then); needs OpenGL, ES is not enough.
   bool deep = false;
 };
@@ -96,8 +98,11 @@ class Picture {
   Picture(const Picture&) = delete;
   Picture& operator=(const Picture&) = delete;
 
-  /// Prepares and uploads what the scene's visible structures need and lack.
-  void prepare(const model::Scene& scene);
+  /// Prepares what the picture needs of the scene's visible structures and they lack; stops early
+  /// where `unwanted` is set. Pictures do so by themselves.
+  void prepare(const model::Scene& scene, const model::Camera& camera,
+               const PictureSettings& settings, int samples = 1,
+               const std::atomic<bool>* unwanted = nullptr);
   /// Draws the scene and reads the pixels back. Pictures larger than the driver's textures are
   /// drawn in tiles without seams. With `samples` the picture is drawn that many times as large
   /// both ways and averaged to the settings' size.

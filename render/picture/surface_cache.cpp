@@ -62,15 +62,15 @@ void CachedSurface::showGammaOffsets(const GammaOffsetsPtr& offsets) {
 void SurfaceCache::prepareSmall(std::span<const model::VisibleStructure> structures,
                                 const std::atomic<bool>* unwanted) {
   struct Missing {
-    CachedSurface* cached;
+    DetailLevels* levels;
     const model::Node* node;
   };
   std::map<model::MeshPtr, Missing> missing;
   for (const model::VisibleStructure& structure : structures) {
     const model::Node& node = *structure.node;
-    CachedSurface& cached = m_surfaces[node.mesh];
-    if (!cached.surface && node.mesh->triangleCount() < smallMesh)
-      missing.try_emplace(node.mesh, Missing{&cached, &node});
+    DetailLevels& levels = m_surfaces[node.mesh];
+    if (levels.empty() && node.mesh->triangleCount() < smallMesh)
+      missing.try_emplace(node.mesh, Missing{&levels, &node});
   }
   std::vector<Missing> each;
   each.reserve(missing.size());
@@ -82,15 +82,13 @@ void SurfaceCache::prepareSmall(std::span<const model::VisibleStructure> structu
   });
   parallelFor(each.size(), 1, [&](std::size_t i) {
     if (!unwanted || !*unwanted)
-      each[i].cached->take(each[i].node->mesh, each[i].node->provenance);
+      each[i].levels->at(each[i].node->mesh, each[i].node->provenance, {});
   });
 }
 
-CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, const model::Provenance& provenance) {
-  CachedSurface& cached = m_surfaces[mesh];
-  if (!cached.surface)
-    cached.take(mesh, provenance);
-  return cached;
+CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, const model::Provenance& provenance,
+                                const Coarseness& allowed) {
+  return m_surfaces[mesh].at(mesh, provenance, allowed);
 }
 
 void SurfaceCache::keepOnly(std::span<const model::MeshPtr> meshes) {

@@ -11,6 +11,7 @@
 #include "model/scene/scene.h"
 #include "model/scene/visible_structures.h"
 #include "render/passes/surface_geometry.h"
+#include "render/picture/detail_levels.h"
 #include "render/strokes/gamma_offsets.h"
 #include "render/strokes/prepared_surface.h"
 
@@ -35,13 +36,15 @@ class SurfaceCache {
   /// intermediate memory is needed once.
   void prepareSmall(std::span<const model::VisibleStructure> structures,
                     const std::atomic<bool>* unwanted);
-  /// Returns what is kept of the mesh, prepared; parts that exist already stay as they are.
-  CachedSurface& at(const model::MeshPtr& mesh, const model::Provenance& provenance);
+  /// Returns what is kept of the mesh, or of a level of detail, prepared; parts that exist already
+  /// stay as they are.
+  CachedSurface& at(const model::MeshPtr& mesh, const model::Provenance& provenance,
+                    const Coarseness& allowed);
   /// Forgets all meshes but these.
   void keepOnly(std::span<const model::MeshPtr> meshes);
 
  private:
-  std::map<model::MeshPtr, CachedSurface> m_surfaces;
+  std::map<model::MeshPtr, DetailLevels> m_surfaces;
 };
 
 }  // namespace sline::render

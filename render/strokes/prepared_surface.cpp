@@ -23,15 +23,26 @@ int tensorSmoothing(const model::Provenance& provenance) {
   return provenance.smoothingSteps > 0 ? steps : 0;
 }
 
+model::SurfacePtr surfaceOf(const model::MeshPtr& shown, const model::Provenance& provenance) {
+  return model::prepareSurface(shown, {.smoothingSteps = tensorSmoothing(provenance)});
+}
+
 }  // namespace
 
+model::MeshPtr pictureMesh(const model::MeshPtr& mesh, const model::Provenance& provenance) {
+  return model::faired(mesh, provenance.sliceMm);
+}
+
 model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Provenance& provenance) {
-  return model::prepareSurface(model::faired(mesh, provenance.sliceMm),
-                               {.smoothingSteps = tensorSmoothing(provenance)});
+  return surfaceOf(pictureMesh(mesh, provenance), provenance);
 }
 
 void PreparedSurface::take(const model::MeshPtr& mesh, const model::Provenance& provenance) {
-  surface = pictureSurface(mesh, provenance);
+  takeShown(pictureMesh(mesh, provenance), provenance);
+}
+
+void PreparedSurface::takeShown(const model::MeshPtr& shown, const model::Provenance& provenance) {
+  surface = surfaceOf(shown, provenance);
   smoothness = fairedSlices * provenance.sliceMm;
 }
 

@@ -12,6 +12,8 @@
 
 namespace sline::render {
 
+/// Returns the mesh of the surface that pictures show: without the steps of slices (METHOD §11.7).
+model::MeshPtr pictureMesh(const model::MeshPtr& mesh, const model::Provenance& provenance);
 /// Returns the surface as pictures show it. Its curvature is also smoothed (METHOD §5) if import
 /// smoothed the surface, because it shows the steps of a label map, or refined it, because its few
 /// vertices carry its noise.
@@ -35,6 +37,8 @@ struct PreparedSurface {
 
   /// Sets the surface and what is known of it.
   void take(const model::MeshPtr& mesh, const model::Provenance& provenance);
+  /// Does so with a mesh that `pictureMesh` returned, or a coarser one.
+  void takeShown(const model::MeshPtr& shown, const model::Provenance& provenance);
 
   /// Prepares the surface for these lines, once each.
   void need(const LineNeeds& needs);

@@ -293,7 +293,7 @@ Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   if (!stage)
     return stage.error();
   const bench::Stopwatch prepareWatch;
-  (*picture)->prepare(stage->scene);
+  (*picture)->prepare(stage->scene, stage->camera, stage->settings);
   report.preprocessMs = prepareWatch.milliseconds();
   if (const Status status = measureFrames(**picture, *stage, report); !status)
     return status.error();

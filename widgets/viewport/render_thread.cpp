@@ -24,6 +24,11 @@ class RendererPainter : public PicturePainter {
                                                const std::atomic<bool>& unwanted) override {
     return m_picture->preview(preview.scene, preview.camera, preview.settings, &unwanted);
   }
+  void makeReady(const PictureRequest& request, const std::atomic<bool>& unwanted) override {
+    render::PictureSettings moving = request.settings;
+    moving.surfaceStep = 2;
+    m_picture->prepare(request.scene, request.camera, moving, 1, &unwanted);
+  }
   int layersDrawn() const override { return m_picture->timings().layersDrawn; }
   bool makeshift() const override { return m_picture->timings().makeshift; }
 
@@ -162,6 +167,8 @@ void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& re
                 .layersDrawn = painter.layersDrawn(),
                 .makeshift = painter.makeshift(),
                 .labels = m_sheet});
+  if (!request.moving && !m_unwanted)
+    painter.makeReady(request, m_unwanted);
   const std::lock_guard lock(m_mutex);
   m_pictureEnd = std::chrono::steady_clock::now();
 }

@@ -70,6 +70,9 @@ class PicturePainter {
                                                        const std::atomic<bool>& /*unwanted*/) {
     return std::optional<render::Image>();
   }
+  /// Makes ready what a moving camera's pictures need beside this one, which is done; stops early
+  /// where `unwanted` is set.
+  virtual void makeReady(const PictureRequest&, const std::atomic<bool>& /*unwanted*/) {}
   /// Returns the number of layers that the last picture drew, where it is known.
   virtual int layersDrawn() const { return 0; }
   /// Tells whether the last picture lacks something, as it was drawn in a hurry.

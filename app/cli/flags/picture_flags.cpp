@@ -444,14 +444,13 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
     return picture.error();
   progress.note("Drawing with " + picture->driver());
   progress.show(0.0, "preparing surfaces");
-  (*picture)->prepare(scene);
+  const render::PictureSettings settings{.width = spec.size.width,
+                                         .height = spec.size.height,
+                                         .environment = spec.environment,
+                                         .hatching = spec.hatching};
+  (*picture)->prepare(scene, camera, settings, spec.samples);
   progress.show(0.5, "drawing");
-  Result<render::Image> image = (*picture)->render(scene, camera,
-                                                   {.width = spec.size.width,
-                                                    .height = spec.size.height,
-                                                    .environment = spec.environment,
-                                                    .hatching = spec.hatching},
-                                                   spec.samples);
+  Result<render::Image> image = (*picture)->render(scene, camera, settings, spec.samples);
   if (!image.ok())
     return image.error();
   drawLabels(*image, scene, camera, spec.labels, spec.environment.background);

@@ -100,11 +100,11 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
       HeadlessPicture::create({.painter = PictureOptions::Painter::driver, .deep = bands.deep});
   if (!picture.ok())
     return picture.error();
-  (*picture)->prepare(order.scene);
+  const PictureSettings settings = settingsOf(order, bands);
+  (*picture)->prepare(order.scene, order.camera, settings);
   if (!tell(0.05, "drawing"))
     return givenUp({});
 
-  const PictureSettings settings = settingsOf(order, bands);
   const int rows = std::clamp(bands.bandSamples / settings.width / bands.samples, 1, bands.size.y);
   BandWriter writer(bands, rows, **overlay, take);
   const Result<bool> drawn = (*picture)->renderPieces(

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keeps levels of detail of a mesh: where its triangles are far smaller than pixels, pictures show
+// a coarser one (Luebke et al., "Level of Detail for 3D Graphics", 2003).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "model/geometry/mesh.h"
+#include "model/scene/scene.h"
+#include "render/strokes/drawn_structure.h"
+#include "render/strokes/picture_settings.h"
+#include "render/strokes/picture_view.h"
+
+namespace sline::render {
+
+struct CachedSurface;
+
+/// Says how coarse a surface may be.
+struct Coarseness {
+  float edge = 0.0f;     ///< mm; what edges may be long on an average. 0: as it is
+  bool hurried = false;  ///< a level that is not ready need not be made where another one is
+};
+
+/// Returns how coarse the structure may be in that picture: edges of three quarters of a pixel
+/// where it is nearest, of one and a half while the camera moves, unless the structure is hatched
+/// or cut. Where Γ varies over the surface, or the surface may reach beside the eye, it stays as it
+/// is.
+Coarseness allowedCoarseness(const DrawnStructure& shown, const PictureView& view,
+                             const PictureSettings& settings);
+
+/// The levels of one mesh, each about a quarter of the one before.
+class DetailLevels {
+ public:
+  DetailLevels();
+  ~DetailLevels();
+  DetailLevels(DetailLevels&&) noexcept;
+  DetailLevels& operator=(DetailLevels&&) noexcept;
+
+  /// Tells whether nothing was asked of it yet.
+  bool empty() const { return m_levels.empty(); }
+  /// Returns the coarsest level allowed, prepared.
+  CachedSurface& at(const model::MeshPtr& mesh, const model::Provenance& provenance,
+                    const Coarseness& allowed);
+
+ private:
+  struct Level {
+    model::MeshPtr mesh;
+    float edge = 0.0f;  ///< mean, mm
+    std::unique_ptr<CachedSurface> cached;
+  };
+
+  static Level levelOf(model::MeshPtr mesh);
+  bool ready(std::size_t level) const;
+  /// Returns the index of the level that is wanted, and makes the meshes up to it unless one is
+  /// ready and `allowed.hurried`.
+  std::size_t wanted(const Coarseness& allowed);
+
+  std::vector<Level> m_levels;
+  bool m_complete = false;  ///< there is no coarser one
+};
+
+}  // namespace sline::render

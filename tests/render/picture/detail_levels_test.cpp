@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests that pictures of surfaces whose triangles are far smaller than pixels show a coarser one,
+// and show no difference by it.
+#include "render/picture/detail_levels.h"
+
+#include <QImage>
+#include <QtTest>
+#include <cmath>
+
+#include "render/picture/surface_cache.h"
+#include "tests/render/picture/scenes.h"
+#include "tests/support/shapes.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::test;
+using render::CachedSurface;
+using render::Image;
+using render::PictureSettings;
+
+namespace {
+
+/// A torus with waves all over it, of 640,000 triangles.
+model::MeshPtr fineMesh() {
+  const model::MeshPtr smooth = torus(50.0f, 20.0f, 1000, 320);
+  std::vector<glm::vec3> positions(smooth->positions().begin(), smooth->positions().end());
+  for (glm::vec3& p : positions)
+    p += 1.2f * glm::vec3(std::sin(0.16f * p.y), std::sin(0.13f * p.z), std::sin(0.2f * p.x));
+  const auto triangles = smooth->triangles();
+  return std::make_shared<const model::Mesh>(
+      std::move(*model::Mesh::create(std::move(positions), {triangles.begin(), triangles.end()})));
+}
+
+model::Camera slantedCamera() {
+  model::Camera camera = frontal(190.0f);
+  camera.eye = {60.0f, -320.0f, 170.0f};
+  return camera;
+}
+
+}  // namespace
+
+class DetailLevelsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase() {
+    m_levels = openStudio({});
+    if (!m_levels.absent.empty())
+      QSKIP(m_levels.absent.c_str());
+    QVERIFY2(m_levels.fault.empty(), m_levels.fault.c_str());
+    auto picture = render::Picture::create({.levelsOfDetail = false});
+    QVERIFY(picture.ok());
+    m_whole = std::move(*picture);
+    m_mesh = fineMesh();
+  }
+
+  void theCoarsestThatIsAllowedIsShown() {
+    render::DetailLevels levels;
+    QVERIFY(levels.empty());
+    const auto trianglesAt = [&](float edge, bool hurried = false) {
+      return levels.at(m_mesh, {}, {.edge = edge, .hurried = hurried})
+          .surface->mesh->triangleCount();
+    };
+    const std::size_t all = m_mesh->triangleCount();
+    QCOMPARE(trianglesAt(0.0f), all);
+    QCOMPARE(levels.at(m_mesh, {}, {}).surface->mesh, m_mesh);
+    // A level that takes time to make is not made in a hurry, ...
+    QCOMPARE(trianglesAt(1.0f, true), all);
+    const std::size_t first = trianglesAt(1.0f);
+    QVERIFY2(first < all / 2, qPrintable(QString::number(first)));
+    // ... and one that is there is shown at once.
+    QCOMPARE(trianglesAt(1.0f, true), first);
+    QCOMPARE(trianglesAt(0.0f, true), all);
+    QCOMPARE(trianglesAt(0.0f), all);
+    // Levels end where little is left to win.
+    const std::size_t last = trianglesAt(50.0f);
+    QVERIFY(last < 200'000 && last > 20'000);
+    QCOMPARE(trianglesAt(1.0f), first);
+  }
+
+  void coarsenessFollowsThePicture() {
+    render::DrawnStructure shown;
+    shown.mesh = m_mesh;
+    shown.style = model::ResolvedStyle();
+    shown.style.gamma = Gamma::clamped(1.0f);
+    PictureSettings settings{.width = 400, .height = 400};
+    const auto allowed = [&](model::Camera camera, float size) {
+      settings.width = settings.height = int(size);
+      const render::PictureView view(camera, m_mesh->bounds(), settings.width, settings.height);
+      return render::allowedCoarseness(shown, view, settings).edge;
+    };
+    const float once = allowed(slantedCamera(), 400.0f);
+    QVERIFY(once > 0.0f);
+    QVERIFY(std::abs(allowed(slantedCamera(), 800.0f) / once - 0.5f) < 0.01f);
+    settings.surfaceStep = 3;
+    QVERIFY(std::abs(allowed(slantedCamera(), 400.0f) / once - 2.0f) < 0.01f);
+    // Hatching stays what it is at rest, and so do cut faces.
+    shown.style.gamma = Gamma::clamped(3.0f);
+    QCOMPARE(allowed(slantedCamera(), 400.0f), once);
+    shown.style.gamma = Gamma::clamped(1.0f);
+    shown.sections.emplace_back();
+    QCOMPARE(allowed(slantedCamera(), 400.0f), once);
+    // From within it may be as near as can be.
+    model::Camera inside = slantedCamera();
+    inside.projection = model::Projection::perspective;
+    inside.eye = inside.target - glm::vec3(0.0f, 5.0f, 0.0f);
+    QCOMPARE(allowed(inside, 400.0f), 0.0f);
+  }
+
+  void nobodySeesIt_data() {
+    QTest::addColumn<float>("gamma");
+    QTest::addColumn<int>("step");
+    QTest::newRow("contours") << 0.8f << 1;
+    QTest::newRow("suggestive contours") << 2.0f << 1;
+    QTest::newRow("hatching") << 3.0f << 1;
+    QTest::newRow("shading") << 4.6f << 1;
+    QTest::newRow("moving") << 2.0f << 2;
+  }
+
+  void nobodySeesIt() {
+    QFETCH(float, gamma);
+    QFETCH(int, step);
+    model::Scene scene;
+    add(scene, m_mesh, gammaStyle(gamma));
+    const PictureSettings settings{.width = 180, .height = 150, .surfaceStep = step};
+    const auto expected = m_whole->render(scene, slantedCamera(), settings);
+    const auto found = m_levels.picture->render(scene, slantedCamera(), settings);
+    QVERIFY(expected.ok() && found.ok());
+    if (const QByteArray folder = qgetenv("SLINE_PICTURES"); !folder.isEmpty()) {
+      const auto save = [&](const Image& image, const char* what) {
+        QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888)
+            .save(QString("%1/%2 %3.png").arg(folder, QTest::currentDataTag(), what));
+      };
+      save(*expected, "whole");
+      save(*found, "level");
+    }
+    const Difference apart = difference(*expected, *found);
+    QVERIFY2(apart.mean > 0.0 && apart.mean <= 1.0,
+             qPrintable(QString("mean %1, %2 % of pixels, largest %3")
+                            .arg(apart.mean)
+                            .arg(100.0 * apart.share)
+                            .arg(apart.largest)));
+    qInfo("mean %.3f, %.2f %% of pixels", apart.mean, 100.0 * apart.share);
+  }
+
+ private:
+  Studio m_levels;
+  std::unique_ptr<render::Picture> m_whole;
+  model::MeshPtr m_mesh;
+};
+
+SLINE_TEST(DetailLevelsTest)
+#include "detail_levels_test.moc"
