@@ -98,6 +98,19 @@ Status measureFrames(render::Picture& picture, const bench::Stage& stage, bench:
   return Unit{};
 }
 
+/// Turns as a window does while the camera moves.
+Status measureMoving(render::Picture& picture, const bench::Stage& stage, bench::Report& report) {
+  render::PictureSettings settings = stage.settings;
+  settings.surfaceStep = 3;
+  const auto frame = bench::timed(stage.frames, stage.camera, [&](const model::Camera& camera) {
+    return picture.draw(stage.scene, camera, settings);
+  });
+  if (!frame)
+    return frame.error();
+  report.moving = bench::spreadOf(*frame);
+  return Unit{};
+}
+
 /// Imports and counts; the camera stands before the whole scene.
 Result<bench::Stage> importStage(const Options& options, const glm::ivec2& size,
                                  bench::Report& report) {
@@ -296,6 +309,8 @@ Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   (*picture)->prepare(stage->scene, stage->camera, stage->settings);
   report.preprocessMs = prepareWatch.milliseconds();
   if (const Status status = measureFrames(**picture, *stage, report); !status)
+    return status.error();
+  if (const Status status = measureMoving(**picture, *stage, report); !status)
     return status.error();
   if (const Status status = bench::measurePhong(*stage, report); !status)
     return status.error();

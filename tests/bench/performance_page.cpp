@@ -67,6 +67,9 @@ constexpr std::array wholeColumns{
     Column{"Still picture, ms", [](const Row& r) { return fixed(r.at("/frame_ms/median"), 0); }},
     Column{"over VTK's Phong",
            [](const Row& r) { return fixed(r.at("/frame_ms/median") / r.vtk(), 2); }},
+    Column{"Moving, ms", [](const Row& r) { return fixed(r.at("/moving_ms/median"), 0); }},
+    Column{"Moving over Phong",
+           [](const Row& r) { return fixed(r.at("/moving_ms/median") / r.vtk(), 2); }},
     Column{"Lines over Phong",
            [](const Row& r) { return fixed(r.at("/lines_ms/median") / r.vtk(), 3); }},
     Column{"Step of Γ over picture",
@@ -264,7 +267,10 @@ Status writePerformancePage(const std::filesystem::path& page,
          "tests/bench/performance.sh makes this page anew.\n\n";
   writeWhole(out, rows);
   out << "\nPreparing is what is computed once a surface: order, neighbours, curvature, fair "
-         "normals. Lines are contours and suggestive contours. Bytes count everything from the "
+         "normals. Lines are contours and suggestive contours. While the camera moves, lines are "
+         "as "
+         "ever and surfaces have a sample for three pixels each way. Bytes count everything from "
+         "the "
          "import to the last picture at its highest. Γ is 0 to 5 over the structures of a scene, "
          "and 2 for a surface alone.\n\n"
          "## Where the time of a picture goes, in milliseconds\n\n";

@@ -38,21 +38,14 @@ std::string asJson(const Report& r) {
   Json passes = Json::object();
   for (const auto& [name, spread] : r.passes)
     passes[name] = json(spread);
-  const Json all{{"triangles", r.triangles},
-                 {"structures", r.structures},
-                 {"import_ms", r.importMs},
-                 {"preprocess_ms", r.preprocessMs},
-                 {"base_rss_mib", r.baseRssMiB},
-                 {"peak_rss_mib", r.peakRssMiB},
-                 {"frame_ms", json(r.frame)},
-                 {"lines_ms", json(r.lines)},
-                 {"passes_ms", passes},
-                 {"phong_ms", json(r.phong)},
-                 {"vtk_phong_ms", json(r.vtkPhong)},
-                 {"vectors_ms", r.vectorsMs},
-                 {"gamma_ratio", r.gammaRatio},
-                 {"reopen_ms", r.reopenMs},
-                 {"driver", r.driver}};
+  const Json all{{"triangles", r.triangles},     {"structures", r.structures},
+                 {"import_ms", r.importMs},      {"preprocess_ms", r.preprocessMs},
+                 {"base_rss_mib", r.baseRssMiB}, {"peak_rss_mib", r.peakRssMiB},
+                 {"frame_ms", json(r.frame)},    {"moving_ms", json(r.moving)},
+                 {"lines_ms", json(r.lines)},    {"passes_ms", passes},
+                 {"phong_ms", json(r.phong)},    {"vtk_phong_ms", json(r.vtkPhong)},
+                 {"vectors_ms", r.vectorsMs},    {"gamma_ratio", r.gammaRatio},
+                 {"reopen_ms", r.reopenMs},      {"driver", r.driver}};
   return all.dump(2) + "\n";
 }
 
@@ -68,6 +61,7 @@ std::string asText(const Report& r) {
   line(out, "  lines", r.lines);
   for (const auto& [name, spread] : r.passes)
     line(out, "  " + name, spread);
+  line(out, "moving", r.moving);
   line(out, "plain Phong", r.phong);
   line(out, "VTK's Phong", r.vtkPhong);
   out << "vector drawing " << r.vectorsMs << " ms, reopening " << r.reopenMs << " ms\n";

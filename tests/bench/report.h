@@ -18,6 +18,7 @@ struct Report {
   double baseRssMiB = 0.0;  ///< after the context was made, before the import
   double peakRssMiB = 0.0;  ///< until the last frame, before the yardsticks
   Spread frame;
+  Spread moving;  ///< as while the camera moves: lines as ever, surfaces at a third
   Spread lines;
   std::vector<std::pair<std::string, Spread>> passes;
   Spread phong;
