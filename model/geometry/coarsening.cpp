@@ -38,7 +38,9 @@ constexpr float leastHeight = 0.2f;
 /// Numbers the vertices of a stretch in the order in which they come.
 class StretchVertices {
  public:
-  explicit StretchVertices(std::size_t most) : m_slots(std::bit_ceil(2 * most), none) {}
+  /// There are three vertices a triangle at most, where none share any.
+  explicit StretchVertices(std::size_t triangles)
+      : m_slots(std::bit_ceil(3 * triangles + 1), none) {}
 
   /// Returns the vertex' number.
   std::uint32_t of(std::uint32_t vertex) {

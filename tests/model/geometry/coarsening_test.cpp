@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <random>
 #include <set>
 #include <tuple>
 
@@ -149,6 +150,24 @@ class CoarseningTest : public QObject {
     const auto left = places(*coarse);
     for (const std::size_t v : {0, 1, 2, 3, 4})
       QVERIFY(left.contains({positions[v].x, positions[v].y, positions[v].z}));
+  }
+
+  /// Triangles without order: some share vertices, or all of them, and some have no size.
+  void soupsAreNoTrouble() {
+    std::mt19937 random(7);
+    const auto below = [&](std::size_t n) { return std::uint32_t(random() % n); };
+    for (int round = 0; round < 300; ++round) {
+      std::vector<glm::vec3> positions(3 + below(60));
+      for (glm::vec3& p : positions)
+        p = {float(below(100)), float(below(100)), round % 3 ? float(below(100)) : 0.0f};
+      std::vector<model::Triangle> triangles(1 + below(200));
+      for (model::Triangle& t : triangles)
+        for (std::uint32_t& corner : t)
+          corner = below(positions.size());
+      const auto soup = std::make_shared<const Mesh>(*Mesh::create(positions, triangles));
+      for (const float edge : {5.0f, 50.0f, 500.0f})
+        QVERIFY(model::coarsened(soup, edge)->triangleCount() <= soup->triangleCount());
+    }
   }
 
   void coarseMeshesAreTheirOwn() {
