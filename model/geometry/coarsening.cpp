@@ -45,7 +45,7 @@ class StretchVertices {
   /// Returns the vertex' number.
   std::uint32_t of(std::uint32_t vertex) {
     const std::size_t mask = m_slots.size() - 1;
-    for (std::size_t at = (vertex * 0x9e3779b1U) & mask;; at = (at + 1) & mask) {
+    for (std::size_t at = (std::size_t(vertex) * 0x9e3779b1U) & mask;; at = (at + 1) & mask) {
       std::uint32_t& slot = m_slots[at];
       if (slot == none) {
         slot = std::uint32_t(m_vertices.size());
