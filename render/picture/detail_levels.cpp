@@ -60,17 +60,21 @@ bool DetailLevels::ready(std::size_t level) const {
 }
 
 std::size_t DetailLevels::wanted(const Coarseness& allowed) {
+  const bool keepsAsItIs =
+      allowed.hurried && std::any_of(m_levels.begin(), m_levels.end(), [](const Level& level) {
+        return level.cached->surface != nullptr;
+      });
   std::size_t level = 0;
   while (true) {
     const bool last = level + 1 == m_levels.size();
-    if (last && allowed.hurried && ready(level))
+    if (last && keepsAsItIs)
       return level;
     if (last && !m_complete && expectedGrowth * m_levels[level].edge <= allowed.edge) {
       const model::MeshPtr& mesh = m_levels[level].mesh;
       model::MeshPtr coarser = mesh->triangleCount() < leastTriangles
                                    ? mesh
                                    : model::coarsened(mesh, collapsedEdges * m_levels[level].edge);
-      m_complete = float(coarser->triangleCount()) > worthwhile * float(mesh->triangleCount());
+      m_complete = !(float(coarser->triangleCount()) < worthwhile * float(mesh->triangleCount()));
       if (!m_complete)
         m_levels.push_back(levelOf(std::move(coarser)));
     }

@@ -77,6 +77,13 @@ class DetailLevelsTest : public QObject {
     QCOMPARE(trianglesAt(1.0f), first);
   }
 
+  void nothingHasOneLevel() {
+    const auto none = std::make_shared<const model::Mesh>(*model::Mesh::create({}, {}));
+    render::DetailLevels levels;
+    QCOMPARE(levels.at(none, {}, {.edge = 1.0f}).surface->mesh, model::MeshPtr(none));
+    QCOMPARE(levels.at(none, {}, {}).surface->mesh, model::MeshPtr(none));
+  }
+
   void coarsenessFollowsThePicture() {
     render::DrawnStructure shown;
     shown.mesh = m_mesh;
