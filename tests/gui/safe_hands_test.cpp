@@ -4,6 +4,7 @@
 #include <QtTest/qtestspontaneevent.h>
 #include <QAction>
 #include <QComboBox>
+#include <QCursor>
 #include <QDialog>
 #include <QDockWidget>
 #include <QLineEdit>
@@ -371,7 +372,12 @@ class SafeHandsTest : public QObject {
     Form form(f.window);
     auto& spin = *qobject_cast<QDoubleSpinBox*>(form.controls[1]);
     spin.setRange(10.0, 50.0);
+    // A window that becomes the active one hides what is said, and so does a mouse beside it.
+    QVERIFY(QTest::qWaitForWindowActive(&form.dialog));
+    QCursor::setPos(spin.mapToGlobal(spin.rect().center()));
+    QTest::qWait(50);
     spin.setFocus();
+    QTRY_VERIFY(spin.hasFocus());
     spin.selectAll();
     QTest::keyClicks(&spin, "3");
     form.controls[2]->setFocus();
