@@ -14,8 +14,6 @@ namespace sline::render {
 
 namespace {
 
-/// Levels of fewer triangles have none that are coarser: little could be won.
-constexpr std::size_t leastTriangles = 200'000;
 /// Edges shorter than the mean times this are collapsed, which about doubles the mean.
 constexpr float collapsedEdges = 1.6f;
 /// What the mean becomes longer by, as expected: a level is made where it will likely be allowed.

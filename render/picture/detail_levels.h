@@ -3,6 +3,7 @@
 // a coarser one (Luebke et al., "Level of Detail for 3D Graphics", 2003).
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -32,6 +33,9 @@ Coarseness allowedCoarseness(const DrawnStructure& shown, const PictureView& vie
 /// The levels of one mesh, each about a quarter of the one before.
 class DetailLevels {
  public:
+  /// Meshes of fewer triangles have no coarser level: little could be won.
+  static constexpr std::size_t leastTriangles = 200'000;
+
   DetailLevels();
   ~DetailLevels();
   DetailLevels(DetailLevels&&) noexcept;

@@ -13,8 +13,8 @@ namespace sline::render {
 
 namespace {
 
-/// Meshes of fewer triangles are prepared several at a time.
-constexpr std::size_t smallMesh = 200'000;
+/// Meshes of fewer triangles are prepared several at a time, as they are: they have no other level.
+constexpr std::size_t smallMesh = DetailLevels::leastTriangles;
 constexpr std::size_t uploadGrain = 8192;
 
 std::unique_ptr<passes::SurfaceGeometry> upload(const model::Surface& surface) {
