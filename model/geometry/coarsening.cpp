@@ -358,17 +358,22 @@ MeshPtr meshOf(const Mesh& mesh, std::vector<Triangle> triangles) {
 
 }  // namespace
 
-MeshPtr coarsened(const MeshPtr& mesh, float edge) {
+std::vector<Triangle> coarsenedTriangles(const Mesh& mesh, float edge) {
   std::vector<Triangle> triangles;
   {
-    const std::vector<std::uint32_t> order = spatialOrder(*mesh);
+    const std::vector<std::uint32_t> order = spatialOrder(mesh);
     triangles.resize(order.size());
     std::transform(order.begin(), order.end(), triangles.begin(),
-                   [&](std::uint32_t t) { return mesh->triangles()[t]; });
+                   [&](std::uint32_t t) { return mesh.triangles()[t]; });
   }
   for (int round = 0; round < rounds; ++round)
     triangles =
-        oneRound(*mesh, triangles, round % 2 ? trianglesOfStretch / 2 : trianglesOfStretch, edge);
+        oneRound(mesh, triangles, round % 2 ? trianglesOfStretch / 2 : trianglesOfStretch, edge);
+  return triangles;
+}
+
+MeshPtr coarsened(const MeshPtr& mesh, float edge) {
+  std::vector<Triangle> triangles = coarsenedTriangles(*mesh, edge);
   return triangles.size() == mesh->triangleCount() ? mesh : meshOf(*mesh, std::move(triangles));
 }
 

@@ -2,6 +2,8 @@
 // Makes levels of detail of a mesh that is finer than a picture shows.
 #pragma once
 
+#include <vector>
+
 #include "model/geometry/mesh.h"
 
 namespace sline::model {
@@ -18,5 +20,8 @@ namespace sline::model {
 /// collapsed. It takes about a second per million triangles on one core; `simplified` leaves fewer
 /// triangles, of less even sizes, and takes longer.
 MeshPtr coarsened(const MeshPtr& mesh, float edge);
+/// Returns the triangles of that mesh, between the vertices of this one: no fewer than there are
+/// where nothing was collapsed.
+std::vector<Triangle> coarsenedTriangles(const Mesh& mesh, float edge);
 
 }  // namespace sline::model

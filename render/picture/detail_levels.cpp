@@ -14,17 +14,22 @@ namespace sline::render {
 
 namespace {
 
-/// Edges shorter than the mean times this are collapsed, which about doubles the mean.
-constexpr float collapsedEdges = 1.6f;
-/// What the mean becomes longer by, as expected: a level is made where it will likely be allowed.
-constexpr float expectedGrowth = 2.0f;
-/// A level that has not fewer than this share of the triangles before is the last.
-constexpr float worthwhile = 0.6f;
-
 // How long edges may be on an average. At 1.3 pixels a few suggestive contours end sooner, and
 // crumbs appear beside contours: a moving camera hides that, a still picture does not.
 constexpr float stillPixels = 0.75f;
 constexpr float movingPixels = 1.5f;
+/// How long edges of what is sampled may be, in samples. What is left out lies off by a sixth of
+/// that at most, half a sample, where the surface is bent most.
+constexpr float sampledEdge = 3.0f;
+
+/// Returns how many mm a pixel shows where the structure's box is nearest; 0 where that may lie
+/// beside the eye.
+float leastPixel(const DrawnStructure& shown, const PictureView& view) {
+  float least = std::numeric_limits<float>::infinity();
+  for (const glm::vec3& corner : shown.mesh->bounds().corners())
+    least = std::min(least, view.millimetresPerPixel(corner));
+  return std::max(least, 0.0f);
+}
 
 }  // namespace
 
@@ -33,14 +38,17 @@ Coarseness allowedCoarseness(const DrawnStructure& shown, const PictureView& vie
   Coarseness allowed{.edge = 0.0f, .hurried = settings.hurried};
   if (gammaVaries(shown.style))
     return allowed;
-  float smallest = std::numeric_limits<float>::infinity();
-  for (const glm::vec3& corner : shown.mesh->bounds().corners())
-    smallest = std::min(smallest, view.millimetresPerPixel(corner));
   // Hatching would change at rest, and sections would be cut anew.
   const bool moving = (settings.hurried || settings.surfaceStep > 1) &&
                       !showsHatching(shown.style) && shown.sections.empty();
-  allowed.edge = smallest * (moving ? movingPixels : stillPixels);
+  allowed.edge = leastPixel(shown, view) * (moving ? movingPixels : stillPixels);
   return allowed;
+}
+
+Coarseness sampledCoarseness(const DrawnStructure& shown, const PictureView& view,
+                             const PictureSettings& settings) {
+  return {.edge = leastPixel(shown, view) * sampledEdge * float(settings.surfaceStep),
+          .hurried = settings.hurried};
 }
 
 DetailLevels::DetailLevels() = default;
@@ -67,12 +75,14 @@ std::size_t DetailLevels::wanted(const Coarseness& allowed) {
     const bool last = level + 1 == m_levels.size();
     if (last && keepsAsItIs)
       return level;
-    if (last && !m_complete && expectedGrowth * m_levels[level].edge <= allowed.edge) {
+    if (last && !m_complete && LevelStep::growth * m_levels[level].edge <= allowed.edge) {
       const model::MeshPtr& mesh = m_levels[level].mesh;
-      model::MeshPtr coarser = mesh->triangleCount() < leastTriangles
-                                   ? mesh
-                                   : model::coarsened(mesh, collapsedEdges * m_levels[level].edge);
-      m_complete = !(float(coarser->triangleCount()) < worthwhile * float(mesh->triangleCount()));
+      model::MeshPtr coarser =
+          mesh->triangleCount() < leastTriangles
+              ? mesh
+              : model::coarsened(mesh, LevelStep::collapsed * m_levels[level].edge);
+      m_complete =
+          !(float(coarser->triangleCount()) < LevelStep::worthwhile * float(mesh->triangleCount()));
       if (!m_complete)
         m_levels.push_back(levelOf(std::move(coarser)));
     }

@@ -23,11 +23,26 @@ struct Coarseness {
   bool hurried = false;  ///< a level that is not ready need not be made where another one is
 };
 
+/// Says how each level follows from the one before.
+struct LevelStep {
+  /// Edges shorter than the mean times this are collapsed, which about doubles the mean.
+  static constexpr float collapsed = 1.6f;
+  /// What the mean becomes longer by, as expected: a level is made where it will likely be allowed.
+  static constexpr float growth = 2.0f;
+  /// A level that has not fewer than this share of the triangles before is the last.
+  static constexpr float worthwhile = 0.6f;
+};
+
 /// Returns how coarse the structure may be in that picture: edges of three quarters of a pixel
 /// where it is nearest, of one and a half while the camera moves, unless the structure is hatched
 /// or cut. Where Γ varies over the surface, or the surface may reach beside the eye, it stays as it
 /// is.
 Coarseness allowedCoarseness(const DrawnStructure& shown, const PictureView& view,
+                             const PictureSettings& settings);
+
+/// Returns how coarse the form of it may be of which such a picture takes samples of several
+/// pixels: with edges three samples long.
+Coarseness sampledCoarseness(const DrawnStructure& shown, const PictureView& view,
                              const PictureSettings& settings);
 
 /// The levels of one mesh, each about a quarter of the one before.

@@ -20,7 +20,10 @@ namespace sline::render {
 
 /// A structure to draw, with what the GPU holds of it.
 struct PreparedStructure : DrawnStructure {
-  CachedSurface* cached = nullptr;        ///< the same as `prepared`, with the GPU's part
+  CachedSurface* cached = nullptr;  ///< the same as `prepared`, with the GPU's part
+  /// A coarser form of the surface, of which samples are taken where each stands for several
+  /// pixels; null: of the surface itself. Belongs to `cached`.
+  const model::Clusters* sampled = nullptr;
   bool printedHatching = false;           ///< hatched pixel by pixel
   std::shared_ptr<CappedSurface> capped;  ///< the same as `cut`, with the GPU's part
 

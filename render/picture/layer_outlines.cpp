@@ -62,7 +62,7 @@ bool rasteriseNumbers(const PictureInput& input, std::span<const Layer> layers,
     for (const PreparedStructure& shown : layer.members) {
       if (shown.cut)
         return false;
-      members.push_back({shown, numberFill(members.size())});
+      members.push_back({shown, numberFill(members.size()), shown.surface().clusters});
     }
     PixelRect seen = intersection(layer.area, region);
     seen.x -= region.x;

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <optional>
 
+#include "model/base/parallel.h"
 #include "model/scene/visible_structures.h"
 #include "render/picture/layer_painter.h"
 #include "render/picture/picture_canvas.h"
@@ -82,6 +83,9 @@ struct Picture::Data {
   /// and those that are ready by then are kept.
   std::optional<std::vector<PreparedStructure>> prepareStructures(const Sitting& sitting,
                                                                   const Output& output);
+  /// Has samples that stand for several pixels taken of coarser forms of the surfaces.
+  void sampleCoarsely(std::vector<PreparedStructure>& visible, const Sitting& sitting,
+                      const Output& output) const;
   int regionSide() const;
   bool processor() const;
   Easel& easel(const Output& output);
@@ -116,6 +120,7 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
       shown.cut = shown.capped = sections.at(shown.cached->surface, shown.sections);
     }
   }
+  sampleCoarsely(visible, sitting, output);
   std::vector<model::MeshPtr> meshes;
   for (const model::Node& node : scene.nodes())
     if (!node.isGroup())
@@ -127,6 +132,26 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
   std::sort(visible.begin(), visible.end(),
             [](const PreparedStructure& a, const PreparedStructure& b) { return a.id < b.id; });
   return visible;
+}
+
+void Picture::Data::sampleCoarsely(std::vector<PreparedStructure>& visible, const Sitting& sitting,
+                                   const Output& output) const {
+  if (!options.levelsOfDetail || !processor() || sitting.settings.surfaceStep == 1)
+    return;
+  // Structures that share a surface take turns.
+  std::map<CachedSurface*, std::vector<PreparedStructure*>> bySurface;
+  for (PreparedStructure& shown : visible)
+    bySurface[shown.cached].push_back(&shown);
+  std::vector<const std::vector<PreparedStructure*>*> each;
+  each.reserve(bySurface.size());
+  for (const auto& entry : bySurface)
+    each.push_back(&entry.second);
+  parallelFor(each.size(), 1, [&](std::size_t i) {
+    for (PreparedStructure* shown : *each[i])
+      if (!output.unwanted || !*output.unwanted)
+        shown->sampled = shown->cached->sampleLevels.at(
+            shown->surface(), sampledCoarseness(*shown, sitting.view, sitting.settings));
+  });
 }
 
 int Picture::Data::regionSide() const {

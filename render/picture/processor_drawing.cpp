@@ -36,7 +36,9 @@ bool drawSurface(const PictureInput& input, const PixelRect& region, Layer& laye
   for (const PreparedStructure& shown : layer.members) {
     if (shown.printedHatching)
       return false;
-    members.push_back({shown, shownFill(input, shown)});
+    const bool coarsely = layer.surfaceStep > 1 && shown.sampled;
+    members.push_back(
+        {shown, shownFill(input, shown), coarsely ? *shown.sampled : shown.surface().clusters});
   }
   LayerPixels& pixels = layer.pixels;
   pixels.area = layer.area;

@@ -12,12 +12,15 @@
 #include "model/scene/visible_structures.h"
 #include "render/passes/surface_geometry.h"
 #include "render/picture/detail_levels.h"
+#include "render/picture/sample_levels.h"
 #include "render/strokes/gamma_offsets.h"
 #include "render/strokes/prepared_surface.h"
 
 namespace sline::render {
 
 struct CachedSurface : PreparedSurface {
+  SampleLevels sampleLevels;
+
   /// Returns the surface as the GPU has it; its vertices are `Clusters::vertices`. What is missing
   /// there is uploaded, also the curvature that fills at 3 < Γ < 4 need where `withShape` says so.
   passes::SurfaceGeometry& geometry(bool withShape);

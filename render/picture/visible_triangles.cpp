@@ -37,7 +37,8 @@ class TriangleFinder {
     const Clusters& clusters = m_shown.surface().clusters;
     const auto* triangles = clusters.localTriangles.data() + cluster.firstTriangle;
     const bool mixed = m_cull && model::facing(cluster, m_view.eye()) != model::Facing::front;
-    const bool known = m_seen.project(cluster, m_shown.surface(), m_view, m_grid);
+    const bool known =
+        m_seen.project(cluster, {clusters, m_shown.surface().mesh->positions()}, m_view, m_grid);
     if (known)
       m_seen.findBoxes({triangles, cluster.triangleCount});
     std::array<std::uint32_t, 3 * std::size_t(Clusters::maximumTriangles)> kept;

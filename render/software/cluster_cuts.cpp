@@ -13,13 +13,12 @@ void ClusterCuts::find(const model::Cluster& cluster, std::span<const glm::vec4>
       m_planes.push_back(plane);
 }
 
-void ClusterCuts::measure(const model::Cluster& cluster, const model::Surface& surface) {
-  const std::uint32_t* vertices = surface.clusters.vertices.data() + cluster.firstVertex;
-  const auto positions = surface.mesh->positions();
+void ClusterCuts::measure(const model::Cluster& cluster, const ClusterPlaces& places) {
+  const std::uint32_t* vertices = places.clusters.vertices.data() + cluster.firstVertex;
   m_distances.resize(m_planes.size());
   for (std::size_t k = 0; k < m_planes.size(); ++k)
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)
-      m_distances[k][i] = glm::dot(m_planes[k], glm::vec4(positions[vertices[i]], 1.0f));
+      m_distances[k][i] = glm::dot(m_planes[k], glm::vec4(places.positions[vertices[i]], 1.0f));
 }
 
 bool ClusterCuts::takeAway(const std::array<std::uint8_t, 3>& corners,

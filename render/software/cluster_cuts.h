@@ -20,7 +20,7 @@ class ClusterCuts {
   void find(const model::Cluster& cluster, std::span<const glm::vec4> planes);
   bool empty() const { return m_planes.empty(); }
   /// Finds how far the cluster's vertices lie beyond them.
-  void measure(const model::Cluster& cluster, const model::Surface& surface);
+  void measure(const model::Cluster& cluster, const ClusterPlaces& places);
   /// Tells whether they take away the place of a triangle, named by the vertices in its corners,
   /// that has these shares of the second corner and the third.
   bool takeAway(const std::array<std::uint8_t, 3>& corners, const glm::vec2& share) const;

@@ -25,6 +25,7 @@ constexpr float hiddenCoverage = 0.5f;
 struct Capsule {
   glm::vec2 a;  ///< where the stroke's own middle runs
   glm::vec2 along;
+  glm::vec2 perAlong;  ///< 1 over each
   float length;
   float reach;  ///< across
   glm::vec2 beyond;
@@ -53,6 +54,7 @@ Capsule capsuleOf(const InkDraw& draw, const Stroke& s, std::uint32_t sight) {
   const glm::vec2 b = c.penB + s.outwardB * std::max(s.halfWidthB - 0.5f, 0.0f);
   c.length = glm::distance(c.a, b);
   c.along = c.length > 1e-6f ? (b - c.a) / c.length : glm::vec2(1.0f, 0.0f);
+  c.perAlong = 1.0f / c.along;
   c.reach = reachOf(s);
   c.beyond = glm::min(glm::vec2(s.capA, s.capB), glm::vec2(c.reach));
   c.depthA = s.depthA, c.depthB = s.depthB;
@@ -78,18 +80,22 @@ Capsule capsuleOf(const InkDraw& draw, const Stroke& s, std::uint32_t sight) {
   return c;
 }
 
+/// A slope, and what goes once over it.
+struct Slope {
+  float rise;
+  float run;
+};
+
 /// Narrows first … last to the x at which low ≤ slope·x + constant ≤ high.
-void narrow(float slope, float constant, float low, float high, glm::vec2& span) {
-  if (std::abs(slope) < 1e-6f) {
+void narrow(const Slope& slope, float constant, float low, float high, glm::vec2& span) {
+  if (std::abs(slope.rise) < 1e-6f) {
     if (constant < low || constant > high)
       span = {1.0f, 0.0f};
     return;
   }
-  float from = (low - constant) / slope;
-  float to = (high - constant) / slope;
-  if (from > to)
-    std::swap(from, to);
-  span = {std::max(span.x, from), std::min(span.y, to)};
+  const float from = (low - constant) * slope.run;
+  const float to = (high - constant) * slope.run;
+  span = {std::max(span.x, std::min(from, to)), std::min(span.y, std::max(from, to))};
 }
 
 /// A pixel of a capsule.
@@ -146,8 +152,8 @@ class CapsuleDrawer {
     for (int y = std::max(c.bottom, first); y < std::min(c.top, end); ++y) {
       const float dy = float(y) + 0.5f - c.a.y;
       glm::vec2 span(float(area.x) + 0.5f - c.a.x, float(area.right()) - 0.5f - c.a.x);
-      narrow(c.along.x, dy * c.along.y, -c.beyond.x, c.length + c.beyond.y, span);
-      narrow(-c.along.y, dy * c.along.x, -c.reach, c.reach, span);
+      narrow({c.along.x, c.perAlong.x}, dy * c.along.y, -c.beyond.x, c.length + c.beyond.y, span);
+      narrow({-c.along.y, -c.perAlong.y}, dy * c.along.x, -c.reach, c.reach, span);
       if (span.x > span.y)
         continue;
       const int left = int(std::ceil(span.x + c.a.x - 0.5f));

@@ -3,28 +3,27 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <vector>
 
 #include "model/base/parallel.h"
+#include "model/base/wide_loops.h"
+#include "render/software/blend_row.h"
+#include "render/software/channels.h"
 
 namespace sline::render {
 
 namespace {
 
 constexpr float hiddenStrength = 0.5f;
-// More than this hides all that lies behind.
-constexpr float opaque = 0.998f;
-
-glm::vec4 unpacked(std::uint32_t word) {
-  return glm::vec4(float(word & 255u), float((word >> 8) & 255u), float((word >> 16) & 255u),
-                   float(word >> 24)) *
-         (1.0f / 255.0f);
-}
 
 /// A layer within a square.
 struct Here {
   const BlendLayer* layer;
-  glm::vec4 ink;  ///< opaque
+  Channels ink;      ///< opaque
+  float nearest;     ///< its least depth there; 1 where it has nothing
+  std::size_t rank;  ///< of layers that lie equally deep the least is in front
 };
 
 /// A layer at a pixel.
@@ -34,31 +33,46 @@ struct Found {
   std::size_t at;
 };
 
+/// Returns the least of these depths, which are not negative, row by row.
+SLINE_WIDE_LOOPS float leastDepth(const float* depths, std::size_t stride, int columns, int rows) {
+  std::int32_t least = std::bit_cast<std::int32_t>(1.0f);
+  for (int row = 0; row < rows; ++row, depths += stride)
+    for (int i = 0; i < columns; ++i)
+      least = std::min(least, std::bit_cast<std::int32_t>(depths[i]));
+  return std::bit_cast<float>(least);
+}
+
+/// Tells whether some depth is within its limit.
+SLINE_WIDE_LOOPS bool anyWithin(const float* depths, const float* limits, int count) {
+  int any = 0;
+  for (int i = 0; i < count; ++i)
+    any |= int(depths[i] <= limits[i]);
+  return any != 0;
+}
+
 /// Blends squares one by one.
 class SquareBlender {
  public:
   SquareBlender(const LayerBlend& what, std::span<std::uint32_t> picture)
-      : m_what(what), m_picture(picture), m_ground(packedColour(what.background)) {
+      : m_what(what),
+        m_picture(picture),
+        m_background(255.0f * channelsOf(what.background)),
+        m_ground(packedColour(what.background)) {
     m_here.reserve(what.layers.size());
     m_found.resize(what.layers.size() * TileMask::side);
   }
 
   /// Takes the square's place in the region's grid, and its pixels in the region.
   void blend(int column, int row, const PixelRect& square) {
-    m_here.clear();
-    m_hidden = false;
     const PixelRect pixels{square.x + m_what.region.x, square.y + m_what.region.y, square.width,
                            square.height};
-    for (const BlendLayer& layer : m_what.layers)
-      if (layer.mask->marked(column, row) && !intersection(layer.pixels->area, pixels).empty()) {
-        const glm::vec3 ink(float(layer.ink.red), float(layer.ink.green), float(layer.ink.blue));
-        m_here.push_back({&layer, glm::vec4(ink / 255.0f, 1.0f)});
-        m_hidden = m_hidden || layer.hiddenInk;
-      }
+    findLayers(column, row, pixels);
     for (int y = pixels.y; y < pixels.top(); ++y) {
       std::uint32_t* out = m_picture.data() +
                            std::size_t(y - m_what.region.y) * std::size_t(m_what.region.width) +
                            std::size_t(pixels.x - m_what.region.x);
+      if (blendInOrder(pixels, y, out))
+        continue;
       find(pixels.x, pixels.right(), y);
       for (int i = 0; i < pixels.width; ++i)
         out[i] = colourAt(i, pixels.x + i, y);
@@ -66,36 +80,101 @@ class SquareBlender {
   }
 
  private:
+  /// Finds the layers that have something in the square, those that come nearest first, so that
+  /// what they hide is left out soon.
+  void findLayers(int column, int row, const PixelRect& pixels) {
+    m_here.clear();
+    m_hiding.clear();
+    for (std::size_t rank = 0; rank < m_what.layers.size(); ++rank) {
+      const BlendLayer& layer = m_what.layers[rank];
+      if (!layer.mask->marked(column, row))
+        continue;
+      const PixelRect shared = intersection(layer.pixels->area, pixels);
+      if (shared.empty())
+        continue;
+      const Here here{
+          &layer,
+          Channels{float(layer.ink.red), float(layer.ink.green), float(layer.ink.blue), 255.0f},
+          leastDepth(layer.pixels->depths.data() + layer.pixels->at(shared.x, shared.y),
+                     std::size_t(layer.pixels->area.width), shared.width, shared.height),
+          rank};
+      if (here.nearest < 1.0f)
+        m_here.push_back(here);
+      if (layer.hiddenInk)
+        m_hiding.push_back(here);
+    }
+    std::sort(m_here.begin(), m_here.end(), [](const Here& a, const Here& b) {
+      return a.nearest < b.nearest || (a.nearest == b.nearest && a.rank < b.rank);
+    });
+  }
+
+  /// Blends a row where the layers lie, all along it, in the order in which they come nearest.
+  /// Returns false otherwise.
+  bool blendInOrder(const PixelRect& square, int y, std::uint32_t* out) {
+    if (!m_hiding.empty())
+      return false;
+    m_row.start();
+    for (const Here& here : m_here) {
+      const BlendLayer& layer = *here.layer;
+      const LayerPixels& pixels = *layer.pixels;
+      const int first = std::max(square.x, pixels.area.x);
+      const int end = std::min(square.right(), pixels.area.right());
+      if (y < pixels.area.y || y >= pixels.area.top() || first >= end)
+        continue;
+      const std::size_t at = pixels.at(first, y);
+      if (!m_row.lay({.first = std::size_t(first - square.x),
+                      .count = std::size_t(end - first),
+                      .depths = pixels.depths.data() + at,
+                      .colours = layer.filled ? pixels.colours.data() + at : nullptr,
+                      .inks = layer.inked ? pixels.inks.data() + at : nullptr,
+                      .ink = {here.ink[0], here.ink[1], here.ink[2]},
+                      .haloed = layer.haloed}))
+        return false;
+    }
+    const Channels& ground = m_background;
+    m_row.finish({ground[0], ground[1], ground[2], ground[3]}, std::size_t(square.width), out);
+    return true;
+  }
+
   std::span<const Found> foundAt(int i) const {
     return {m_found.data() + std::size_t(i) * m_what.layers.size(), m_counts[std::size_t(i)]};
   }
 
   std::uint32_t colourAt(int i, int x, int y) const {
     const std::span<const Found> found = foundAt(i);
-    if (found.empty() && !m_hidden)
+    const bool hidden = !m_hiding.empty();
+    if (found.empty() && !hidden)
       return m_ground;
     // Most often one layer has no ink there and hides all that lies behind it.
-    if (!found.empty() && !m_hidden) {
-      const BlendLayer& nearest = *found.front().here->layer;
-      const std::size_t at = found.front().at;
-      if (nearest.filled && nearest.pixels->colours[at] >> 24 == 255 &&
-          (nearest.pixels->inks[at] & 0xff) == 0)
-        return nearest.pixels->colours[at];
+    if (!found.empty() && !hidden) {
+      const Found& nearest = found.front();
+      if (isOpaque(nearest) && (nearest.here->layer->pixels->inks[nearest.at] & 0xff) == 0)
+        return nearest.here->layer->pixels->colours[nearest.at];
     }
-    glm::vec4 sum(0.0f);
+    Channels sum{};
+    float left = 1.0f;   // the share of what lies behind that is seen
     float lines = 1.0f;  // the share of lines that is left behind the halos of nearer layers
     for (const Found& each : found) {
-      sum += layerColour(each, lines) * (1.0f - sum.a);
-      if (sum.a > opaque)
+      sum += left * layerColour(each, lines);
+      left = 1.0f - sum[3] * (1.0f / 255.0f);
+      if (sum[3] > BlendRow::opaque)
         break;
     }
-    const glm::vec4 colour = sum + m_what.background * (1.0f - sum.a);
-    return packedColour(m_hidden ? withHiddenLines(colour, x, y) : colour);
+    const Channels colour = sum + left * m_background;
+    return wordOf(hidden ? withHiddenLines(colour, x, y) : colour);
   }
 
-  /// Finds for each pixel of the row the layers that have something there, the nearest first.
+  /// Tells whether the layer's fill hides all that lies behind it there.
+  static bool isOpaque(const Found& found) {
+    const BlendLayer& layer = *found.here->layer;
+    return layer.filled && layer.pixels->colours[found.at] >> 24 == 255;
+  }
+
+  /// Finds for each pixel of the row the layers that have something there and are not hidden, the
+  /// nearest first.
   void find(int left, int right, int y) {
     m_counts.fill(0);
+    m_limits.fill(std::nextafter(1.0f, 0.0f));
     const std::size_t most = m_what.layers.size();
     for (const Here& here : m_here) {
       const LayerPixels& pixels = *here.layer->pixels;
@@ -106,58 +185,67 @@ class SquareBlender {
         continue;
       const std::size_t at = pixels.at(first, y);
       const float* depths = pixels.depths.data() + at;
+      float* limits = m_limits.data() + (first - left);
+      if (!anyWithin(depths, limits, end - first))
+        continue;
       for (int i = 0; i < end - first; ++i) {
         const float depth = depths[i];
-        if (!(depth < 1.0f))
+        if (!(depth <= limits[i]))
           continue;
         const auto k = std::size_t(first - left) + std::size_t(i);
         Found* found = m_found.data() + k * most;
         std::size_t place = m_counts[k]++;
-        for (; place > 0 && found[place - 1].depth > depth; --place)
+        for (; place > 0 && isBehind(found[place - 1], depth, here.rank); --place)
           found[place] = found[place - 1];
         found[place] = {depth, &here, at + std::size_t(i)};
+        if (isOpaque(found[place]))
+          limits[i] = depth;
       }
     }
   }
 
-  static glm::vec4 layerColour(const Found& found, float& lines) {
+  static bool isBehind(const Found& found, float depth, std::size_t rank) {
+    return found.depth > depth || (found.depth == depth && found.here->rank > rank);
+  }
+
+  static Channels layerColour(const Found& found, float& lines) {
     const BlendLayer& layer = *found.here->layer;
-    glm::vec4 colour = layer.filled ? unpacked(layer.pixels->colours[found.at]) : glm::vec4(0.0f);
-    if (!layer.inked)
-      return colour;
-    const std::uint16_t ink = layer.pixels->inks[found.at];
+    const Channels colour = layer.filled ? channelsOf(layer.pixels->colours[found.at]) : Channels{};
+    const std::uint16_t ink = layer.inked ? layer.pixels->inks[found.at] : std::uint16_t(0);
     if (ink == 0)
       return colour;
     const float coverage = lines * float(ink & 0xff) * (1.0f / 255.0f);
-    colour = found.here->ink * coverage + colour * (1.0f - coverage);
     if (layer.haloed && (ink >> 8) > 191)
       lines = 0.0f;
-    return colour;
+    return coverage * found.here->ink + (1.0f - coverage) * colour;
   }
 
   /// Lays the hidden lines of all layers over the pixel. A line that is seen has the same ink and
   /// covers its own.
-  glm::vec4 withHiddenLines(glm::vec4 colour, int x, int y) const {
-    for (const Here& here : m_here) {
+  Channels withHiddenLines(Channels colour, int x, int y) const {
+    for (const Here& here : m_hiding) {
       const LayerPixels& pixels = *here.layer->pixels;
       const PixelRect& area = pixels.area;
-      if (!here.layer->hiddenInk || x < area.x || y < area.y || x >= area.right() ||
-          y >= area.top())
+      if (x < area.x || y < area.y || x >= area.right() || y >= area.top())
         continue;
       const float stored = float(pixels.inks[pixels.at(x, y)] >> 8) * (1.0f / 255.0f);
       const float coverage = stored > 0.75f ? 0.0f : std::min(2.0f * stored, 1.0f) * hiddenStrength;
-      colour = here.ink * coverage + colour * (1.0f - coverage);
+      colour = coverage * here.ink + (1.0f - coverage) * colour;
     }
     return colour;
   }
 
   const LayerBlend& m_what;
   std::span<std::uint32_t> m_picture;
-  std::uint32_t m_ground;
-  std::vector<Here> m_here;
+  Channels m_background;
+  std::uint32_t m_ground;  ///< the same
+  BlendRow m_row;
+  std::vector<Here> m_here;    ///< that have something in the square, the nearest first
+  std::vector<Here> m_hiding;  ///< that have hidden lines, in order
   std::vector<Found> m_found;  ///< as many for each pixel of a row as there are layers
   std::array<std::size_t, TileMask::side> m_counts{};
-  bool m_hidden = false;  ///< one of them has hidden lines
+  /// No deeper layer is seen at each pixel of a row: the nearest is opaque, or there is nothing.
+  std::array<float, TileMask::side> m_limits{};
 };
 
 }  // namespace

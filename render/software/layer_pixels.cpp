@@ -8,6 +8,7 @@
 
 #include "model/base/parallel.h"
 #include "render/raster/rounding.h"
+#include "render/software/channels.h"
 
 namespace sline::render {
 
@@ -88,25 +89,22 @@ class Enlarger {
     }));
   }
 
-  glm::vec4 colourOf(std::size_t sample) const {
-    const std::uint32_t word = m_pixels.surfaceColours[sample];
-    return {float(word & 255u), float((word >> 8) & 255u), float((word >> 16) & 255u),
-            float(word >> 24)};
+  Channels colourOf(std::size_t sample) const {
+    return channelsOf(m_pixels.surfaceColours[sample]);
   }
+  static Channels mixed(const Channels& a, const Channels& b, float t) { return a + t * (b - a); }
 
   /// Mixes pixels between four samples that all have the surface.
   void mix(std::size_t first, std::size_t end, const Corners& at, float t) const {
     const std::vector<float>& depths = m_pixels.surfaceDepths;
-    const glm::vec4 left = glm::mix(colourOf(at[0]), colourOf(at[2]), t) + 0.5f;
-    const glm::vec4 right = glm::mix(colourOf(at[1]), colourOf(at[3]), t) + 0.5f;
+    const Channels left = mixed(colourOf(at[0]), colourOf(at[2]), t);
+    const Channels right = mixed(colourOf(at[1]), colourOf(at[3]), t);
     const float leftDepth = glm::mix(depths[at[0]], depths[at[2]], t);
     const float rightDepth = glm::mix(depths[at[1]], depths[at[3]], t);
     const std::size_t begin = first - (first % std::size_t(m_pixels.area.width));
     for (std::size_t i = first; i < end; ++i) {
       const float across = m_columns[i - begin].t;
-      const glm::vec4 colour = left + across * (right - left);
-      m_pixels.colours[i] = std::uint32_t(colour.x) | std::uint32_t(colour.y) << 8 |
-                            std::uint32_t(colour.z) << 16 | std::uint32_t(colour.w) << 24;
+      m_pixels.colours[i] = wordOf(mixed(left, right, across));
       m_pixels.depths[i] = leftDepth + across * (rightDepth - leftDepth);
     }
   }
@@ -116,7 +114,7 @@ class Enlarger {
                                        (1.0f - t.x) * t.y, t.x * t.y};
     float covered = 0.0f;
     float depth = 0.0f;
-    glm::vec4 colour(0.0f);
+    Channels colour{};
     for (std::size_t k = 0; k < at.size(); ++k) {
       if (!(m_pixels.surfaceDepths[at[k]] < 1.0f))
         continue;
@@ -131,7 +129,7 @@ class Enlarger {
                        : 0.0f;
     if (!(share > 0.0f))
       return;
-    m_pixels.colours[i] = packedColour(colour * (share / (255.0f * covered)));
+    m_pixels.colours[i] = wordOf((share / covered) * colour);
     m_pixels.depths[i] = depth / covered;
   }
 

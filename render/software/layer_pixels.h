@@ -3,6 +3,7 @@
 // (METHOD §10).
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -19,6 +20,22 @@ namespace sline::render {
 struct SampleArea {
   SampleGrid grid;
   PixelRect area;
+
+  /// Returns the place, in rows from the area's corner, of the sample that stands for a pixel.
+  std::size_t at(const glm::ivec2& pixel) const {
+    // Multiplies by 2³² / step and a little more, as divisions take long; none of the pixels that
+    // are added lets a number be negative.
+    constexpr std::array<std::uint64_t, 5> perStep{0, 0x100000001, 0x80000001, 0x55555556,
+                                                   0x40000001};
+    constexpr int before = 1 << 16;
+    const auto step = std::size_t(grid.step);
+    const auto sampleOf = [&](int from) {
+      return int((std::uint64_t(from + before * grid.step) * perStep[step]) >> 32U) - before;
+    };
+    const glm::ivec2 from = pixel - grid.corner;
+    return std::size_t(sampleOf(from.y) - area.y) * std::size_t(area.width) +
+           std::size_t(sampleOf(from.x) - area.x);
+  }
 };
 
 /// Only the squares that a layer touches hold anything; elsewhere pixels are left as they were.
@@ -45,10 +62,7 @@ struct LayerPixels {
     const glm::ivec2 at(int(std::floor(pixel.x)), int(std::floor(pixel.y)));
     if (at.x < area.x || at.y < area.y || at.x >= area.right() || at.y >= area.top())
       return 1.0f;
-    const glm::ivec2 from = at - samples.grid.corner;
-    return surfaceDepths[std::size_t(from.y / step() - samples.area.y) *
-                             std::size_t(samples.area.width) +
-                         std::size_t(from.x / step() - samples.area.x)];
+    return surfaceDepths[samples.at(at)];
   }
 };
 

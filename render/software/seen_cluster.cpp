@@ -22,14 +22,14 @@ std::int32_t below(float x) {
 }  // namespace
 
 SLINE_WIDE_LOOPS bool SeenCluster::project(const model::Cluster& cluster,
-                                           const model::Surface& surface, const PictureView& view,
+                                           const ClusterPlaces& places, const PictureView& view,
                                            const SampleGrid& grid) {
   const glm::mat4& m = view.viewProjection();
   const glm::vec2 half = 0.5f * view.size();
   const glm::vec2 corner(grid.corner);
   const float perPixel = 1.0f / float(grid.step);
-  const std::uint32_t* vertices = surface.clusters.vertices.data() + cluster.firstVertex;
-  const auto positions = surface.mesh->positions();
+  const std::uint32_t* vertices = places.clusters.vertices.data() + cluster.firstVertex;
+  const std::span<const glm::vec3> positions = places.positions;
   for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)
     for (int axis = 0; axis < 3; ++axis)
       position[std::size_t(axis)][i] = positions[vertices[i]][axis];

@@ -23,6 +23,12 @@ struct SampleGrid {
   int step = 1;
 };
 
+/// Clusters, and where the vertices lie that they name.
+struct ClusterPlaces {
+  const model::Clusters& clusters;
+  std::span<const glm::vec3> positions;
+};
+
 /// Holds a cluster's vertices as they lie in the picture, counted in steps of the grid, which are
 /// pixels below, and its triangles' boxes.
 struct SeenCluster {
@@ -48,8 +54,8 @@ struct SeenCluster {
   Counts rows;
 
   /// Projects the vertices. Returns false where some lie behind the eye or too far away to tell.
-  bool project(const model::Cluster& cluster, const model::Surface& surface,
-               const PictureView& view, const SampleGrid& grid);
+  bool project(const model::Cluster& cluster, const ClusterPlaces& places, const PictureView& view,
+               const SampleGrid& grid);
   /// Finds the triangles' areas and which middles of pixels their boxes hold.
   void findBoxes(std::span<const std::array<std::uint8_t, 3>> triangles);
 };

@@ -31,6 +31,7 @@ enum Value : std::size_t { normalX, normalY, normalZ, gradient, gammaOffset, val
 /// A member, ready to be drawn.
 struct Member {
   const DrawnStructure* shown;
+  const model::Clusters* clusters;
   SurfaceFill fill;
   FillShading shading;
   bool cull;
@@ -39,6 +40,7 @@ struct Member {
 
   Member(const RasterMember& member, const RasterSight& sight)
       : shown(&member.shown),
+        clusters(&member.clusters),
         fill(member.fill),
         shading(member.fill, sight.key),
         cull(cullsBack(member.shown, sight.view)) {
@@ -88,8 +90,9 @@ class SurfaceBand {
   /// Has the memory fetch what will be looked at soon.
   void fetch(const PlacedCluster& placed) const {
     const model::Surface& surface = m_members[placed.member].shown->surface();
+    const model::Clusters& clusters = *m_members[placed.member].clusters;
     const model::Cluster& cluster = *placed.cluster;
-    const std::uint32_t* vertices = surface.clusters.vertices.data() + cluster.firstVertex;
+    const std::uint32_t* vertices = clusters.vertices.data() + cluster.firstVertex;
     const glm::vec3* positions = surface.mesh->positions().data();
     const bool shaded = m_colours && m_members[placed.member].shaded();
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
@@ -97,27 +100,27 @@ class SurfaceBand {
       if (shaded)
         __builtin_prefetch(&surface.vertices[vertices[i]]);
     }
-    __builtin_prefetch(surface.clusters.localTriangles.data() + cluster.firstTriangle);
+    __builtin_prefetch(clusters.localTriangles.data() + cluster.firstTriangle);
   }
 
   /// Returns false where the cluster has to be clipped.
   bool add(const PlacedCluster& placed) {
     const Member& member = m_members[placed.member];
     const model::Cluster& cluster = *placed.cluster;
-    const model::Surface& surface = member.shown->surface();
+    const ClusterPlaces places{*member.clusters, member.shown->surface().mesh->positions()};
     m_member = placed.member;
     m_cuts.find(cluster, member.planes);
     if (m_samples.grid.step > 1 && m_cuts.empty() && splat(cluster, member))
       return true;
-    if (!m_seen.project(cluster, surface, m_view, m_samples.grid))
+    if (!m_seen.project(cluster, places, m_view, m_samples.grid))
       return false;
-    const auto* triangles = surface.clusters.localTriangles.data() + cluster.firstTriangle;
+    const auto* triangles = member.clusters->localTriangles.data() + cluster.firstTriangle;
     m_seen.findBoxes({triangles, cluster.triangleCount});
     const bool mixed = member.cull && model::facing(cluster, m_view.eye()) != model::Facing::front;
     const bool shaded = m_colours && member.shaded();
     bool loaded = false;
     if (!m_cuts.empty())
-      m_cuts.measure(cluster, surface);
+      m_cuts.measure(cluster, places);
     // Across little depth values are as good as linear in the picture.
     m_even = isEven(cluster);
     for (const std::uint8_t i : holders(cluster, mixed)) {
@@ -265,7 +268,7 @@ class SurfaceBand {
     if (!m_colours || !member.shaded())
       return;
     const model::Surface& surface = member.shown->surface();
-    const std::uint32_t vertex = surface.clusters.vertices[cluster.firstVertex];
+    const std::uint32_t vertex = member.clusters->vertices[cluster.firstVertex];
     m_values[normalX][at] = cluster.cone.axis.x;
     m_values[normalY][at] = cluster.cone.axis.y;
     m_values[normalZ][at] = cluster.cone.axis.z;
@@ -279,7 +282,7 @@ class SurfaceBand {
   /// Takes the values of the cluster's vertices.
   void load(const model::Cluster& cluster, const Member& member) {
     const model::Surface& surface = member.shown->surface();
-    const std::uint32_t* vertices = surface.clusters.vertices.data() + cluster.firstVertex;
+    const std::uint32_t* vertices = member.clusters->vertices.data() + cluster.firstVertex;
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
       const model::SurfaceVertex& vertex = surface.vertices[vertices[i]];
       const glm::vec3 normal = surface.normals[vertices[i]];
@@ -423,7 +426,7 @@ std::vector<PlacedCluster> placedClusters(std::span<const Member> members,
   const SampleArea& samples = sight.samples;
   std::vector<PlacedCluster> clusters;
   for (std::size_t m = 0; m < members.size(); ++m)
-    for (const model::Cluster& cluster : members[m].shown->surface().clusters.items) {
+    for (const model::Cluster& cluster : members[m].clusters->items) {
       if (members[m].cull && model::facing(cluster, sight.view.eye()) == model::Facing::back)
         continue;
       if (isCutAway(*members[m].shown, cluster.bounds))

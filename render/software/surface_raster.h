@@ -20,6 +20,8 @@ namespace sline::render {
 struct RasterMember {
   const DrawnStructure& shown;
   SurfaceFill fill;
+  /// Those of the surface, or of a coarser form that has some of its vertices.
+  const model::Clusters& clusters;
 };
 
 /// Says how surfaces are seen.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "render/raster/rounding.h"
+#include "render/software/channels.h"
 
 namespace sline::render {
 
@@ -46,6 +46,7 @@ class Trimmer {
     const float area = ab.x * ac.y - ab.y * ac.x;
     if (!(std::abs(area) > 1e-6f))
       return;
+    const float perArea = 1.0f / area;
     const PixelRect& rect = m_pixels.area;
     const auto bounded = [](float x) { return int(std::clamp(x, -1e6f, 1e6f)); };
     const glm::vec2 low = glm::floor(glm::min(glm::min(a.at, b.at), c.at));
@@ -55,11 +56,11 @@ class Trimmer {
     for (int y = std::max(bounded(low.y), first); y < std::min(bounded(high.y), end); ++y)
       for (int x = left; x < right; ++x) {
         const glm::vec2 at = glm::vec2(float(x) + 0.5f, float(y) + 0.5f) - a.at;
-        const float toB = (at.x * ac.y - at.y * ac.x) / area;
-        const float toC = (ab.x * at.y - ab.y * at.x) / area;
+        const float toB = (at.x * ac.y - at.y * ac.x) * perArea;
+        const float toC = (ab.x * at.y - ab.y * at.x) * perArea;
         const float toA = 1.0f - toB - toC;
         // Of two triangles that share an edge one has the pixels on it.
-        if (toA > 0.0f && toB >= 0.0f && toC >= 0.0f)
+        if (toA > 0.0f && toB >= 0.0f && toC >= 0.0f && m_pixels.colours[m_pixels.at(x, y)] != 0)
           trim(toA * a.end + toB * b.end + toC * c.end,
                toA * a.outward + toB * b.outward + toC * c.outward,
                toA * a.away + toB * b.away + toC * c.away, m_pixels.at(x, y));
@@ -73,10 +74,7 @@ class Trimmer {
         return;
     const float left = 1.0f - std::clamp(away + 0.5f, 0.0f, 1.0f);
     std::uint32_t& word = m_pixels.colours[at];
-    std::uint32_t trimmed = 0;
-    for (int channel = 0; channel < 4; ++channel)
-      trimmed |= nearestWhole(left * float((word >> (8 * channel)) & 255u)) << (8 * channel);
-    word = trimmed;
+    word = wordOf(left * channelsOf(word));
   }
 
   LayerPixels& m_pixels;

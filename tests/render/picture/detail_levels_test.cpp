@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QtTest>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "render/picture/surface_cache.h"
 #include "tests/render/picture/scenes.h"
@@ -113,6 +114,37 @@ class DetailLevelsTest : public QObject {
     QCOMPARE(allowed(inside, 400.0f), 0.0f);
   }
 
+  void samplesAreTakenOfCoarserForms() {
+    const model::MeshPtr mesh = torus(50.0f, 20.0f, 250, 80);
+    const model::SurfacePtr surface = model::prepareSurface(mesh);
+    render::SampleLevels levels;
+    const auto at = [&](float edges, bool hurried = false) {
+      return levels.at(*surface, {.edge = edges * surface->meanEdge, .hurried = hurried});
+    };
+    QVERIFY(!at(0.0f));
+    QVERIFY(!at(1.5f));
+    // What is not there is not made in a hurry.
+    QVERIFY(!at(3.0f, true));
+    const model::Clusters* first = at(3.0f);
+    QVERIFY(first && first->localTriangles.size() < mesh->triangleCount() / 2);
+    QCOMPARE(at(3.0f, true), first);
+    const model::Clusters* second = at(6.0f);
+    QVERIFY(second && second->localTriangles.size() < first->localTriangles.size() / 2);
+    QCOMPARE(at(3.0f), first);
+    QVERIFY(!at(1.0f));
+    // Its corners are the surface's own, and its clusters hold them.
+    for (const model::Cluster& cluster : second->items)
+      for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
+        const std::uint32_t vertex = second->vertices[cluster.firstVertex + i];
+        QVERIFY(vertex < mesh->vertexCount());
+        QVERIFY(glm::distance(mesh->positions()[vertex], cluster.bounds.centre) <=
+                cluster.bounds.radius);
+      }
+    // There is an end to it.
+    const model::Clusters* last = at(1000.0f);
+    QVERIFY(last && last->localTriangles.size() >= 200);
+  }
+
   void nobodySeesIt_data() {
     QTest::addColumn<float>("gamma");
     QTest::addColumn<int>("step");
@@ -121,6 +153,8 @@ class DetailLevelsTest : public QObject {
     QTest::newRow("hatching") << 3.0f << 1;
     QTest::newRow("shading") << 4.6f << 1;
     QTest::newRow("moving") << 2.0f << 2;
+    QTest::newRow("moving, hatched") << 3.0f << 3;
+    QTest::newRow("moving, shaded") << 4.6f << 3;
   }
 
   void nobodySeesIt() {

@@ -77,7 +77,7 @@ struct Ball {
 
 std::optional<std::vector<float>> depthsOf(const DrawnStructure& shown, const PictureView& view,
                                            const TileMask& squares, const SampleArea& samples) {
-  const RasterMember member{shown, {}};
+  const RasterMember member{shown, {}, shown.surface().clusters};
   const PixelRect all{0, 0, samples.area.width, samples.area.height};
   std::vector<float> depths(std::size_t(all.width) * std::size_t(all.height), 1.0f);
   if (!rasterise({&member, 1}, {view, squares, samples, {&all, 1}}, {depths, {}}))
