@@ -10,10 +10,11 @@
 
 namespace sline::render::gpu {
 
-/// Bounds what the driver has under way: one batch is drawn while the next is being set up. A
-/// software driver sets triangles up faster than it fills them, and keeps all that wait in memory
-/// (300 MiB for 3 million triangles); and anything that another context draws meanwhile, such as
-/// the window itself, has to wait its turn behind it.
+/// Bounds what a software driver has under way: one batch is drawn while the next is being set up.
+/// A driver sets triangles up faster than it fills them, and keeps all that wait in memory (300 MiB
+/// for 3 million triangles); and anything that another context draws meanwhile, such as the window
+/// itself, has to wait its turn behind it. A graphics card would stand still between batches: its
+/// queue has no bounds.
 class DrawQueue {
  public:
   /// The largest sizes of a single draw, which cannot be interrupted.
@@ -21,6 +22,8 @@ class DrawQueue {
   static_assert(mostIndices % 3 == 0, "pieces of a list of triangles hold whole triangles");
   static constexpr std::size_t mostStrokes = 4'000;
   static constexpr int mostLayersOfTiles = 1'600;
+
+  explicit DrawQueue(bool software) : m_bounded(software) {}
 
   void addTriangles(std::size_t indices) { add(indices); }
   void addStrokes(std::size_t count) { add(24 * count); }
@@ -38,7 +41,7 @@ class DrawQueue {
 
   void add(std::size_t work) {
     m_waiting += work;
-    if (m_waiting < longest)
+    if (!m_bounded || m_waiting < longest)
       return;
     auto reached = std::make_unique<Fence>();
     if (m_before)
@@ -47,6 +50,7 @@ class DrawQueue {
     m_waiting = 0;
   }
 
+  bool m_bounded;
   std::size_t m_waiting = 0;
   std::unique_ptr<Fence> m_before;  ///< after the last batch but the one that is waiting
 };

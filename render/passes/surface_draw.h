@@ -23,7 +23,9 @@ struct SurfaceView {
 
 struct SurfaceDraw {
   SurfaceGeometry& surface;
-  std::span<const std::uint32_t> triangles;  ///< three vertices each
+  std::span<const std::uint32_t> triangles;  ///< those to draw, three vertices each
+  bool whole = false;                        ///< instead: all that the surface keeps, ...
+  bool cullsBack = false;                    ///< ... but for those that turn away from the eye
   PixelRect layer;                           ///< in picture pixels, y upwards
   PixelRect slot;  ///< the layer's place in the target; smaller by a whole factor for a step
   SurfaceFill fill;

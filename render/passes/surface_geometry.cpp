@@ -48,7 +48,20 @@ void SurfaceGeometry::setTriangles(std::span<const std::uint32_t> indices) {
   m_indexCount = indices.size();
 }
 
+void SurfaceGeometry::keepWhole(std::span<const std::uint32_t> indices) {
+  m_wholeIndices.emplace(gpu::BufferKind::indices, "all triangles");
+  m_wholeIndices->fill(std::as_bytes(indices));
+  m_wholeCount = indices.size();
+  rebuild();
+}
+
 void SurfaceGeometry::rebuild() {
+  m_geometry = geometryOf(m_indices);
+  if (m_wholeIndices)
+    m_whole = geometryOf(*m_wholeIndices);
+}
+
+std::unique_ptr<gpu::Geometry> SurfaceGeometry::geometryOf(const gpu::Buffer& indices) const {
   using gpu::AttributeType;
   std::vector<gpu::Stream> streams;
   streams.push_back(
@@ -64,7 +77,7 @@ void SurfaceGeometry::rebuild() {
     streams.push_back({.buffer = &*m_gammaOffsets,
                        .stride = sizeof(float),
                        .attributes = {{4, 1, AttributeType::float32, 0}}});
-  m_geometry = std::make_unique<gpu::Geometry>(std::move(streams), &m_indices, "surface");
+  return std::make_unique<gpu::Geometry>(std::move(streams), &indices, "surface");
 }
 
 }  // namespace sline::render::passes

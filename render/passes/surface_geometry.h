@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Holds a surface as the passes draw it: 16 bytes a vertex, on demand its curvature, and the
-// triangles that a view shows.
+// triangles that a view shows, or on demand all of them.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -39,17 +39,26 @@ class SurfaceGeometry {
   /// Sets the triangles that the geometry has until the next call.
   void setTriangles(std::span<const std::uint32_t> indices);
   const gpu::Geometry& geometry() const { return *m_geometry; }
+  /// Keeps all triangles besides, for graphics cards.
+  void keepWhole(std::span<const std::uint32_t> indices);
+  std::size_t wholeCount() const { return m_wholeCount; }
+  /// Returns the geometry that has all triangles; they must be kept.
+  const gpu::Geometry& whole() const { return *m_whole; }
   std::size_t indexCount() const { return m_indexCount; }
 
  private:
   void rebuild();
+  std::unique_ptr<gpu::Geometry> geometryOf(const gpu::Buffer& indices) const;
 
   gpu::Buffer m_vertices;
   gpu::Buffer m_indices;
   std::optional<gpu::Buffer> m_shape;
   std::optional<gpu::Buffer> m_gammaOffsets;
+  std::optional<gpu::Buffer> m_wholeIndices;
   std::unique_ptr<gpu::Geometry> m_geometry;
+  std::unique_ptr<gpu::Geometry> m_whole;
   std::size_t m_indexCount = 0;
+  std::size_t m_wholeCount = 0;
 };
 
 }  // namespace sline::render::passes

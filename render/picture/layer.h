@@ -37,7 +37,8 @@ struct PreparedStructure : DrawnStructure {
 struct Layer {
   std::vector<PreparedStructure>
       members;  ///< one structure, or by id all that are opaque and without lines
-  std::vector<std::vector<std::uint32_t>> triangles;  ///< of each member: see `findTriangles`
+  /// Of each member: see `findTriangles`; of none where all are drawn.
+  std::vector<std::vector<std::uint32_t>> triangles;
   LayerPixels pixels;        ///< what of it the processor drew instead: see `drawOnProcessor`
   bool onProcessor = false;  ///< that is all of it
   bool uploaded = false;     ///< and the atlas has it, too

@@ -153,7 +153,10 @@ void completeLayers(const PictureInput& input, const PixelRect& region, std::spa
       for (const AbsentLines& absent : work.absent)
         *absent.lines = {};
     at = times.add(strokePart, at);
-    if (!drawOnProcessor(input, region, *work.layer))
+    // A graphics card draws all triangles in less time than it takes to choose some, but hatching
+    // pixel by pixel needs a list.
+    if (!drawOnProcessor(input, region, *work.layer) &&
+        (!input.card || work.layer->members.front().printedHatching))
       findTriangles(*work.layer, input.view, region);
     times.add(trianglePart, at);
   });

@@ -5,6 +5,7 @@
 #include "render/picture/layer_content.h"
 #include "render/picture/layer_ink.h"
 #include "render/picture/layer_painter.h"
+#include "render/strokes/coverage.h"
 #include "render/strokes/section_caps.h"
 #include "render/strokes/surface_fill.h"
 
@@ -61,6 +62,15 @@ void LayerPainter::drawMember(gpu::Device& device, const MemberDraw& member,
                            .slot = member.place.slot,
                            .fill = member.fill,
                            .sections = sections};
+  if (member.layer.triangles.empty()) {
+    if (isCutAway(shown, shown.mesh->bounds()))
+      return;
+    shown.cached->keepWhole();
+    draw.whole = true;
+    draw.cullsBack = member.cullsBack;
+    m_surfacePass->draw(device, member.target, view, draw);
+    return;
+  }
   std::span<const std::uint32_t> left = member.layer.triangles[member.index];
   while (!left.empty()) {
     draw.triangles = left.first(std::min(left.size(), gpu::DrawQueue::mostIndices));
@@ -79,8 +89,9 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
   const SurfacePlace place = surfacePlace(layer, layer.slot);
   for (std::size_t i = 0; i < layer.members.size(); ++i)
     drawMember(device,
-               {m_atlas.surfaceTarget(), layer, i, place, shownFill(input, layer.members[i])}, view,
-               queue);
+               {m_atlas.surfaceTarget(), layer, i, place, shownFill(input, layer.members[i]),
+                cullsBack(layer.members[i], input.view)},
+               view, queue);
 }
 
 void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input, const Layer& layer,
@@ -97,7 +108,7 @@ void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input, cons
 void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
                                 std::span<const Layer> layers,
                                 std::span<const std::size_t> changed) const {
-  gpu::DrawQueue queue;
+  gpu::DrawQueue queue(device.software());
   const bool enlarged = input.surfaceStep > 1;
   // Found depths come before all that is drawn, for which a driver would have to wait.
   for (const std::size_t i : changed)

@@ -101,7 +101,7 @@ void LayerPainter::drawNumbers(gpu::Device& device, const PictureInput& input,
   });
   const gpu::Target& target = *m_numbers.target;
   device.clear(target, {.colour = glm::vec4(0.0f), .depth = 1.0f});
-  gpu::DrawQueue queue;
+  gpu::DrawQueue queue(device.software());
   std::size_t place = 0;
   for (const Layer& layer : layers)
     for (std::size_t i = 0; i < layer.members.size(); ++i, ++place) {

@@ -31,6 +31,7 @@ struct PictureInput {
   PictureContent parts;
   int surfaceStep = 1;     ///< see PictureSettings
   bool processor = false;  ///< what can be drawn on the processor is drawn there
+  bool card = false;       ///< a graphics card draws: what it can do is left to it
   /// Keeps lines between the regions of one picture, by structure; null to keep none.
   std::map<model::NodeId, StructureLines>* lines = nullptr;
   /// Set from another thread when the picture is no longer wanted; may be null.
@@ -94,6 +95,7 @@ class LayerPainter {
     std::size_t index = 0;  ///< in the layer's members
     SurfacePlace place;     ///< in the target
     SurfaceFill fill;
+    bool cullsBack = false;  ///< see coverage.h; of a layer without lists of triangles
   };
   void drawMember(gpu::Device& device, const MemberDraw& member, const passes::SurfaceView& view,
                   gpu::DrawQueue& queue) const;

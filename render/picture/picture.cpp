@@ -87,7 +87,10 @@ struct Picture::Data {
   void sampleCoarsely(std::vector<PreparedStructure>& visible, const Sitting& sitting,
                       const Output& output) const;
   int regionSide() const;
-  bool processor() const;
+  std::size_t atlasPixels() const;
+  /// Returns what draws: not `automatic`.
+  PictureOptions::Painter painter() const;
+  bool processor() const { return painter() == PictureOptions::Painter::processor; }
   Easel& easel(const Output& output);
   Status paint(const PictureInput& input, const PixelRect& region, Stopwatch& stopwatch,
                const Output& output);
@@ -159,12 +162,20 @@ int Picture::Data::regionSide() const {
   return options.maximumSide > 0 ? std::min(options.maximumSide, driver) : driver;
 }
 
-bool Picture::Data::processor() const {
+std::size_t Picture::Data::atlasPixels() const {
+  if (options.atlasPixels > 0)
+    return options.atlasPixels;
+  return painter() == PictureOptions::Painter::card ? 48'000'000 : 20'000'000;
+}
+
+PictureOptions::Painter Picture::Data::painter() const {
   using Painter = PictureOptions::Painter;
-  if (options.deep)  // it has 8 bits per channel
-    return false;
-  return options.painter == Painter::processor ||
-         (options.painter == Painter::automatic && device->software());
+  const bool chosen = options.painter != Painter::automatic;
+  const Painter painter = chosen               ? options.painter
+                          : device->software() ? Painter::processor
+                                               : Painter::card;
+  // The processor has 8 bits per channel.
+  return options.deep && painter == Painter::processor ? Painter::driver : painter;
 }
 
 Easel& Picture::Data::easel(const Output& output) {
@@ -239,7 +250,8 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
     return Unit{};
   }
   std::vector<PreparedStructure>& visible = *prepared;
-  int step = settings.surfaceStep;
+  // A graphics card draws whole surfaces in less time than it takes to enlarge samples.
+  int step = painter() == PictureOptions::Painter::card ? 1 : settings.surfaceStep;
   for (PreparedStructure& s : visible) {
     s.printedHatching = showsPrintedHatching(s.style, settings);
     if (s.printedHatching)
@@ -260,6 +272,7 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
                            .parts = settings.parts,
                            .surfaceStep = step,
                            .processor = processor(),
+                           .card = painter() == PictureOptions::Painter::card,
                            .lines = whole ? nullptr : &lines,
                            .unwanted = output.unwanted};
   Status done = Unit{};
@@ -295,7 +308,7 @@ Result<std::unique_ptr<Picture>> Picture::create(const PictureOptions& options) 
     return device.error();
   data.device = std::move(*device);
   auto painter = LayerPainter::create(*data.device, {.side = data.device->limits().textureSide,
-                                                     .pixels = options.atlasPixels,
+                                                     .pixels = data.atlasPixels(),
                                                      .deep = options.deep});
   if (!painter)
     return painter.error();

@@ -43,10 +43,12 @@ struct PictureTimings {
 
 /// Limits how much of the driver a picture may use; pictures that need more are drawn in pieces.
 struct PictureOptions {
-  int maximumSide = 0;                   ///< of a piece, in pixels; 0: the driver's own limit
-  std::size_t atlasPixels = 20'000'000;  ///< of all layers together, 13 bytes each
-  /// What draws: the processor where the driver would draw on it, too, but more slowly, or as said.
-  enum class Painter { automatic, driver, processor };
+  int maximumSide = 0;  ///< of a piece, in pixels; 0: the driver's own limit
+  /// Of all layers together, 13 bytes each. 0: 20 million, or 48 where a graphics card draws.
+  std::size_t atlasPixels = 0;
+  /// What draws: a graphics card as much as it can; a driver that draws on the processor, with what
+  /// we do better; or the processor alone. Automatic: the card if there is one, else the processor.
+  enum class Painter { automatic, card, driver, processor };
   Painter painter = Painter::automatic;
   /// Surfaces whose triangles are far smaller than pixels are drawn with fewer of them.
   bool levelsOfDetail = true;

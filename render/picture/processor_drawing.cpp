@@ -91,7 +91,7 @@ bool drawOnProcessor(const PictureInput& input, const PixelRect& region, Layer& 
     layer.onProcessor = input.processor;
     return true;
   }
-  if (!input.processor && (layer.filled || layer.members.size() > 1))
+  if (!input.processor && (input.card || layer.filled || layer.members.size() > 1))
     return false;
   // A driver that has to draw the surface anyway draws its cut faces as well.
   if (!input.processor && layer.members.front().cut)

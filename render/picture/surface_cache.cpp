@@ -49,6 +49,19 @@ passes::SurfaceGeometry& CachedSurface::geometry(bool withShape) {
   return *m_geometry;
 }
 
+void CachedSurface::keepWhole() {
+  passes::SurfaceGeometry& uploaded = geometry(false);
+  if (uploaded.wholeCount() > 0)
+    return;
+  std::vector<std::uint32_t> indices;
+  indices.reserve(3 * surface->clusters.localTriangles.size());
+  for (const model::Cluster& cluster : surface->clusters.items)
+    for (std::uint32_t i = 0; i < cluster.triangleCount; ++i)
+      for (const std::uint8_t corner : surface->clusters.localTriangles[cluster.firstTriangle + i])
+        indices.push_back(cluster.firstVertex + corner);
+  uploaded.keepWhole(indices);
+}
+
 void CachedSurface::showGammaOffsets(const GammaOffsetsPtr& offsets) {
   if (m_shownOffsets == offsets)
     return;

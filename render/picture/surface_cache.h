@@ -24,6 +24,8 @@ struct CachedSurface : PreparedSurface {
   /// Returns the surface as the GPU has it; its vertices are `Clusters::vertices`. What is missing
   /// there is uploaded, also the curvature that fills at 3 < Γ < 4 need where `withShape` says so.
   passes::SurfaceGeometry& geometry(bool withShape);
+  /// Has it keep all its triangles there.
+  void keepWhole();
   /// Uploads by how much Γ differs at each vertex, unless that is what was uploaded last.
   void showGammaOffsets(const GammaOffsetsPtr& offsets);
 

@@ -57,7 +57,7 @@ void PlainPhong::draw(const model::Scene& scene, const model::Camera& camera) {
                                  m_target->size().height);
   m_device->clear(*m_target,
                   {.colour = render::backgroundColour(render::Background::white), .depth = 1.0f});
-  render::gpu::DrawQueue queue;
+  render::gpu::DrawQueue queue(m_device->software());
   for (const model::VisibleStructure& structure : model::visibleStructures(scene)) {
     const SurfaceGeometry& geometry = geometryOf(*structure.node);
     m_pass->draw(*m_device, *m_target, {view.viewProjection(), view.eyeVector()}, geometry,

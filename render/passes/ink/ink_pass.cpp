@@ -145,7 +145,7 @@ Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
 
 Status InkPass::draw(gpu::Device& device, const InkTargets& targets,
                      const gpu::Texture& surfaceDepth, std::span<const InkDraw> draws) {
-  gpu::DrawQueue queue;
+  gpu::DrawQueue queue(device.software());
   m_batch.clear();
   for (const InkDraw& draw : draws)
     for (const Stroke& stroke : draw.strokes) {

@@ -178,7 +178,7 @@ void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
 
 void ResolvePass::drawTiles(gpu::Device& device, const gpu::Target& target,
                             const TilePrograms& programs, const gpu::DrawState& state) {
-  gpu::DrawQueue queue;
+  gpu::DrawQueue queue(device.software());
   std::size_t first = 0;
   for (const std::size_t end : m_batches) {
     m_geometry.startInstancesAt(first);

@@ -132,11 +132,16 @@ void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const Sur
   } else {
     program.set("colour", fill.wash);
   }
-  const gpu::DrawState state{.viewport = draw.slot,
-                             .scissor = draw.slot,
-                             .depth = gpu::DepthTest::less,
-                             .writeDepth = true,
-                             .writeColour = fill.kind != SurfaceFill::Kind::depthOnly};
+  gpu::DrawState state{.viewport = draw.slot,
+                       .scissor = draw.slot,
+                       .depth = gpu::DepthTest::less,
+                       .writeDepth = true,
+                       .writeColour = fill.kind != SurfaceFill::Kind::depthOnly};
+  if (draw.whole) {
+    state.cull = draw.cullsBack ? gpu::Cull::back : gpu::Cull::none;
+    device.triangles({target, program, draw.surface.whole(), state}, draw.surface.wholeCount());
+    return;
+  }
   draw.surface.setTriangles(draw.triangles);
   device.triangles({target, program, draw.surface.geometry(), state}, draw.triangles.size());
 }

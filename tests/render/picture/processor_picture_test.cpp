@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares pictures that the processor draws (render/software) with those of the driver's shaders:
-// both draw the same, but for pixels whose middle lies on an edge.
+// Compares pictures that the processor draws (render/software), and those that a graphics card
+// would be left to draw, with those of a software driver: all are the same, but for pixels whose
+// middle lies on an edge.
 #include <QImage>
 #include <QtTest>
 #include <algorithm>
@@ -118,6 +119,9 @@ class ProcessorPictureTest : public QObject {
     auto picture = render::Picture::create({.painter = PictureOptions::Painter::processor});
     QVERIFY(picture.ok());
     m_processor = std::move(*picture);
+    auto card = render::Picture::create({.painter = PictureOptions::Painter::card});
+    QVERIFY(card.ok());
+    m_card = std::move(*card);
   }
 
   /// Otherwise the comparisons below would compare one with itself.
@@ -130,6 +134,7 @@ class ProcessorPictureTest : public QObject {
                                        [](const auto& pass) { return pass.name == "ink"; });
     };
     QVERIFY(inksOnTheDriver(*m_driver.picture));
+    QVERIFY(inksOnTheDriver(*m_card));
     QVERIFY(!inksOnTheDriver(*m_processor));
   }
 
@@ -238,20 +243,36 @@ class ProcessorPictureTest : public QObject {
   void compare(const model::Scene& scene, const model::Camera& camera,
                const PictureSettings& settings) {
     const auto expected = m_driver.picture->render(scene, camera, settings);
-    const auto found = m_processor->render(scene, camera, settings);
-    QVERIFY(expected.ok() && found.ok());
-    const Difference apart = difference(*expected, *found);
+    QVERIFY(expected.ok());
+    compare(*expected, m_processor->render(scene, camera, settings), "processor");
+    const auto byCard = m_card->render(scene, camera, settings);
+    if (settings.surfaceStep == 1) {
+      compare(*expected, byCard, "card");
+      return;
+    }
+    // A card always draws as at rest.
+    PictureSettings resting = settings;
+    resting.surfaceStep = 1;
+    const auto atRest = m_card->render(scene, camera, resting);
+    QVERIFY(byCard.ok() && atRest.ok());
+    QCOMPARE(byCard->rgba, atRest->rgba);
+  }
+
+  void compare(const Image& expected, const Result<Image>& found, const char* painter) {
+    QVERIFY(found.ok());
+    const Difference apart = difference(expected, *found);
     if (const QByteArray folder = qgetenv("SLINE_PICTURES"); !folder.isEmpty()) {
-      const QString name =
-          QString(folder + "/%1 %2.png").arg(QTest::currentTestFunction(), QTest::currentDataTag());
+      const QString name = QString(folder + "/%1 %2 %3.png")
+                               .arg(QTest::currentTestFunction(), QTest::currentDataTag(), painter);
       const auto save = [](const Image& image, const QString& to) {
         QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).save(to);
       };
-      save(*expected, QString(name).replace(".png", " driver.png"));
+      save(expected, QString(name).replace(painter, "driver"));
       save(*found, name);
     }
     QVERIFY2(apart.share < 0.002 && apart.mean < 0.2,
-             qPrintable(QString("%1 % of pixels, mean %2, largest %3")
+             qPrintable(QString("%1: %2 % of pixels, mean %3, largest %4")
+                            .arg(painter)
                             .arg(100.0 * apart.share)
                             .arg(apart.mean)
                             .arg(apart.largest)));
@@ -259,6 +280,7 @@ class ProcessorPictureTest : public QObject {
 
   Studio m_driver;
   std::unique_ptr<render::Picture> m_processor;
+  std::unique_ptr<render::Picture> m_card;
 };
 
 SLINE_TEST(ProcessorPictureTest)
