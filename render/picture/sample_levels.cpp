@@ -28,8 +28,9 @@ std::vector<model::Triangle> trianglesOf(const model::Clusters& clusters) {
 /// Returns a mesh of all the surface's vertices with these triangles between them.
 model::Mesh meshOf(const model::Surface& surface, std::vector<model::Triangle> triangles) {
   const auto positions = surface.mesh->positions();
-  return std::move(
-      *model::Mesh::create({positions.begin(), positions.end()}, std::move(triangles)));
+  Result<model::Mesh> made =
+      model::Mesh::create({positions.begin(), positions.end()}, std::move(triangles));
+  return std::move(*made);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "model/base/wide_loops.h"
+#include "render/raster/rounding.h"
 
 namespace sline::render {
 
@@ -81,7 +82,7 @@ SLINE_WIDE_LOOPS void addColours(const LayerRow& row, const Shares& shares, cons
 
 /// Returns a channel rounded to the nearest, where the ground shows through.
 inline std::uint32_t channelOver(float sum, float ground) {
-  return std::uint32_t(std::int32_t(std::min(sum + ground, 255.0f) + 0.5f));
+  return nearestWhole(std::min(sum + ground, 255.0f));
 }
 
 /// The sums of all layers.
