@@ -65,35 +65,55 @@ std::map<std::string, FileFacts> factsOf(const SourceFile& source,
   return facts;
 }
 
-/// Leaves out twins. A folder may hold a label volume and the surfaces made of it: a structure that
-/// is there as a surface is not taken from the volume as well.
-void leaveOutTwins(std::vector<Part>& parts, const Sources& sources,
+/// Knows twins: a folder may hold a label volume and the surfaces made of it. A structure that is
+/// there as a surface is not taken from the volume as well.
+class SurfaceTwins {
+ public:
+  explicit SurfaceTwins(const Sources& sources) : m_sources(sources) {}
+
+  /// Tells whether what the file holds may be there as a surface, too.
+  bool fromVolume(std::size_t file) const {
+    const SourceFile& source = m_sources.files[file];
+    return m_sources.sources[source.source].kind == ImportSource::Kind::folder &&
+           isVolumeFile(source.file);
+  }
+  void addSurfaces(const std::vector<Part>& parts) {
+    for (const Part& part : parts)
+      if (!fromVolume(part.file))
+        m_surfaces.insert(key(part.file, part.name));
+  }
+  bool holdsSurface(std::size_t file, const std::string& name) const {
+    return m_surfaces.contains(key(file, name));
+  }
+  static ImportWarning leftOut(const std::string& file, std::size_t count) {
+    return {file, counted(int(count), "structure", "structures") +
+                      " left out that the folder also holds as surfaces"};
+  }
+
+ private:
+  std::pair<std::size_t, std::string> key(std::size_t file, const std::string& name) const {
+    std::string words;
+    for (const std::string& word : nameWords(name))
+      words += word + ' ';
+    return {m_sources.files[file].source, words};
+  }
+
+  const Sources& m_sources;
+  std::set<std::pair<std::size_t, std::string>> m_surfaces;
+};
+
+/// Leaves out what of a volume's structures is there as a surface.
+void leaveOutTwins(std::vector<Part>& parts, const SurfaceTwins& twins,
                    std::vector<ImportWarning>& warnings) {
-  const auto key = [&](const Part& part) {
-    std::string name;
-    for (const std::string& word : nameWords(part.name))
-      name += word + ' ';
-    return std::pair(sources.files[part.file].source, name);
-  };
-  const auto fromVolume = [&](const Part& part) {
-    const SourceFile& file = sources.files[part.file];
-    return sources.sources[file.source].kind == ImportSource::Kind::folder &&
-           isVolumeFile(file.file);
-  };
-  std::set<std::pair<std::size_t, std::string>> surfaces;
-  for (const Part& part : parts)
-    if (!fromVolume(part))
-      surfaces.insert(key(part));
-  std::map<std::string, int> leftOut;
+  std::map<std::string, std::size_t> leftOut;
   std::erase_if(parts, [&](const Part& part) {
-    const bool twin = fromVolume(part) && surfaces.contains(key(part));
+    const bool twin = twins.fromVolume(part.file) && twins.holdsSurface(part.file, part.name);
     leftOut[part.provenance.file] += twin;
     return twin;
   });
   for (const auto& [file, count] : leftOut)
     if (count > 0)
-      warnings.push_back({file, counted(count, "structure", "structures") +
-                                    " left out that the folder also holds as surfaces"});
+      warnings.push_back(SurfaceTwins::leftOut(file, count));
 }
 
 ReadOptions readOptions(const ImportOptions& options, ProgressMeter& meter,
@@ -118,6 +138,7 @@ IntensityRange rangeOf(const Threshold& threshold) {
 struct Loading {
   const ImportOptions& options;
   ProgressMeter& meter;
+  const SurfaceTwins* twins = nullptr;  ///< of the surfaces, where these were read before
 };
 
 /// Returns the name of a part.
@@ -162,6 +183,8 @@ LoadedParts partsFrom(const Sources& sources, std::size_t index, Result<RawMeshe
   }
   loaded.warnings = std::move(read->warnings);
   loaded.notes = std::move(read->notes);
+  if (read->thereAlready > 0)
+    loaded.warnings.push_back(SurfaceTwins::leftOut(shown, read->thereAlready));
   for (RawScan& scan : read->scans)
     loaded.scans.push_back({index, std::move(scan)});
   std::vector<RawMesh>& meshes = read->meshes;
@@ -202,15 +225,23 @@ void leaveOutTooLarge(LoadedParts& loaded, const SourceFile& source, MemoryBudge
   }
 }
 
+LoadedParts readFile(const Sources& sources, std::size_t index, const Loading& loading) {
+  const SourceFile& source = sources.files[index];
+  ReadOptions how = readOptions(loading.options, loading.meter, source.file.filename().string());
+  if (const SurfaceTwins* twins = loading.twins; twins && twins->fromVolume(index))
+    how.isThere = [twins, index](const std::string& name) {
+      return twins->holdsSurface(index, nameInFile(name));
+    };
+  Result<RawMeshes> read = source.together.empty() && !source.slice ? readSurfaces(source.file, how)
+                                                                    : readTogether(source, how);
+  return partsFrom(sources, index, std::move(read), loading);
+}
+
 }  // namespace
 
 LoadedParts loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
                      ProgressMeter& meter) {
-  const SourceFile& source = sources.files[index];
-  const ReadOptions how = readOptions(options, meter, source.file.filename().string());
-  Result<RawMeshes> read = source.together.empty() && !source.slice ? readSurfaces(source.file, how)
-                                                                    : readTogether(source, how);
-  return partsFrom(sources, index, std::move(read), {options, meter});
+  return readFile(sources, index, {options, meter});
 }
 
 LoadedParts loadScan(const Sources& sources, const ReadScan& scan, const ImportOptions& options,
@@ -229,11 +260,21 @@ LoadedParts loadParts(const Sources& sources, const ImportOptions& options, Prog
   });
   std::vector<LoadedParts> loaded(sources.files.size());
   MemoryBudget memory(options.memoryBytes);
-  forFewAtATime(order, meter, [&](std::size_t i) {
-    loaded[i] = loadFile(sources, i, options, meter);
-    leaveOutTooLarge(loaded[i], sources.files[i], memory);
-    meter.add(double(sources.files[i].bytes) + 1.0, sources.files[i].file.filename().string());
-  });
+  // Volumes come after surfaces, since what is there as a surface need not be made again.
+  SurfaceTwins twins(sources);
+  const auto volumes = std::stable_partition(order.begin(), order.end(),
+                                             [&](std::size_t i) { return !twins.fromVolume(i); });
+  const auto load = [&](const std::vector<std::size_t>& files) {
+    forFewAtATime(files, meter, [&](std::size_t i) {
+      loaded[i] = readFile(sources, i, {options, meter, &twins});
+      leaveOutTooLarge(loaded[i], sources.files[i], memory);
+      meter.add(double(sources.files[i].bytes) + 1.0, sources.files[i].file.filename().string());
+    });
+  };
+  load({order.begin(), volumes});
+  for (const LoadedParts& one : loaded)
+    twins.addSurfaces(one.parts);
+  load({volumes, order.end()});
   LoadedParts all;
   const auto take = [](auto& to, auto& from) {
     std::move(from.begin(), from.end(), std::back_inserter(to));
@@ -244,7 +285,7 @@ LoadedParts loadParts(const Sources& sources, const ImportOptions& options, Prog
     take(all.warnings, one.warnings);
     take(all.notes, one.notes);
   }
-  leaveOutTwins(all.parts, sources, all.warnings);
+  leaveOutTwins(all.parts, twins, all.warnings);
   numberParts(all.parts);
   return all;
 }

@@ -73,6 +73,7 @@ struct RawMeshes {
   std::vector<ImportWarning> warnings;
   std::vector<std::string> notes = {};  ///< actions that are no loss
   std::vector<RawScan> scans = {};      ///< where they are asked for
+  std::uint64_t thereAlready = 0;       ///< structures left out by ReadOptions::isThere
 };
 
 }  // namespace sline::model

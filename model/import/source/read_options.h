@@ -43,6 +43,9 @@ struct ReadOptions {
   std::function<bool()> goesOn = [] { return true; };
   std::vector<Threshold> thresholds = {};  ///< structures to make of each scan
   bool keepScans = false;                  ///< hand scans themselves on, too (RawMeshes::scans)
+  /// Tells that a structure of a label volume, by its name in the file, is there already and need
+  /// not be made: to the others it is background. May be asked from any thread.
+  std::function<bool(const std::string&)> isThere = [](const std::string&) { return false; };
 };
 
 }  // namespace sline::model

@@ -149,11 +149,40 @@ class Surfacer {
 
 }  // namespace
 
-Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& options) {
+namespace {
+
+/// Returns the surfaces without looking at what is there already.
+Result<RawMeshes> allSurfaces(const LabelVolume& volume, const ReadOptions& options) {
   return placedSurfaces(volume, options, [&options](const LabelNet& made) {
     return relaxed(made.net, made.sheets, made.spacing,
                    relaxationOf(options.smoothing, made.sheets.cellOf.size()), options.goesOn);
   });
+}
+
+}  // namespace
+
+Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& options) {
+  std::vector<bool> there(volume.labels.size() + 1);
+  for (std::size_t i = 0; i < volume.labels.size(); ++i)
+    there[i + 1] = options.isThere(volume.labels[i].name);
+  if (std::find(there.begin(), there.end(), true) == there.end())
+    return allSurfaces(volume, options);
+  LabelVolume rest = volume;
+  std::vector<bool> found(there.size());
+  bool any = false;
+  for (std::uint16_t& voxel : rest.voxels) {
+    const std::size_t label = std::min(std::size_t(voxel), there.size() - 1);
+    found[label] = found[label] || there[label];
+    if (there[label])
+      voxel = 0;
+    any = any || voxel != 0;
+  }
+  const auto count = std::uint64_t(std::count(found.begin(), found.end(), true));
+  Result<RawMeshes> made =
+      any || count == 0 ? allSurfaces(rest, options) : Result<RawMeshes>(RawMeshes{});
+  if (made.ok())
+    made->thereAlready = count;
+  return made;
 }
 
 Result<RawMeshes> placedSurfaces(const LabelVolume& volume, const ReadOptions& options,

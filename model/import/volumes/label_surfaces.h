@@ -22,8 +22,9 @@ namespace sline::model {
 /// `options.smoothing`: `off` leaves each vertex in the middle of its cell, `steps` relaxes it that
 /// often within its cell, by less than half a voxel along any axis, `automatic` until steps are
 /// gone, by less than a voxel (net_relaxation.h). RawMesh::displacement says how far the farthest
-/// vertex moved. Errors: more vertices or triangles than the limits allow, a matrix that cannot be
-/// inverted, and `goesOn` having said no; they name no file.
+/// vertex moved. What is there already is not made (ReadOptions::isThere).
+/// Errors: more vertices or triangles than the limits allow, a matrix that cannot be inverted, and
+/// `goesOn` having said no; they name no file.
 Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& options);
 
 /// Holds a volume's net with its sheets; a place is (x, y, z) of voxels of the box times `spacing`.

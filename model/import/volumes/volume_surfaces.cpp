@@ -48,11 +48,12 @@ Result<RawMeshes> volumeSurfaces(const LabelVolumes& volumes, std::uint64_t byte
       spend(bounded.limits.vertices, mesh.positions.size());
       spend(bounded.limits.triangles, mesh.triangles.size());
     }
+    all.thereAlready += surfaces->thereAlready;
     std::move(surfaces->meshes.begin(), surfaces->meshes.end(), std::back_inserter(all.meshes));
     std::move(surfaces->warnings.begin(), surfaces->warnings.end(),
               std::back_inserter(all.warnings));
   }
-  if (all.meshes.empty() && empty)
+  if (all.meshes.empty() && all.thereAlready == 0 && empty)
     return *empty;
   return all;
 }

@@ -103,8 +103,8 @@ void visitFields(ByteReader& archive, RawScan& scan) {
 
 template <class Archive>
 void visitFields(Archive& archive, RawMeshes& all) {
-  auto& [meshes, warnings, notes, scans] = all;
-  archive(meshes, warnings, notes, scans);
+  auto& [meshes, warnings, notes, scans, thereAlready] = all;
+  archive(meshes, warnings, notes, scans, thereAlready);
 }
 
 namespace {

@@ -2,6 +2,8 @@
 // Tests surfaces of label volumes: closed, manifold and outward whatever the voxels, shared where
 // structures touch, true to what was sampled.
 #include <QtTest>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
@@ -97,8 +99,34 @@ class LabelSurfacesTest : public QObject {
   void touching();
   void border();
   void mirrored();
+  void notOfWhatIsThere();
   void refusals();
 };
+
+void LabelSurfacesTest::notOfWhatIsThere() {
+  // The third label has no voxel.
+  const WrittenVolume written =
+      sampled({8, 8, 8}, grid({1.0, 1.0, 1.0}, {0.0, 0.0, 0.0}), [](const glm::dvec3& p) {
+        return p.x < 2.0 ? 0 : p.x < 5.0 ? 1 : 2;
+      });
+  LabelVolume volume = inMemory(written, 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    volume.labels[i].name = std::array{"liver", "spleen", "nothing"}[i];
+  ReadOptions options;
+  options.isThere = [](const std::string& name) { return name != "spleen"; };
+  const Result<RawMeshes> one = labelSurfaces(volume, options);
+  QVERIFY(one.ok());
+  QCOMPARE(one->meshes.size(), std::size_t(1));
+  QCOMPARE(one->meshes.front().name, std::string("spleen"));
+  QVERIFY(isClosed(one->meshes.front()));
+  QCOMPARE(one->thereAlready, std::uint64_t(1));
+  options.isThere = [](const std::string&) { return true; };
+  const Result<RawMeshes> none = labelSurfaces(volume, options);
+  QVERIFY(none.ok() && none->meshes.empty());
+  QCOMPARE(none->thereAlready, std::uint64_t(2));
+  std::fill(volume.voxels.begin(), volume.voxels.end(), std::uint16_t(0));
+  QVERIFY(!labelSurfaces(volume, options).ok());
+}
 
 void LabelSurfacesTest::noise_data() {
   QTest::addColumn<int>("labels");
