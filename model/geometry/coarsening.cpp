@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/base/parallel.h"
+#include "model/geometry/cluster_order.h"
 #include "model/geometry/spatial_order.h"
 
 namespace sline::model {
@@ -375,6 +376,21 @@ std::vector<Triangle> coarsenedTriangles(const Mesh& mesh, float edge) {
 MeshPtr coarsened(const MeshPtr& mesh, float edge) {
   std::vector<Triangle> triangles = coarsenedTriangles(*mesh, edge);
   return triangles.size() == mesh->triangleCount() ? mesh : meshOf(*mesh, std::move(triangles));
+}
+
+Mesh meshBetween(const Surface& surface, std::vector<Triangle> triangles) {
+  const auto positions = surface.mesh->positions();
+  Result<Mesh> made = Mesh::create({positions.begin(), positions.end()}, std::move(triangles));
+  return std::move(*made);
+}
+
+Clusters clustersBetween(const Surface& surface, std::vector<Triangle> triangles) {
+  const Mesh mesh = meshBetween(surface, std::move(triangles));
+  Clusters clusters = buildClusters(mesh, clusterOrder(mesh), surface.vertices.all());
+  clusters.triangles = {};
+  clusters.samples = {};
+  clusters.groups = {};
+  return clusters;
 }
 
 }  // namespace sline::model

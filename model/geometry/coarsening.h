@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/geometry/mesh.h"
+#include "model/geometry/surface.h"
 
 namespace sline::model {
 
@@ -23,5 +24,11 @@ MeshPtr coarsened(const MeshPtr& mesh, float edge);
 /// Returns the triangles of that mesh, between the vertices of this one: no fewer than there are
 /// where nothing was collapsed.
 std::vector<Triangle> coarsenedTriangles(const Mesh& mesh, float edge);
+
+/// Returns a mesh of all the surface's vertices with these triangles between them.
+Mesh meshBetween(const Surface& surface, std::vector<Triangle> triangles);
+/// Returns the clusters of that mesh as far as drawing needs them: without samples, groups and the
+/// triangles' numbers.
+Clusters clustersBetween(const Surface& surface, std::vector<Triangle> triangles);
 
 }  // namespace sline::model

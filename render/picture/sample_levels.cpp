@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/geometry/cluster_order.h"
 #include "model/geometry/coarsening.h"
 #include "model/geometry/edge_length.h"
 
@@ -25,14 +24,6 @@ std::vector<model::Triangle> trianglesOf(const model::Clusters& clusters) {
   return triangles;
 }
 
-/// Returns a mesh of all the surface's vertices with these triangles between them.
-model::Mesh meshOf(const model::Surface& surface, std::vector<model::Triangle> triangles) {
-  const auto positions = surface.mesh->positions();
-  Result<model::Mesh> made =
-      model::Mesh::create({positions.begin(), positions.end()}, std::move(triangles));
-  return std::move(*made);
-}
-
 }  // namespace
 
 void SampleLevels::add(const model::Surface& surface) {
@@ -47,18 +38,15 @@ void SampleLevels::add(const model::Surface& surface) {
   std::vector<model::Triangle> triangles =
       m_levels.empty()
           ? coarser(*surface.mesh, surface.meanEdge)
-          : coarser(meshOf(surface, trianglesOf(m_levels.back()->clusters)), m_levels.back()->edge);
+          : coarser(model::meshBetween(surface, trianglesOf(m_levels.back()->clusters)),
+                    m_levels.back()->edge);
   m_complete = !(float(triangles.size()) < LevelStep::worthwhile * float(before));
   if (m_complete)
     return;
   const float edge = model::meanEdgeLength(surface.mesh->positions(), triangles);
-  const model::Mesh mesh = meshOf(surface, std::move(triangles));
   auto level = std::make_unique<Level>();
   level->edge = edge;
-  level->clusters = model::buildClusters(mesh, model::clusterOrder(mesh), surface.vertices.all());
-  level->clusters.triangles = {};
-  level->clusters.samples = {};
-  level->clusters.groups = {};
+  level->clusters = model::clustersBetween(surface, std::move(triangles));
   m_levels.push_back(std::move(level));
 }
 

@@ -64,9 +64,19 @@ SLINE_WIDE_LOOPS void findShares(const LayerRow& row, const SumRows& to, Shares&
       lines[i] = left[i] > 0.0f && (inks[i] >> 8) > 191 ? 0.0f : lines[i];
 }
 
-/// Adds one channel of the layer's fill and ink.
-inline void addChannel(const std::uint32_t* colours, int shift, float ink, const Shares& shares,
-                       std::size_t count, float* __restrict sums) {
+/// One channel of the layer's fill and ink, and of the sums.
+struct Channel {
+  int shift;  ///< of its bits in a colour
+  float ink;
+  float* sums;
+};
+
+inline void addChannel(const LayerRow& row, const Shares& shares, const Channel& channel) {
+  const std::uint32_t* colours = row.colours;
+  float* __restrict sums = channel.sums;
+  const int shift = channel.shift;
+  const float ink = channel.ink;
+  const std::size_t count = row.count;
   for (std::size_t i = 0; i < count; ++i) {
     const auto fill = float(std::int32_t((colours[i] >> shift) & 255u));
     sums[i] += shares.left[i] * (shares.ink[i] * ink + (1.0f - shares.ink[i]) * fill);
@@ -74,10 +84,10 @@ inline void addChannel(const std::uint32_t* colours, int shift, float ink, const
 }
 
 SLINE_WIDE_LOOPS void addColours(const LayerRow& row, const Shares& shares, const SumRows& to) {
-  addChannel(row.colours, 0, row.ink.x, shares, row.count, to.red);
-  addChannel(row.colours, 8, row.ink.y, shares, row.count, to.green);
-  addChannel(row.colours, 16, row.ink.z, shares, row.count, to.blue);
-  addChannel(row.colours, 24, 255.0f, shares, row.count, to.opacity);
+  addChannel(row, shares, {0, row.ink.x, to.red});
+  addChannel(row, shares, {8, row.ink.y, to.green});
+  addChannel(row, shares, {16, row.ink.z, to.blue});
+  addChannel(row, shares, {24, 255.0f, to.opacity});
 }
 
 /// Returns a channel rounded to the nearest, where the ground shows through.
