@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <vector>
 
 #include "model/base/parallel.h"
@@ -42,22 +41,11 @@ SLINE_WIDE_LOOPS float leastDepth(const float* depths, std::size_t stride, int c
   return std::bit_cast<float>(least);
 }
 
-/// Tells whether some depth is within its limit.
-SLINE_WIDE_LOOPS bool anyWithin(const float* depths, const float* limits, int count) {
-  int any = 0;
-  for (int i = 0; i < count; ++i)
-    any |= int(depths[i] <= limits[i]);
-  return any != 0;
-}
-
 /// Blends squares one by one.
 class SquareBlender {
  public:
   SquareBlender(const LayerBlend& what, std::span<std::uint32_t> picture)
-      : m_what(what),
-        m_picture(picture),
-        m_background(255.0f * channelsOf(what.background)),
-        m_ground(packedColour(what.background)) {
+      : m_what(what), m_picture(picture), m_background(255.0f * channelsOf(what.background)) {
     m_here.reserve(what.layers.size());
     m_found.resize(what.layers.size() * TileMask::side);
   }
@@ -80,8 +68,7 @@ class SquareBlender {
   }
 
  private:
-  /// Finds the layers that have something in the square, those that come nearest first, so that
-  /// what they hide is left out soon.
+  /// Finds the layers that have something in the square, those that come nearest first.
   void findLayers(int column, int row, const PixelRect& pixels) {
     m_here.clear();
     m_hiding.clear();
@@ -142,15 +129,6 @@ class SquareBlender {
 
   std::uint32_t colourAt(int i, int x, int y) const {
     const std::span<const Found> found = foundAt(i);
-    const bool hidden = !m_hiding.empty();
-    if (found.empty() && !hidden)
-      return m_ground;
-    // Most often one layer has no ink there and hides all that lies behind it.
-    if (!found.empty() && !hidden) {
-      const Found& nearest = found.front();
-      if (isOpaque(nearest) && (nearest.here->layer->pixels->inks[nearest.at] & 0xff) == 0)
-        return nearest.here->layer->pixels->colours[nearest.at];
-    }
     Channels sum{};
     float left = 1.0f;   // the share of what lies behind that is seen
     float lines = 1.0f;  // the share of lines that is left behind the halos of nearer layers
@@ -161,20 +139,12 @@ class SquareBlender {
         break;
     }
     const Channels colour = sum + left * m_background;
-    return wordOf(hidden ? withHiddenLines(colour, x, y) : colour);
+    return wordOf(withHiddenLines(colour, x, y));
   }
 
-  /// Tells whether the layer's fill hides all that lies behind it there.
-  static bool isOpaque(const Found& found) {
-    const BlendLayer& layer = *found.here->layer;
-    return layer.filled && layer.pixels->colours[found.at] >> 24 == 255;
-  }
-
-  /// Finds for each pixel of the row the layers that have something there and are not hidden, the
-  /// nearest first.
+  /// Finds for each pixel of the row the layers that have something there, the nearest first.
   void find(int left, int right, int y) {
     m_counts.fill(0);
-    m_limits.fill(std::nextafter(1.0f, 0.0f));
     const std::size_t most = m_what.layers.size();
     for (const Here& here : m_here) {
       const LayerPixels& pixels = *here.layer->pixels;
@@ -185,12 +155,9 @@ class SquareBlender {
         continue;
       const std::size_t at = pixels.at(first, y);
       const float* depths = pixels.depths.data() + at;
-      float* limits = m_limits.data() + (first - left);
-      if (!anyWithin(depths, limits, end - first))
-        continue;
       for (int i = 0; i < end - first; ++i) {
         const float depth = depths[i];
-        if (!(depth <= limits[i]))
+        if (!(depth < 1.0f))
           continue;
         const auto k = std::size_t(first - left) + std::size_t(i);
         Found* found = m_found.data() + k * most;
@@ -198,8 +165,6 @@ class SquareBlender {
         for (; place > 0 && isBehind(found[place - 1], depth, here.rank); --place)
           found[place] = found[place - 1];
         found[place] = {depth, &here, at + std::size_t(i)};
-        if (isOpaque(found[place]))
-          limits[i] = depth;
       }
     }
   }
@@ -238,14 +203,11 @@ class SquareBlender {
   const LayerBlend& m_what;
   std::span<std::uint32_t> m_picture;
   Channels m_background;
-  std::uint32_t m_ground;  ///< the same
   BlendRow m_row;
   std::vector<Here> m_here;    ///< that have something in the square, the nearest first
   std::vector<Here> m_hiding;  ///< that have hidden lines, in order
   std::vector<Found> m_found;  ///< as many for each pixel of a row as there are layers
   std::array<std::size_t, TileMask::side> m_counts{};
-  /// No deeper layer is seen at each pixel of a row: the nearest is opaque, or there is nothing.
-  std::array<float, TileMask::side> m_limits{};
 };
 
 }  // namespace
