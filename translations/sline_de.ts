@@ -1192,8 +1192,8 @@
         <translation>das Modellieren wurde abgebrochen</translation>
     </message>
     <message>
-        <source>the graphics driver gives no second OpenGL context</source>
-        <translation>der Grafiktreiber gibt keinen zweiten OpenGL-Kontext</translation>
+        <source>the graphics driver gives no OpenGL context to draw with</source>
+        <translation>der Grafiktreiber gibt keinen OpenGL-Kontext zum Zeichnen</translation>
     </message>
     <message>
         <source>Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1</source>

@@ -1192,8 +1192,8 @@
         <translation>modelleringen ble avbrutt</translation>
     </message>
     <message>
-        <source>the graphics driver gives no second OpenGL context</source>
-        <translation>grafikkdriveren gir ingen annen OpenGL-kontekst</translation>
+        <source>the graphics driver gives no OpenGL context to draw with</source>
+        <translation>grafikkdriveren gir ingen OpenGL-kontekst å tegne med</translation>
     </message>
     <message>
         <source>Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1</source>

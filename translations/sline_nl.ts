@@ -1192,8 +1192,8 @@
         <translation>het modelleren is afgebroken</translation>
     </message>
     <message>
-        <source>the graphics driver gives no second OpenGL context</source>
-        <translation>het grafische stuurprogramma geeft geen tweede OpenGL-context</translation>
+        <source>the graphics driver gives no OpenGL context to draw with</source>
+        <translation>het grafische stuurprogramma geeft geen OpenGL-context om mee te tekenen</translation>
     </message>
     <message>
         <source>Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1</source>

@@ -56,7 +56,7 @@ struct Linked : Views {
     if (!settled())
       qFatal("no picture");
   }
-  QImage picture() { return viewport().grabFramebuffer(); }
+  QImage picture() { return viewport().picture(); }
   int at() { return presented().section(' ', 0, 0).toInt(); }
 };
 

@@ -18,6 +18,7 @@
 #include "widgets/structure_tree/cell_painting.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_model.h"
+#include "widgets/viewport/picture_screen.h"
 
 namespace sline::test {
 
@@ -31,6 +32,8 @@ QString sealed(const QString& folder) {
   settings.setValue(QStringLiteral("picture/openingLook"), QStringLiteral("plain"));
   // Views change at once, so that a test finds the next one when the key was pressed.
   settings.setValue(QStringLiteral("navigation/flights"), false);
+  if (qEnvironmentVariable("SLINE_TEST_SCREEN") == QStringLiteral("driver"))
+    widgets::chooseScreens(widgets::ScreenKind::driver);
   return file;
 }
 
@@ -71,7 +74,7 @@ bool WindowFixture::settled() {
 }
 
 QImage WindowFixture::picture() {
-  return viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+  return viewport().picture().convertToFormat(QImage::Format_RGB32);
 }
 
 QRect WindowFixture::areaOf(model::NodeId id) {

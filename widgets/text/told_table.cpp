@@ -374,7 +374,7 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told",
                       "the part of the program for pictures of this kind cannot be loaded: %1"),
     QT_TRANSLATE_NOOP("Told", "modelling was cancelled"),
-    QT_TRANSLATE_NOOP("Told", "the graphics driver gives no second OpenGL context"),
+    QT_TRANSLATE_NOOP("Told", "the graphics driver gives no OpenGL context to draw with"),
     QT_TRANSLATE_NOOP("Told", "Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1"),
 };
 

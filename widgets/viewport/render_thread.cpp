@@ -45,15 +45,16 @@ Result<std::unique_ptr<PicturePainter>> makePicturePainter() {
   return std::unique_ptr<PicturePainter>(std::make_unique<RendererPainter>(std::move(*picture)));
 }
 
-RenderThread::RenderThread(QOpenGLContext& shareWith, render::gpu::Handoff& handoff,
-                           PainterFactory factory)
-    : m_handoff(handoff),
+RenderThread::RenderThread(PictureScreen& screen, PainterFactory factory)
+    : m_screen(screen),
       m_factory(std::move(factory)),
       m_context(std::make_unique<QOpenGLContext>()) {
   setObjectName(QStringLiteral("render"));
-  m_context->setFormat(shareWith.format());
-  m_context->setShareContext(&shareWith);
-  m_surface.setFormat(shareWith.format());
+  const QOpenGLContext* shared = screen.shared();
+  const QSurfaceFormat format = shared ? shared->format() : pictureFormat();
+  m_context->setFormat(format);
+  m_context->setShareContext(screen.shared());
+  m_surface.setFormat(format);
   m_surface.create();
   if (m_context->create())
     m_context->moveToThread(this);
@@ -132,7 +133,7 @@ RenderThread::Work RenderThread::next() {
 
 Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& request) {
   const auto target =
-      m_handoff.begin({.width = request.settings.width, .height = request.settings.height});
+      m_screen.begin({.width = request.settings.width, .height = request.settings.height});
   if (!target)
     return target.error();
   try {
@@ -149,7 +150,7 @@ Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& r
   m_unlabelled.reset();
   if (!m_sheet)
     m_unlabelled = request;
-  m_handoff.publish(request.number);
+  m_screen.publish(request.number);
   return true;
 }
 
@@ -217,7 +218,7 @@ void RenderThread::drawPreview(PicturePainter& painter, const PreviewRequest::Pr
 void RenderThread::run() {
   model::standBack();
   if (!m_context->isValid() || !m_context->makeCurrent(&m_surface)) {
-    emit failed({.reason = "the graphics driver gives no second OpenGL context",
+    emit failed({.reason = "the graphics driver gives no OpenGL context to draw with",
                  .remedy = "Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1"});
     return;
   }
@@ -237,7 +238,7 @@ void RenderThread::run() {
   }
   if (painter)
     painter->reset();
-  m_handoff.releaseDrawing();
+  m_screen.releaseDrawing();
   m_context->doneCurrent();
   m_context.reset();  // on the thread that it belongs to
 }

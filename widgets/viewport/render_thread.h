@@ -17,10 +17,10 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "render/gpu/handoff.h"
 #include "render/picture/motion_quality.h"
 #include "render/picture/picture.h"
 #include "widgets/annotations/in_picture/label_sheet.h"
+#include "widgets/viewport/picture_screen.h"
 
 class QOpenGLContext;
 
@@ -82,7 +82,7 @@ using PainterFactory = std::function<Result<std::unique_ptr<PicturePainter>>()>;
 /// Makes a painter that uses the renderer itself.
 Result<std::unique_ptr<PicturePainter>> makePicturePainter();
 
-/// Describes a picture that is done and waits in the handoff.
+/// Describes a picture that is done and waits to be shown.
 struct PictureReport {
   std::uint64_t number = 0;
   double milliseconds = 0.0;
@@ -97,8 +97,9 @@ struct PictureReport {
 class RenderThread : public QThread {
   Q_OBJECT
  public:
-  /// Starts at once. The handoff must outlive the thread. To be called on the GUI's thread.
-  RenderThread(QOpenGLContext& shareWith, render::gpu::Handoff& handoff, PainterFactory factory);
+  /// Starts at once. The screen must be open and outlive the thread. To be called on the GUI's
+  /// thread.
+  RenderThread(PictureScreen& screen, PainterFactory factory);
   /// Waits until the picture under way is done or abandoned.
   ~RenderThread() override;
 
@@ -136,7 +137,7 @@ class RenderThread : public QThread {
   LabelSheetPtr m_sheet;                       ///< of the picture that was drawn last
   std::optional<PictureRequest> m_unlabelled;  ///< its request, if it has no labels yet
 
-  render::gpu::Handoff& m_handoff;
+  PictureScreen& m_screen;
   PainterFactory m_factory;
   QOffscreenSurface m_surface;
   std::unique_ptr<QOpenGLContext> m_context;

@@ -3,7 +3,6 @@
 // in viewport_camera.cpp and input in viewport_input.cpp.
 #include "widgets/viewport/viewport.h"
 
-#include <QOpenGLContext>
 #include <utility>
 
 #include "model/scene/framing.h"
@@ -20,24 +19,19 @@ constexpr int flightStep = 15;
 /// Milliseconds that the mouse rests on a structure before its name is shown.
 constexpr int nameAfter = 180;
 
-QSurfaceFormat pictureFormat() {
-  QSurfaceFormat format;
-  format.setRenderableType(QSurfaceFormat::OpenGL);
-  format.setVersion(3, 3);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  return format;
-}
-
 }  // namespace
 
 Viewport::Viewport(Session& session, QWidget* parent)
-    : QOpenGLWidget(parent),
+    : QWidget(parent),
       m_session(session),
       m_cameraTool(*this),
       m_boxTool(*this, m_cameraTool, [this](const BoxTool::Box& box) { select(box); }) {
   setObjectName(QStringLiteral("viewport"));
   setAccessibleName(tr("Picture"));
-  setFormat(pictureFormat());
+  m_screen = makePictureScreen(*this, {.ready = [this] { openGraphics(); },
+                                       .closing = [this] { closeGraphics(); },
+                                       .shown = [this](std::uint64_t number) { shown(number); }});
+  m_screen->setPaper(paper());
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(160, 120);
@@ -69,11 +63,8 @@ Viewport::Viewport(Session& session, QWidget* parent)
 }
 
 Viewport::~Viewport() {
-  // QOpenGLWidget's destructor destroys the context when there is no Viewport any more that could
-  // react.
-  if (context())
-    context()->disconnect(this);
   closeGraphics();
+  m_screen.reset();
 }
 
 const model::Scene& Viewport::shownScene() const {
@@ -91,6 +82,7 @@ void Viewport::setBackground(render::Background background) {
   if (background == m_background)
     return;
   m_background = background;
+  m_screen->setPaper(paper());
   m_marks->setBackground(background);
   const bool dark = background == render::Background::dark;
   m_labels->setDark(dark);

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <QElapsedTimer>
-#include <QOpenGLWidget>
 #include <QTimer>
+#include <QWidget>
 #include <memory>
 #include <optional>
 
@@ -16,6 +16,7 @@
 #include "widgets/session/session.h"
 #include "widgets/viewport/picture_marks.h"
 #include "widgets/viewport/picture_outlines.h"
+#include "widgets/viewport/picture_screen.h"
 #include "widgets/viewport/render_thread.h"
 #include "widgets/viewport/tools/box_tool.h"
 #include "widgets/viewport/tools/picker.h"
@@ -24,13 +25,13 @@ class QNativeGestureEvent;
 
 namespace sline::widgets {
 
-class Viewport : public QOpenGLWidget, public ViewControl {
+class Viewport : public QWidget, public ViewControl {
   Q_OBJECT
  public:
   explicit Viewport(Session& session, QWidget* parent = nullptr);
   ~Viewport() override;
 
-  /// Sets what draws, from the next OpenGL context on; for tests.
+  /// Sets what draws; for tests, before the window is shown.
   void setPainter(PainterFactory factory) { m_factory = std::move(factory); }
 
   /// Adds a tool that gets mouse events from now on, after the tools added before and before labels
@@ -96,7 +97,9 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   /// full size.
   bool upToDate() const;
   /// Returns OpenGL's own name for itself; empty until the window was first shown.
-  const QString& driver() const { return m_driver; }
+  QString driver() const { return m_screen->driver(); }
+  /// Returns the newest picture, without what lies over it, in the screen's own pixels.
+  QImage picture() const { return m_screen->picture(); }
   /// Returns the time that the last picture took to draw, and how fine it was.
   double lastMilliseconds() const { return m_last.milliseconds; }
   const render::Fineness& lastFineness() const { return m_last.fineness; }
@@ -120,9 +123,6 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void failed(const sline::Error& error);
 
  protected:
-  void initializeGL() override;
-  void paintGL() override;
-  void resizeGL(int width, int height) override;
   bool event(QEvent* event) override;
   void changeEvent(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -174,7 +174,8 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void showTools();
   /// Makes the middle of what is shown the point that the camera turns around.
   void pivotToMiddle();
-  render::gpu::TextureSize pixels() const;
+  void shown(std::uint64_t number);
+  QColor paper() const;
   glm::vec2 size2() const { return {float(width()), float(height())}; }
   float aspect() const { return size2().x / size2().y; }
   /// Returns the camera that shows all that is visible of the scene from that side.
@@ -186,9 +187,8 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void labelsGiveWay();
 
   Session& m_session;
-  QString m_driver;
   PainterFactory m_factory = makePicturePainter;
-  std::unique_ptr<render::gpu::Handoff> m_handoff;
+  std::unique_ptr<PictureScreen> m_screen;
   std::unique_ptr<RenderThread> m_thread;
   bool m_rebuilt = false;  ///< since the last picture that was drawn
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Has pictures drawn and puts them on screen.
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,27 +17,15 @@ int scaled(int pixels, float scale) {
 
 }  // namespace
 
-render::gpu::TextureSize Viewport::pixels() const {
-  const double ratio = devicePixelRatioF();
-  return {.width = std::max(1, int(std::lround(width() * ratio))),
-          .height = std::max(1, int(std::lround(height() * ratio)))};
-}
-
-void Viewport::initializeGL() {
-  // A widget that moves to another window, or has lost its context, begins anew.
-  closeGraphics();
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::closeGraphics,
-          Qt::UniqueConnection);
-  const auto text = [gl = context()->functions()](GLenum name) {
-    return QString::fromUtf8(reinterpret_cast<const char*>(gl->glGetString(name)));
-  };
-  m_driver = text(GL_RENDERER) + QStringLiteral(", ") + text(GL_VERSION);
-  openGraphics();
+QColor Viewport::paper() const {
+  const glm::vec4 colour = render::backgroundColour(m_background);
+  return QColor::fromRgbF(colour.r, colour.g, colour.b);
 }
 
 void Viewport::openGraphics() {
-  m_handoff = std::make_unique<render::gpu::Handoff>();
-  m_thread = std::make_unique<RenderThread>(*context(), *m_handoff, m_factory);
+  if (!m_screen->open())
+    return;
+  m_thread = std::make_unique<RenderThread>(*m_screen, m_factory);
   connect(m_thread.get(), &RenderThread::drawn, this, &Viewport::took);
   connect(m_thread.get(), &RenderThread::labelled, this, [this](const LabelSheetPtr& sheet) {
     m_labels->took(sheet, m_drawnCamera.value_or(m_camera));
@@ -50,20 +36,17 @@ void Viewport::openGraphics() {
 }
 
 void Viewport::closeGraphics() {
-  if (!m_handoff)
+  if (!m_thread)
     return;
   m_thread.reset();
-  makeCurrent();
-  m_handoff->releaseShowing();
-  m_handoff.reset();
-  doneCurrent();
+  m_screen->close();
   m_shown = 0;
 }
 
 void Viewport::failure(const Error& error) {
   // Recovery is tried once: a lost context is made anew, with all that was drawn in it. A second
   // failure has another reason.
-  if (m_rebuilt || !context()) {
+  if (m_rebuilt) {
     emit failed(error);
     return;
   }
@@ -73,32 +56,16 @@ void Viewport::failure(const Error& error) {
 }
 
 void Viewport::rebuildGraphics() {
-  if (!m_handoff || !context())
+  if (!m_thread)
     return;
   closeGraphics();
   openGraphics();
 }
 
-void Viewport::paintGL() {
-  if (!m_handoff)
-    return;
-  if (m_shown == 0) {
-    // The background is shown until there is a picture.
-    const glm::vec4 paper = render::backgroundColour(m_background);
-    context()->functions()->glClearColor(paper.r, paper.g, paper.b, 1.0f);
-    context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
-    m_handoff->warmUp();
-  }
-  const std::uint64_t shown = m_handoff->show(pixels());
-  if (shown == m_shown)
-    return;
-  m_shown = shown;
+void Viewport::shown(std::uint64_t number) {
+  m_shown = number;
   // Receivers may ask for things that must not happen within a paint event.
   QMetaObject::invokeMethod(this, &Viewport::pictureShown, Qt::QueuedConnection);
-}
-
-void Viewport::resizeGL(int, int) {
-  refresh();
 }
 
 void Viewport::refresh() {
@@ -111,7 +78,7 @@ void Viewport::refresh(model::Scene scene) {
   // A moving section keeps to the fineness of the camera's moves, because another draws everything
   // anew.
   m_askedFineness = m_moving ? m_quality.fineness() : render::Fineness{};
-  const render::gpu::TextureSize size = pixels();
+  const render::gpu::TextureSize size = pixelsOf(*this);
   PictureRequest request{.number = ++m_asked,
                          .scene = std::move(scene),
                          .camera = m_camera,
@@ -161,7 +128,7 @@ void Viewport::took(const PictureReport& report) {
     showTools();
   if (m_took == m_asked)
     dragOn();
-  update();
+  m_screen->show();
 }
 
 bool Viewport::upToDate() const {

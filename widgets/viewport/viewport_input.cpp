@@ -223,7 +223,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
   } else if (event->key() == Qt::Key_Minus) {
     zoomAt(QRectF(rect()).center(), 1.0f / perNotch);
   } else {
-    QOpenGLWidget::keyPressEvent(event);
+    QWidget::keyPressEvent(event);
   }
 }
 
@@ -349,16 +349,18 @@ void Viewport::leaveEvent(QEvent* event) {
   forgetName();
   showTools();
   m_labels->hover(std::nullopt);
-  QOpenGLWidget::leaveEvent(event);
+  QWidget::leaveEvent(event);
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {
-  QOpenGLWidget::resizeEvent(event);
+  QWidget::resizeEvent(event);
+  m_screen->widget().setGeometry(rect());
   placeMarks();
+  refresh();
 }
 
 void Viewport::changeEvent(QEvent* event) {
-  QOpenGLWidget::changeEvent(event);
+  QWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange)
     placeMarks();
   if (event->type() == QEvent::LanguageChange)
@@ -375,7 +377,7 @@ bool Viewport::event(QEvent* event) {
     event->accept();
     return true;
   }
-  const bool handled = QOpenGLWidget::event(event);
+  const bool handled = QWidget::event(event);
   // Another screen may have finer pixels.
   if (event->type() == QEvent::ScreenChangeInternal)
     refresh();

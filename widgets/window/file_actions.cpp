@@ -234,7 +234,7 @@ void FileActions::saveAs(SceneSaver::As as) {
 void FileActions::saveTo(const QString& path, SceneSaver::As as) {
   m_settings.setValue(QLatin1String(lastFolderKey), QFileInfo(path).absolutePath());
   m_saver.save(pathOf(path), as,
-               {.picture = m_viewport.grabFramebuffer(), .member = memberFor(m_viewport.camera())});
+               {.picture = m_viewport.picture(), .member = memberFor(m_viewport.camera())});
 }
 
 void FileActions::fileChange() {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shows pictures as textures, by OpenGL.
+#pragma once
+
+#include <QOpenGLWidget>
+
+#include "render/gpu/handoff.h"
+#include "widgets/viewport/picture_screen.h"
+
+namespace sline::widgets {
+
+class DriverScreen : public QOpenGLWidget, public PictureScreen {
+ public:
+  DriverScreen(QWidget& parent, Told told);
+  ~DriverScreen() override;
+
+  QWidget& widget() override { return *this; }
+  void setPaper(const QColor& paper) override { m_paper = paper; }
+  QString driver() const override { return m_driver; }
+  QOpenGLContext* shared() const override { return context(); }
+  bool open() override;
+  void close() override;
+  void show() override { update(); }
+  QImage picture() override { return grabFramebuffer(); }
+
+  Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) override {
+    return m_handoff->begin(size);
+  }
+  void publish(std::uint64_t number) override { m_handoff->publish(number); }
+  void releaseDrawing() override { m_handoff->releaseDrawing(); }
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+
+ private:
+  Told m_told;
+  QString m_driver;
+  QColor m_paper;
+  std::unique_ptr<render::gpu::Handoff> m_handoff;  ///< null: closed
+  std::uint64_t m_shown = 0;                        ///< on screen
+};
+
+}  // namespace sline::widgets

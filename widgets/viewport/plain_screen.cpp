@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/viewport/plain_screen.h"
+
+#include <QPainter>
+#include <utility>
+
+namespace sline::widgets {
+
+PlainScreen::PlainScreen(QWidget& parent, Told told, QString driver)
+    : QWidget(&parent), m_told(std::move(told)), m_driver(std::move(driver)) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+}
+
+void PlainScreen::setPaper(const QColor& paper) {
+  m_paper = paper;
+  update();
+}
+
+void PlainScreen::close() {
+  const std::lock_guard lock(m_mutex);
+  m_newest = m_showing = m_drawn = {};
+  m_shown = 0;
+}
+
+void PlainScreen::takeNewest() {
+  const std::lock_guard lock(m_mutex);
+  if (m_newest.number > m_showing.number)
+    std::swap(m_newest, m_showing);
+}
+
+void PlainScreen::show() {
+  takeNewest();
+  update();
+}
+
+QImage PlainScreen::picture() {
+  if (m_opened)
+    show();
+  const render::gpu::TextureSize size = pixelsOf(*this);
+  QImage image(size.width, size.height, QImage::Format_RGB32);
+  image.fill(m_paper);
+  if (m_showing.number != 0) {
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(image.rect(), m_showing.image);
+  }
+  image.setDevicePixelRatio(devicePixelRatioF());
+  return image;
+}
+
+Result<const render::gpu::Target*> PlainScreen::begin(render::gpu::TextureSize size) {
+  m_size = size;
+  return m_readback.begin(size);
+}
+
+void PlainScreen::publish(std::uint64_t number) {
+  const QSize size(m_size.width, m_size.height);
+  if (m_drawn.image.size() != size)
+    m_drawn.image = QImage(size, QImage::Format_RGB32);
+  m_readback.read({reinterpret_cast<std::uint32_t*>(m_drawn.image.bits()),
+                   std::size_t(m_size.width) * std::size_t(m_size.height)});
+  m_drawn.number = number;
+  const std::lock_guard lock(m_mutex);
+  std::swap(m_drawn, m_newest);
+}
+
+void PlainScreen::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (!std::exchange(m_opened, true))
+    m_told.ready();
+}
+
+void PlainScreen::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (m_showing.number == 0) {
+    painter.fillRect(rect(), m_paper);
+    return;
+  }
+  painter.setRenderHint(QPainter::SmoothPixmapTransform,
+                        m_showing.image.size() != size() * devicePixelRatioF());
+  painter.drawImage(rect(), m_showing.image);
+  if (std::exchange(m_shown, m_showing.number) != m_showing.number)
+    m_told.shown(m_showing.number);
+}
+
+}  // namespace sline::widgets

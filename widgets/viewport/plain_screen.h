@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shows pictures as pixels, without OpenGL.
+#pragma once
+
+#include <mutex>
+
+#include "render/gpu/readback.h"
+#include "widgets/viewport/picture_screen.h"
+
+namespace sline::widgets {
+
+class PlainScreen : public QWidget, public PictureScreen {
+ public:
+  PlainScreen(QWidget& parent, Told told, QString driver);
+
+  QWidget& widget() override { return *this; }
+  void setPaper(const QColor& paper) override;
+  QString driver() const override { return m_driver; }
+  QOpenGLContext* shared() const override { return nullptr; }
+  bool open() override { return true; }
+  void close() override;
+  void show() override;
+  QImage picture() override;
+
+  Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) override;
+  void publish(std::uint64_t number) override;
+  void releaseDrawing() override { m_readback.release(); }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  struct Numbered {
+    QImage image;
+    std::uint64_t number = 0;  ///< 0: none
+  };
+  void takeNewest();
+
+  Told m_told;
+  QString m_driver;
+  QColor m_paper;
+  bool m_opened = false;
+  Numbered m_showing;
+  std::uint64_t m_shown = 0;  ///< what was last told
+  // Three pictures take turns, so that neither side waits: one is shown, one lies ready and one is
+  // drawn.
+  std::mutex m_mutex;
+  Numbered m_newest;  ///< guarded by it
+  // The drawing side's own.
+  render::gpu::Readback m_readback;
+  render::gpu::TextureSize m_size;
+  Numbered m_drawn;
+};
+
+}  // namespace sline::widgets
