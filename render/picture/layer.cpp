@@ -24,12 +24,21 @@ PixelRect withStrokeReach(const PreparedStructure& shown, const PictureView& vie
                shown.printedHatching ? std::max(around, printedHatchingReach(view)) : around);
 }
 
-void markSurface(const PreparedStructure& shown, const PictureView& view, TileMask& mask) {
+/// Returns whether something of it is hidden, and not marked.
+bool markSurface(const PreparedStructure& shown, const PictureView& view,
+                 const Occlusion* occlusion, TileMask& mask) {
   const bool cull = cullsBack(shown, view);
-  for (const model::Cluster& cluster : shown.surface().clusters.items)
-    if ((!cull || model::facing(cluster, view.eye()) != model::Facing::back) &&
-        !isCutAway(shown, cluster.bounds))
+  bool hidden = false;
+  for (const model::Cluster& cluster : shown.surface().clusters.items) {
+    if ((cull && model::facing(cluster, view.eye()) == model::Facing::back) ||
+        isCutAway(shown, cluster.bounds))
+      continue;
+    if (occlusion && occlusion->hides(shown.surface(), cluster, edgeMargin))
+      hidden = true;
+    else
       mask.mark(grown(view.bounds(cluster.bounds), edgeMargin));
+  }
+  return hidden;
 }
 
 /// Returns how far the strokes' tests look at the surface.
@@ -116,19 +125,28 @@ std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const Pi
 }
 
 void completeLayer(Layer& layer, const PictureView& view, const PixelRect& region,
-                   const std::map<model::NodeId, StructureLines>& lines) {
+                   const std::map<model::NodeId, StructureLines>& lines,
+                   const Occlusion* occlusion) {
+  const auto leaveOutHidden = [&](const model::Surface& surface, std::vector<Stroke>& strokes) {
+    if (occlusion && std::erase_if(strokes, [&](const Stroke& stroke) {
+                       return occlusion->hides(surface, stroke);
+                     }) > 0)
+      layer.partial = true;
+  };
   layer.mask = TileMask(region, layer.area);
   layer.touched = layer.mask;
   layer.edges.resize(layer.members.size());
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
     const PreparedStructure& member = layer.members[i];
-    if ((layer.parts.fills && hasFill(member.style)) || member.printedHatching)
-      markSurface(member, view, layer.mask);
+    if (((layer.parts.fills && hasFill(member.style)) || member.printedHatching) &&
+        markSurface(member, view, occlusion, layer.mask))
+      layer.partial = true;
     if (layer.parts.fills && hasCaps(member))
       markCaps(member, view, layer.mask);
     if (layer.parts.fills && showsEdges(member.style))
       layer.edges[i] =
           edges(member.surface(), view, member.style, lines.at(member.id).lines, layer.area);
+    leaveOutHidden(member.surface(), layer.edges[i]);
     markReach(layer.edges[i], testReach(member, view, layer.surfaceStep), layer.touched);
   }
   layer.touched.mark(layer.mask);
@@ -142,6 +160,7 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
   layer.strokes =
       strokes(first.surface(), view, first.style,
               parts.lines ? drawn : StructureLines{.hatching = drawn.hatching}, layer.area);
+  leaveOutHidden(first.surface(), layer.strokes);
   layer.inked = layer.inked || !layer.strokes.empty();
   if (parts.lines) {
     layer.hidden = hiddenStrokes(first.surface(), view, first.style, drawn, layer.area);

@@ -12,6 +12,7 @@
 #include "render/picture/surface_cache.h"
 #include "render/picture/tile_lists.h"
 #include "render/software/layer_pixels.h"
+#include "render/software/occlusion.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/picture_settings.h"
 #include "render/strokes/structure_lines.h"
@@ -41,6 +42,9 @@ struct Layer {
   std::vector<std::vector<std::uint32_t>> triangles;
   LayerPixels pixels;        ///< what of it the processor drew instead: see `drawOnProcessor`
   bool onProcessor = false;  ///< that is all of it
+  bool sampled = false;      ///< its surface's samples are in `pixels`: see `sampleSurface`
+  bool covered = false;      ///< sampled layers hide all of it, and nothing was drawn
+  bool partial = false;      ///< or some of it, which was left out
   bool uploaded = false;     ///< and the atlas has it, too
   PixelRect area;            ///< in pixels of the whole picture
   PixelRect slot;            ///< in the atlas
@@ -57,7 +61,7 @@ struct Layer {
   bool hiddenInk = false;  ///< has `hidden`, also after they were drawn
   bool haloed = false;     ///< has `halos`, as above
 
-  bool shows() const { return filled || inked; }
+  bool shows() const { return !covered && (filled || inked); }
   bool hasInk() const { return inked || hiddenInk || haloed; }
   /// Tells whether what was drawn for `other` serves for this layer too.
   bool drawnLike(const Layer& other) const {
@@ -91,7 +95,9 @@ SampleArea sampledArea(const Layer& layer, const PixelRect& region);
 void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region);
 /// Makes the layer's strokes and edges and finds its squares. `lines` has an entry for each member
 /// that shows any.
+/// What `occlusion` hides of it, if that is given, may be left out.
 void completeLayer(Layer& layer, const PictureView& view, const PixelRect& region,
-                   const std::map<model::NodeId, StructureLines>& lines);
+                   const std::map<model::NodeId, StructureLines>& lines,
+                   const Occlusion* occlusion = nullptr);
 
 }  // namespace sline::render

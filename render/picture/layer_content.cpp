@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -112,6 +113,8 @@ std::vector<LayerWork> layerWork(const PictureInput& input, std::span<Layer> lay
                                  std::map<model::NodeId, StructureLines>& lines) {
   std::vector<LayerWork> works;
   for (const std::size_t i : changed) {
+    if (layers[i].covered)
+      continue;
     LayerWork& work = works.emplace_back(LayerWork{.layer = &layers[i], .absent = {}});
     for (const PreparedStructure& shown : layers[i].members) {
       work.clusters += shown.surface().clusters.items.size();
@@ -125,12 +128,41 @@ std::vector<LayerWork> layerWork(const PictureInput& input, std::span<Layer> lay
   return works;
 }
 
+/// Draws the surfaces that may hide much, and has what they hide left out.
+std::optional<Occlusion> leaveOutHidden(const PictureInput& input, const PixelRect& region,
+                                        std::span<Layer> layers,
+                                        std::span<const std::size_t> changed) {
+  std::vector<Layer*> hiding;
+  for (const std::size_t i : changed)
+    if (hidesMuch(input, region, layers[i]))
+      hiding.push_back(&layers[i]);
+  if (hiding.empty())
+    return std::nullopt;
+  parallelFor(hiding.size(), 1, [&](std::size_t i) { sampleSurface(input, region, *hiding[i]); });
+  Occlusion occlusion(input.view, region);
+  for (const Layer* layer : hiding)
+    if (layer->sampled)
+      occlusion.add(layer->pixels);
+  parallelFor(changed.size(), 1, [&](std::size_t i) {
+    Layer& layer = layers[changed[i]];
+    layer.covered = layer.partial = isHidden(layer, occlusion);
+    if (!layer.covered)
+      return;
+    layer.onProcessor = layer.uploaded = true;
+    layer.mask = TileMask(region, layer.area);
+  });
+  return occlusion;
+}
+
 }  // namespace
 
 void completeLayers(const PictureInput& input, const PixelRect& region, std::span<Layer> layers,
                     std::span<const std::size_t> changed, Stopwatch& stopwatch) {
   std::map<model::NodeId, StructureLines> own;
   std::map<model::NodeId, StructureLines>& lines = input.lines ? *input.lines : own;
+  const std::optional<Occlusion> occlusion = leaveOutHidden(input, region, layers, changed);
+  if (input.isUnwanted())
+    return;
   const std::vector<LayerWork> works = layerWork(input, layers, changed, lines);
   PartTimes times;
   std::atomic<std::size_t> next = 0;
@@ -148,7 +180,7 @@ void completeLayers(const PictureInput& input, const PixelRect& region, std::spa
     forEachAbsent(findLines);
     at = times.add(linePart, at);
     forEachAbsent(drawLines);
-    completeLayer(*work.layer, input.view, region, lines);
+    completeLayer(*work.layer, input.view, region, lines, occlusion ? &*occlusion : nullptr);
     if (!input.lines)
       for (const AbsentLines& absent : work.absent)
         *absent.lines = {};

@@ -63,11 +63,17 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
   if (key != m_key)
     forget();
   m_key = key;
+  // What was hidden stays so while all that hides it is as it was.
+  const bool stayHidden = std::all_of(m_kept.begin(), m_kept.end(), [&](const Layer& old) {
+    return !old.sampled || std::any_of(layers.begin(), layers.end(),
+                                       [&](const Layer& layer) { return layer.drawnLike(old); });
+  });
   std::vector<bool> gone(m_kept.size(), true);
   for (std::size_t i = 0; i < layers.size(); ++i) {
     Layer& layer = layers[i];
-    const auto same = std::find_if(m_kept.begin(), m_kept.end(),
-                                   [&](const Layer& old) { return layer.drawnLike(old); });
+    const auto same = std::find_if(m_kept.begin(), m_kept.end(), [&](const Layer& old) {
+      return layer.drawnLike(old) && (stayHidden || !old.partial);
+    });
     if (same != m_kept.end()) {
       gone[std::size_t(same - m_kept.begin())] = false;
       layer = std::move(*same);
@@ -165,7 +171,7 @@ bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& c
   changed.resize(layers.size());
   std::iota(changed.begin(), changed.end(), std::size_t(0));
   for (Layer& layer : layers)
-    layer.uploaded = layer.onProcessor = false;
+    layer.uploaded = layer.onProcessor = layer.sampled = layer.covered = layer.partial = false;
   m_freshAtlas = true;
   return true;
 }
@@ -354,7 +360,8 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   else
     resolve(device, input.background, all, layers);
   stopwatch.pass(device, "resolve");
-  m_layersDrawn = int(changed.size());
+  m_layersDrawn = int(std::count_if(changed.begin(), changed.end(),
+                                    [&](std::size_t i) { return !layers[i].covered; }));
   m_kept = std::move(layers);
   return Outcome::painted;
 }

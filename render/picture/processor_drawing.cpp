@@ -86,6 +86,32 @@ void takeOver(const PictureInput& input, Layer& layer, std::span<const RasterCap
 
 }  // namespace
 
+bool hidesMuch(const PictureInput& input, const PixelRect& region, const Layer& layer) {
+  // Smaller layers hide hardly anything, and layers that are drawn in full samples look at theirs
+  // only where they show.
+  constexpr int share = 64;
+  const auto opaque = [](const PreparedStructure& shown) {
+    return !shown.printedHatching && !shown.cut && fillCover(shown.style) >= 1.0f;
+  };
+  return input.processor && layer.surfaceStep > 1 && layer.filled &&
+         layer.area.width * layer.area.height > region.width * region.height / share &&
+         std::all_of(layer.members.begin(), layer.members.end(), opaque);
+}
+
+void sampleSurface(const PictureInput& input, const PixelRect& region, Layer& layer) {
+  layer.touched = TileMask(region, layer.area);
+  layer.touched.markAll();
+  layer.sampled = drawSurface(input, region, layer, {});
+}
+
+bool isHidden(const Layer& layer, const Occlusion& occlusion) {
+  // Hidden lines are seen through what is in front of them, and halos reach far.
+  return std::all_of(layer.members.begin(), layer.members.end(), [&](const auto& shown) {
+    return shown.style.hiddenLines == model::HiddenLines::none && !(shown.style.halo > 0.0f) &&
+           !shown.printedHatching && occlusion.hides(shown);
+  });
+}
+
 bool drawOnProcessor(const PictureInput& input, const PixelRect& region, Layer& layer) {
   if (!layer.shows()) {
     layer.onProcessor = input.processor;
@@ -98,7 +124,8 @@ bool drawOnProcessor(const PictureInput& input, const PixelRect& region, Layer& 
     return false;
   const std::vector<PixelRect> touched = layer.touched.rectangles();
   const std::vector<RasterCap> caps = capsOf(input, layer);
-  if (!areBeforeTheEye(caps, input.view) || !drawSurface(input, region, layer, touched)) {
+  if (!areBeforeTheEye(caps, input.view) ||
+      (!layer.sampled && !drawSurface(input, region, layer, touched))) {
     layer.pixels = {};
     return false;
   }

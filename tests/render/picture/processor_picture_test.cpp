@@ -232,6 +232,46 @@ class ProcessorPictureTest : public QObject {
     compare(scene, slanted(true), settings);
   }
 
+  void whatIsHiddenIsLeftOutWhileMoving_data() {
+    QTest::addColumn<float>("gamma");
+    QTest::addColumn<bool>("perspective");
+    QTest::newRow("lines in perspective") << 2.0f << true;
+    QTest::newRow("hatching in perspective") << 3.0f << true;
+    QTest::newRow("shaded, in perspective") << 4.6f << true;
+  }
+
+  /// What lies behind something opaque is not drawn, and what juts out is; both appear when that
+  /// is seen through.
+  void whatIsHiddenIsLeftOutWhileMoving() {
+    QFETCH(float, gamma);
+    QFETCH(bool, perspective);
+    const auto paper = [](model::Style& style, int) { style.fill = model::Fill::paper; };
+    model::Scene scene = bodies(gamma, paper);
+    model::Style style = gammaStyle(gamma);
+    paper(style, 0);
+    const glm::vec3 front = 0.35f * slanted(false).eye;
+    add(scene, moved(*sphere(60.0f, 6), 1.0f, front), style);
+    const std::size_t all = scene.structuresBelow(model::rootId).size();
+    const PictureSettings settings{.width = 500, .height = 420, .surfaceStep = 3};
+    for (const float right : {0.0f, 15.0f, 40.0f}) {
+      model::Camera camera = slanted(perspective);
+      camera.eye.x += right;
+      compare(scene, camera, settings);
+      if (right == 0.0f)
+        QVERIFY(m_processor->timings().layersDrawn < int(all));
+      std::vector<model::Node> nodes = scene.nodes();
+      nodes.back().style.opacity = Opacity::clamped(0.0f);
+      nodes.back().style.fill = model::Fill::none;
+      model::Scene without = scene;
+      without.setNodes(nodes);
+      compare(without, camera, settings);
+      // What hid nothing in the picture before is kept.
+      compare(without, camera, settings);
+      QCOMPARE(m_processor->timings().layersDrawn, 0);
+      compare(scene, camera, settings);
+    }
+  }
+
   void whatReachesBehindTheEyeIsDrawnByTheDriver() {
     const model::Scene scene = bodies(5.0f, {});
     model::Camera camera = slanted(true);

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/software/occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "model/base/parallel.h"
+#include "render/strokes/coverage.h"
+#include "render/strokes/structure_lines.h"
+#include "render/strokes/window_depth.h"
+
+namespace sline::render {
+
+namespace {
+
+constexpr int side = 16;  // of a square, px
+// So many samples around a square have to be opaque, too: what is enlarged mixes those around it,
+// and is trimmed along outlines (trims.cpp).
+constexpr int around = 3;
+// Lines lie in front of their surface by a part of this many edges of its triangles.
+constexpr float edgesInFront = 4.0f;
+constexpr float filigreeInFront = 0.02f;
+
+/// Returns the whole numbers not above, or not below, a quotient.
+int below(int number, int by) {
+  return int(std::floor(float(number) / float(by)));
+}
+int above(int number, int by) {
+  return int(std::ceil(float(number) / float(by)));
+}
+
+float inFrontOf(const model::Surface& surface) {
+  return edgesInFront * surface.meanEdge + filigreeInFront * surface.filigreeSize;
+}
+
+}  // namespace
+
+Occlusion::Occlusion(const PictureView& view, const PixelRect& region)
+    : m_view(view),
+      m_region(region),
+      m_columns((region.width + side - 1) / side),
+      m_rows((region.height + side - 1) / side),
+      m_farthest(std::size_t(m_columns) * std::size_t(m_rows),
+                 std::numeric_limits<float>::infinity()) {}
+
+void Occlusion::add(const LayerPixels& pixels) {
+  const PixelRect& samples = pixels.samples.area;
+  const int step = pixels.step();
+  const std::vector<std::uint32_t>& colours = step > 1 ? pixels.surfaceColours : pixels.colours;
+  if (colours.empty())
+    return;
+  // Where the first sample's lower left pixel lies in the region.
+  const glm::ivec2 first = pixels.samples.grid.corner + step * glm::ivec2(samples.x, samples.y) -
+                           glm::ivec2(m_region.x, m_region.y);
+  // Returns the farthest depth of these samples; more than 1 where one is not opaque.
+  const auto farthest = [&](const glm::ivec2& columns, const glm::ivec2& rows) {
+    float most = 0.0f;
+    for (int y = rows.x; y < rows.y; ++y)
+      for (int x = columns.x; x < columns.y; ++x) {
+        const std::size_t at = std::size_t(y) * std::size_t(samples.width) + std::size_t(x);
+        if ((colours[at] >> 24) != 255u || !(pixels.surfaceDepths[at] < 1.0f))
+          return 2.0f;
+        most = std::max(most, pixels.surfaceDepths[at]);
+      }
+    return most;
+  };
+  // Nothing beyond the region's edge has to be covered.
+  const auto samplesOf = [step](int square, int origin, int end) {
+    return glm::ivec2(below(square * side - origin, step) - around,
+                      above(std::min((square + 1) * side, end) - origin, step) + around);
+  };
+  const int firstRow = std::max(below(first.y, side), 0);
+  const int endRow = std::min(above(first.y + step * samples.height, side), m_rows);
+  const int firstColumn = std::max(below(first.x, side), 0);
+  const int endColumn = std::min(above(first.x + step * samples.width, side), m_columns);
+  parallelFor(std::size_t(std::max(endRow - firstRow, 0)), 4, [&](std::size_t i) {
+    const int row = firstRow + int(i);
+    const glm::ivec2 rows = samplesOf(row, first.y, m_region.height);
+    if (rows.x < 0 || rows.y > samples.height)
+      return;
+    for (int column = firstColumn; column < endColumn; ++column) {
+      const glm::ivec2 columns = samplesOf(column, first.x, m_region.width);
+      if (columns.x < 0 || columns.y > samples.width)
+        continue;
+      const float depth = farthest(columns, rows);
+      float& known = m_farthest[std::size_t(row) * std::size_t(m_columns) + std::size_t(column)];
+      if (depth <= 1.0f)
+        known = std::min(known, eyeDistance(depth, m_view.depthTerms()));
+    }
+  });
+}
+
+bool Occlusion::hides(const DrawnStructure& shown) const {
+  if (shown.cut)
+    return false;
+  const bool cull = cullsBack(shown, m_view);
+  const int reach = strokeReach(shown, m_view);
+  const std::vector<model::Cluster>& clusters = shown.surface().clusters.items;
+  return std::all_of(clusters.begin(), clusters.end(), [&](const model::Cluster& cluster) {
+    return (cull && model::facing(cluster, m_view.eye()) == model::Facing::back) ||
+           hides(shown.surface(), cluster, reach);
+  });
+}
+
+bool Occlusion::hides(const model::Surface& surface, const model::Cluster& cluster,
+                      int around) const {
+  const model::Sphere& bounds = cluster.bounds;
+  const float middle = eyeDistance(m_view.project(bounds.centre).depth, m_view.depthTerms());
+  return covers(grown(m_view.bounds(bounds), around), middle - bounds.radius - inFrontOf(surface));
+}
+
+bool Occlusion::hides(const model::Surface& surface, const Stroke& stroke) const {
+  const float nearest = std::min(stroke.depthA, stroke.depthB);
+  return covers(strokeBounds(stroke),
+                eyeDistance(nearest, m_view.depthTerms()) - inFrontOf(surface));
+}
+
+bool Occlusion::covers(const PixelRect& pixels, float distance) const {
+  const PixelRect seen = intersection(pixels, m_region);
+  if (seen.empty())
+    return true;
+  const auto square = [](int pixel) { return pixel / side; };
+  for (int row = square(seen.y - m_region.y); row <= square(seen.top() - 1 - m_region.y); ++row)
+    for (int column = square(seen.x - m_region.x); column <= square(seen.right() - 1 - m_region.x);
+         ++column)
+      if (!(m_farthest[std::size_t(row) * std::size_t(m_columns) + std::size_t(column)] < distance))
+        return false;
+  return true;
+}
+
+}  // namespace sline::render
