@@ -95,9 +95,9 @@ SampleArea sampledArea(const Layer& layer, const PixelRect& region);
 void findTriangles(Layer& layer, const PictureView& view, const PixelRect& region);
 /// Makes the layer's strokes and edges and finds its squares. `lines` has an entry for each member
 /// that shows any.
-/// What `occlusion` hides of it, if that is given, may be left out.
+/// What `occlusion` hides of it may be left out; null: nothing.
 void completeLayer(Layer& layer, const PictureView& view, const PixelRect& region,
                    const std::map<model::NodeId, StructureLines>& lines,
-                   const Occlusion* occlusion = nullptr);
+                   const Occlusion* occlusion);
 
 }  // namespace sline::render

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "model/base/parallel.h"
+#include "render/raster/tile_mask.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/structure_lines.h"
 #include "render/strokes/window_depth.h"
@@ -16,7 +17,7 @@ namespace sline::render {
 
 namespace {
 
-constexpr int side = 16;  // of a square, px
+constexpr int side = TileMask::side;
 // So many samples around a square have to be opaque, too: what is enlarged mixes those around it,
 // and is trimmed along outlines (trims.cpp).
 constexpr int around = 3;

@@ -17,17 +17,17 @@ DriverScreen::~DriverScreen() {
   // QOpenGLWidget's destructor destroys the context when there is nobody any more who could react.
   if (context())
     context()->disconnect(this);
-  close();
+  stop();
 }
 
-bool DriverScreen::open() {
+bool DriverScreen::start() {
   if (!context())
     return false;
   m_handoff = std::make_unique<render::gpu::Handoff>();
   return true;
 }
 
-void DriverScreen::close() {
+void DriverScreen::stop() {
   if (!m_handoff)
     return;
   makeCurrent();

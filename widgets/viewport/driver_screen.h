@@ -18,9 +18,9 @@ class DriverScreen : public QOpenGLWidget, public PictureScreen {
   void setPaper(const QColor& paper) override { m_paper = paper; }
   QString driver() const override { return m_driver; }
   QOpenGLContext* shared() const override { return context(); }
-  bool open() override;
-  void close() override;
-  void show() override { update(); }
+  bool start() override;
+  void stop() override;
+  void showNewest() override { update(); }
   QImage picture() override { return grabFramebuffer(); }
 
   Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) override {
@@ -37,7 +37,7 @@ class DriverScreen : public QOpenGLWidget, public PictureScreen {
   Told m_told;
   QString m_driver;
   QColor m_paper;
-  std::unique_ptr<render::gpu::Handoff> m_handoff;  ///< null: closed
+  std::unique_ptr<render::gpu::Handoff> m_handoff;  ///< null: not started
   std::uint64_t m_shown = 0;                        ///< on screen
 };
 

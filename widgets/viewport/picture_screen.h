@@ -25,7 +25,7 @@ class PictureScreen {
   /// What a screen tells its showing side.
   struct Told {
     std::function<void()> ready;    ///< pictures may be drawn from now on
-    std::function<void()> closing;  ///< they may not any more; `close` has to follow at once
+    std::function<void()> closing;  ///< they may not any more; `stop` has to follow at once
     std::function<void(std::uint64_t)> shown;  ///< that picture is on screen
   };
 
@@ -39,16 +39,16 @@ class PictureScreen {
   /// Returns the context whose textures the drawing side shares; null where it shares none.
   virtual QOpenGLContext* shared() const = 0;
   /// Called after `ready`, before anything is drawn; returns false where it is not ready any more.
-  virtual bool open() = 0;
+  virtual bool start() = 0;
   /// Forgets all pictures; the drawing side must be done.
-  virtual void close() = 0;
+  virtual void stop() = 0;
   /// Brings the newest picture on screen, soon.
-  virtual void show() = 0;
+  virtual void showNewest() = 0;
   /// Returns the newest picture as it is on screen, in the screen's own pixels.
   virtual QImage picture() = 0;
 
-  /// Drawing side: returns a target of that size; declares it drawn, after which the next `show`
-  /// shows it; and releases everything, the context being current.
+  /// Drawing side: returns a target of that size; declares it drawn, after which the next
+  /// `showNewest` shows it; and releases everything, the context being current.
   virtual Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) = 0;
   virtual void publish(std::uint64_t number) = 0;
   virtual void releaseDrawing() = 0;

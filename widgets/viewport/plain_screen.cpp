@@ -17,7 +17,7 @@ void PlainScreen::setPaper(const QColor& paper) {
   update();
 }
 
-void PlainScreen::close() {
+void PlainScreen::stop() {
   const std::lock_guard lock(m_mutex);
   m_newest = m_showing = m_drawn = {};
   m_shown = 0;
@@ -29,14 +29,13 @@ void PlainScreen::takeNewest() {
     std::swap(m_newest, m_showing);
 }
 
-void PlainScreen::show() {
+void PlainScreen::showNewest() {
   takeNewest();
   update();
 }
 
 QImage PlainScreen::picture() {
-  if (m_opened)
-    show();
+  showNewest();
   const render::gpu::TextureSize size = pixelsOf(*this);
   QImage image(size.width, size.height, QImage::Format_RGB32);
   image.fill(m_paper);

@@ -17,9 +17,9 @@ class PlainScreen : public QWidget, public PictureScreen {
   void setPaper(const QColor& paper) override;
   QString driver() const override { return m_driver; }
   QOpenGLContext* shared() const override { return nullptr; }
-  bool open() override { return true; }
-  void close() override;
-  void show() override;
+  bool start() override { return true; }
+  void stop() override;
+  void showNewest() override;
   QImage picture() override;
 
   Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) override;

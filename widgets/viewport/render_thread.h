@@ -97,7 +97,7 @@ struct PictureReport {
 class RenderThread : public QThread {
   Q_OBJECT
  public:
-  /// Starts at once. The screen must be open and outlive the thread. To be called on the GUI's
+  /// Starts at once. The screen must be started and outlive the thread. To be called on the GUI's
   /// thread.
   RenderThread(PictureScreen& screen, PainterFactory factory);
   /// Waits until the picture under way is done or abandoned.

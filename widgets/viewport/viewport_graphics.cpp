@@ -23,7 +23,7 @@ QColor Viewport::paper() const {
 }
 
 void Viewport::openGraphics() {
-  if (!m_screen->open())
+  if (!m_screen->start())
     return;
   m_thread = std::make_unique<RenderThread>(*m_screen, m_factory);
   connect(m_thread.get(), &RenderThread::drawn, this, &Viewport::took);
@@ -39,7 +39,7 @@ void Viewport::closeGraphics() {
   if (!m_thread)
     return;
   m_thread.reset();
-  m_screen->close();
+  m_screen->stop();
   m_shown = 0;
 }
 
@@ -128,7 +128,7 @@ void Viewport::took(const PictureReport& report) {
     showTools();
   if (m_took == m_asked)
     dragOn();
-  m_screen->show();
+  m_screen->showNewest();
 }
 
 bool Viewport::upToDate() const {
