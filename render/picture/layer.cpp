@@ -127,29 +127,35 @@ std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const Pi
 void completeLayer(Layer& layer, const PictureView& view, const PixelRect& region,
                    const std::map<model::NodeId, StructureLines>& lines,
                    const Occlusion* occlusion) {
-  const auto leaveOutHidden = [&](const model::Surface& surface, std::vector<Stroke>& strokes) {
-    if (occlusion && std::erase_if(strokes, [&](const Stroke& stroke) {
-                       return occlusion->hides(surface, stroke);
-                     }) > 0)
-      layer.partial = true;
-  };
   layer.mask = TileMask(region, layer.area);
-  layer.touched = layer.mask;
-  layer.edges.resize(layer.members.size());
-  for (std::size_t i = 0; i < layer.members.size(); ++i) {
-    const PreparedStructure& member = layer.members[i];
+  for (const PreparedStructure& member : layer.members) {
     if (((layer.parts.fills && hasFill(member.style)) || member.printedHatching) &&
         markSurface(member, view, occlusion, layer.mask))
       layer.partial = true;
     if (layer.parts.fills && hasCaps(member))
       markCaps(member, view, layer.mask);
+  }
+  // Enlarged fills are trimmed along contours, also where these themselves are hidden.
+  const auto trims = [&](const Stroke& stroke) {
+    return layer.filled && layer.surfaceStep > 1 && stroke.kind == StrokeKind::contour &&
+           layer.mask.marksAny(grown(strokeBounds(stroke), layer.surfaceStep + 1));
+  };
+  const auto leaveOutHidden = [&](const model::Surface& surface, std::vector<Stroke>& strokes) {
+    if (occlusion && std::erase_if(strokes, [&](const Stroke& stroke) {
+                       return occlusion->hides(surface, stroke) && !trims(stroke);
+                     }) > 0)
+      layer.partial = true;
+  };
+  layer.touched = layer.mask;
+  layer.edges.resize(layer.members.size());
+  for (std::size_t i = 0; i < layer.members.size(); ++i) {
+    const PreparedStructure& member = layer.members[i];
     if (layer.parts.fills && showsEdges(member.style))
       layer.edges[i] =
           edges(member.surface(), view, member.style, lines.at(member.id).lines, layer.area);
     leaveOutHidden(member.surface(), layer.edges[i]);
     markReach(layer.edges[i], testReach(member, view, layer.surfaceStep), layer.touched);
   }
-  layer.touched.mark(layer.mask);
   const PreparedStructure& first = layer.members.front();
   layer.inked = first.printedHatching;
   const PictureContent& parts = layer.parts;

@@ -61,7 +61,7 @@ struct Layer {
   bool hiddenInk = false;  ///< has `hidden`, also after they were drawn
   bool haloed = false;     ///< has `halos`, as above
 
-  bool shows() const { return !covered && (filled || inked); }
+  bool shows() const { return !covered && (filled || hasInk()); }
   bool hasInk() const { return inked || hiddenInk || haloed; }
   /// Tells whether what was drawn for `other` serves for this layer too.
   bool drawnLike(const Layer& other) const {

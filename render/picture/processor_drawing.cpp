@@ -150,7 +150,7 @@ std::vector<BlendLayer> blendLayers(std::span<const Layer> layers, Background ba
                         .mask = &layer.mask,
                         .ink = inkColour(layer.members.front().style, background),
                         .filled = layer.filled,
-                        .inked = layer.inked,
+                        .inked = layer.inked || layer.haloed,
                         .hiddenInk = layer.hiddenInk,
                         .haloed = layer.haloed});
   return listed;

@@ -115,8 +115,8 @@ bool Occlusion::hides(const model::Surface& surface, const model::Cluster& clust
 
 bool Occlusion::hides(const model::Surface& surface, const Stroke& stroke) const {
   const float nearest = std::min(stroke.depthA, stroke.depthB);
-  return covers(strokeBounds(stroke),
-                eyeDistance(nearest, m_view.depthTerms()) - inFrontOf(surface));
+  return covers(strokeBounds(stroke), eyeDistance(nearest, m_view.depthTerms()) -
+                                          std::max(inFrontOf(surface), 2.0f * stroke.tolerance));
 }
 
 bool Occlusion::covers(const PixelRect& pixels, float distance) const {

@@ -59,6 +59,8 @@ class ViewportSectionsTest : public QObject {
     QVERIFY(f.settled());
     QVERIFY(mark.isVisible());
     QCOMPARE(mark.geometry(), f.viewport().rect());
+    const QImage shown = f.viewport().grab().toImage();
+    QCOMPARE(shown.pixelColor(point(handles(f).slide)), QColor(18, 92, 156));
     const int steps = f.session.history().count();
     const model::Plane before = only(f).plane;
     const QImage picture = f.picture();

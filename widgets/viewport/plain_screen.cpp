@@ -2,6 +2,7 @@
 #include "widgets/viewport/plain_screen.h"
 
 #include <QPainter>
+#include <new>
 #include <utility>
 
 namespace sline::widgets {
@@ -57,6 +58,8 @@ void PlainScreen::publish(std::uint64_t number) {
   const QSize size(m_size.width, m_size.height);
   if (m_drawn.image.size() != size)
     m_drawn.image = QImage(size, QImage::Format_RGB32);
+  if (m_drawn.image.isNull())
+    throw std::bad_alloc();
   m_readback.read({reinterpret_cast<std::uint32_t*>(m_drawn.image.bits()),
                    std::size_t(m_size.width) * std::size_t(m_size.height)});
   m_drawn.number = number;

@@ -132,26 +132,26 @@ RenderThread::Work RenderThread::next() {
 }
 
 Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& request) {
-  const auto target =
-      m_screen.begin({.width = request.settings.width, .height = request.settings.height});
-  if (!target)
-    return target.error();
   try {
+    const auto target =
+        m_screen.begin({.width = request.settings.width, .height = request.settings.height});
+    if (!target)
+      return target.error();
     const Result<bool> painted = painter.paint(
         request, {.target = **target, .unwanted = &m_unwanted, .outlines = request.outlines});
     if (!painted || !*painted)
       return painted;
+    // The labels are drawn before the picture is published, so that both appear together.
+    m_sheet = m_labels.draw(request.scene, request.camera, request.labels);
+    m_unlabelled.reset();
+    if (!m_sheet)
+      m_unlabelled = request;
+    m_screen.publish(request.number);
+    return true;
   } catch (const std::exception& failure) {
     return Error{.reason = std::string("the picture could not be drawn: ") + failure.what(),
                  .remedy = "Hide some structures, or close other programs to free memory"};
   }
-  // The labels are drawn before the picture is published, so that both appear together.
-  m_sheet = m_labels.draw(request.scene, request.camera, request.labels);
-  m_unlabelled.reset();
-  if (!m_sheet)
-    m_unlabelled = request;
-  m_screen.publish(request.number);
-  return true;
 }
 
 void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& request) {

@@ -170,6 +170,8 @@ void Viewport::placeMarks() {
 void Viewport::addTool(std::unique_ptr<Tool> tool) {
   tool->setDark(m_background == render::Background::dark);
   m_added.push_back(std::move(tool));
+  // Whatever a tool put lowest over the picture stays over it.
+  m_screen->widget().lower();
   showTools();
 }
 

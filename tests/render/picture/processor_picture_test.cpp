@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "tests/render/picture/section_scenes.h"
 #include "tests/support/suite.h"
@@ -272,6 +273,29 @@ class ProcessorPictureTest : public QObject {
     }
   }
 
+  void whatShowsThroughStaysWhileMoving_data() {
+    QTest::addColumn<int>("hiddenLines");
+    QTest::addColumn<float>("halo");
+    QTest::newRow("thin") << int(model::HiddenLines::thin) << 0.0f;
+    QTest::newRow("dashed") << int(model::HiddenLines::dashed) << 0.0f;
+    QTest::newRow("thin, with a halo") << int(model::HiddenLines::thin) << 2.0f;
+  }
+
+  /// A structure without a fill of which all else is hidden.
+  void whatShowsThroughStaysWhileMoving() {
+    QFETCH(int, hiddenLines);
+    QFETCH(float, halo);
+    model::Scene scene;
+    add(scene, sphere(60.0f, 6), gammaStyle(5.0f));
+    model::Style within = gammaStyle(2.0f);
+    within.hiddenLines = model::HiddenLines(hiddenLines);
+    within.halo = halo;
+    add(scene, torus(30.0f, 12.0f, 120, 48), within);
+    const PictureSettings settings{.width = 500, .height = 420, .surfaceStep = 3};
+    compare(scene, slanted(true), settings);
+    QVERIFY(farApart(scene, slanted(true), settings) < 10);
+  }
+
   void whatReachesBehindTheEyeIsDrawnByTheDriver() {
     const model::Scene scene = bodies(5.0f, {});
     model::Camera camera = slanted(true);
@@ -280,6 +304,19 @@ class ProcessorPictureTest : public QObject {
   }
 
  private:
+  /// Returns how many pixels clearly differ from the driver's.
+  int farApart(const model::Scene& scene, const model::Camera& camera,
+               const PictureSettings& settings) {
+    const auto expected = m_driver.picture->render(scene, camera, settings);
+    const auto found = m_processor->render(scene, camera, settings);
+    if (!expected.ok() || !found.ok())
+      return std::numeric_limits<int>::max();
+    int count = 0;
+    for (std::size_t i = 0; i < expected->rgba.size(); i += 4)
+      count += std::abs(int(expected->rgba[i]) - int(found->rgba[i])) > 40 ? 1 : 0;
+    return count;
+  }
+
   void compare(const model::Scene& scene, const model::Camera& camera,
                const PictureSettings& settings) {
     const auto expected = m_driver.picture->render(scene, camera, settings);
