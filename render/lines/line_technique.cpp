@@ -12,6 +12,7 @@
 #include "render/lines/line_clip.h"
 #include "render/lines/photic_extrema.h"
 #include "render/lines/ridges.h"
+#include "render/lines/rims.h"
 #include "render/lines/stages.h"
 #include "render/lines/streamline_hatching.h"
 #include "render/lines/suggestive_contours.h"
@@ -169,6 +170,8 @@ constexpr std::array techniques{
                   .entered = [](Gamma gamma) { return transitions(gamma).contours; },
                   .mayPass = contoursMayPass,
                   .extract = extractContours,
+                  .prepare = prepareRims,
+                  .find = findRims,
                   .rank = rankContours},
     LineTechnique{.kind = LineKind::section,
                   .id = "section",

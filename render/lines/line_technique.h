@@ -61,7 +61,7 @@ struct LineTechnique {
   /// Returns the T by which lines of the kind have entered at Γ, 0 … 1 (METHOD §7).
   float (*entered)(Gamma gamma) = nullptr;
   /// Returns whether a line may pass through the cluster, which faces the eye like that: judged by
-  /// its bounds before its vertices are looked at. Null: the technique's lines do not come from
+  /// its bounds before its vertices are looked at. Null: none of the technique's lines come from
   /// clusters.
   bool (*mayPass)(const model::Cluster& cluster, model::Facing facing,
                   const model::EyePoint& eye) = nullptr;
@@ -70,7 +70,8 @@ struct LineTechnique {
                   std::vector<Segment>& segments) = nullptr;
   /// Computes what all views of a surface share.
   std::unique_ptr<const PreparedLines> (*prepare)(const model::Surface& surface) = nullptr;
-  /// Appends the segments of the whole surface: instead of `mayPass` and `extract`.
+  /// Appends the segments of the whole surface: instead of `mayPass` and `extract`, or what they
+  /// do not find.
   void (*find)(const LineSearch& search, std::vector<Segment>& segments) = nullptr;
   /// Replaces entries by ranks, so that lines enter evenly with `t`, which `entered` gave. Null:
   /// all enter at once.

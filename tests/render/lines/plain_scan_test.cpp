@@ -9,6 +9,7 @@
 
 #include "render/lines/clipping.h"
 #include "render/lines/line_clip.h"
+#include "render/lines/rims.h"
 #include "render/lines/suggestive_contours.h"
 #include "render/lines/view_fields.h"
 #include "tests/support/shapes.h"
@@ -50,6 +51,8 @@ class PlainScan {
 
   std::vector<render::Segment> contours() const {
     std::vector<render::Segment> found;
+    const model::Camera camera;
+    render::findRims({m_surface, camera, m_request, render::prepareRims(m_surface).get()}, found);
     forEachCrossed(&Seen::facing, &Seen::nv, [&](std::uint32_t triangle, const auto& ends) {
       found.push_back({.a = ends[0].position, .b = ends[1].position, .triangle = triangle});
     });
