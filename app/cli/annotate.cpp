@@ -95,30 +95,56 @@ Result<model::NodeId> structureNamed(const model::Scene& scene, const std::strin
                     "Name a structure in it: " + inside);
 }
 
-/// Holds what is needed to find the annotation's place.
-struct Where {
+/// Holds what is needed to find annotations' places.
+class Where {
+ public:
+  Where(const model::Scene& shown, const render::Screen& on) : scene(shown), screen(on) {}
+
   const model::Scene& scene;  ///< as the view shows it
   render::Screen screen;
+
+  /// Returns what the view shows; it is drawn at the first call.
+  const render::SeenMap& map() {
+    if (!m_map)
+      m_map.emplace(scene, screen);
+    return *m_map;
+  }
+
+ private:
+  std::optional<render::SeenMap> m_map;
 };
 
-Result<model::Anchor> anchorFor(const Where& where, std::optional<model::NodeId> structure,
-                                const std::string& at) {
-  if (at.empty()) {
-    const std::string name = '"' + where.scene.find(*structure)->name + '"';
-    const bool visible = where.scene.resolve(*structure).visible;
-    const model::Scene scene =
-        visible ? where.scene : model::withOnlyVisible(where.scene, std::array{*structure}).scene;
-    const render::SeenMap map(scene, where.screen);
-    const std::optional<render::SeenPlace> best = map.find(*structure);
-    if (!best)
-      return usageError(name + " is not within that view",
-                        "Give another --view, or a place with --at x,y,z");
-    if (!visible)
-      warn(name + " is not visible in that view; nor is its label, until it is");
-    else if (best->hidden)
+Result<model::Anchor> anchorOn(Where& where, model::NodeId structure) {
+  const std::string name = '"' + where.scene.find(structure)->name + '"';
+  const auto found = [&](const render::SeenMap& map) -> Result<render::SeenPlace> {
+    if (const std::optional<render::SeenPlace> best = map.find(structure))
+      return *best;
+    return usageError(name + " is not within that view",
+                      "Give another --view, or a place with --at x,y,z");
+  };
+  const auto anchor = [&](const render::SeenPlace& place) {
+    return render::SeenMap::labelAt(structure, place).anchors.front();
+  };
+  if (where.scene.resolve(structure).visible) {
+    const Result<render::SeenPlace> place = found(where.map());
+    if (!place.ok())
+      return place.error();
+    if (place->hidden)
       warn(name + " is hidden by other structures in that view; the label points through them");
-    return map.labelFor(*structure)->anchors.front();
+    return anchor(*place);
   }
+  const model::Scene alone = model::withOnlyVisible(where.scene, std::array{structure}).scene;
+  const Result<render::SeenPlace> place = found(render::SeenMap(alone, where.screen));
+  if (!place.ok())
+    return place.error();
+  warn(name + " is not visible in that view; nor is its label, until it is");
+  return anchor(*place);
+}
+
+Result<model::Anchor> anchorFor(Where& where, std::optional<model::NodeId> structure,
+                                const std::string& at) {
+  if (at.empty())
+    return anchorOn(where, *structure);
   const Result<glm::vec3> place = parsePoint(at);
   if (!place.ok())
     return place.error();
@@ -142,7 +168,7 @@ void nameAfter(const std::string& name, Annotation& annotation) {
       annotation.texts.emplace(model::nameLanguageTags[i], names.displayName(name, language));
 }
 
-Result<Annotation> annotationFor(const AnnotateFlags& flags, const Where& where,
+Result<Annotation> annotationFor(const AnnotateFlags& flags, Where& where,
                                  const std::optional<std::string>& on) {
   Annotation made;
   made.kind =
@@ -218,7 +244,7 @@ Result<model::Scene> addAnnotations(const model::Scene& scene, const AnnotateFla
   if (flags.onlyInView && !view)
     return usageError("\"" + flags.view + "\" is no saved view", "Name one with --view");
   const float height = render::usualHeightMm;
-  const Where where{shown, render::Screen(*camera, {spec.size.aspect() * height, height})};
+  Where where(shown, render::Screen(*camera, {spec.size.aspect() * height, height}));
   std::vector<std::optional<std::string>> targets(flags.on.begin(), flags.on.end());
   if (targets.empty())
     targets.emplace_back();

@@ -53,18 +53,25 @@ class Trimmer {
     const glm::vec2 high = glm::ceil(glm::max(glm::max(a.at, b.at), c.at));
     const int left = std::max(bounded(low.x), rect.x);
     const int right = std::min(bounded(high.x), rect.right());
-    for (int y = std::max(bounded(low.y), first); y < std::min(bounded(high.y), end); ++y)
+    if (left >= right)
+      return;
+    for (int y = std::max(bounded(low.y), first); y < std::min(bounded(high.y), end); ++y) {
+      const std::uint32_t* colours = m_pixels.colours.data() + m_pixels.at(left, y);
       for (int x = left; x < right; ++x) {
+        // Most of the box lies beyond the fill.
+        if (colours[x - left] == 0)
+          continue;
         const glm::vec2 at = glm::vec2(float(x) + 0.5f, float(y) + 0.5f) - a.at;
         const float toB = (at.x * ac.y - at.y * ac.x) * perArea;
         const float toC = (ab.x * at.y - ab.y * at.x) * perArea;
         const float toA = 1.0f - toB - toC;
         // Of two triangles that share an edge one has the pixels on it.
-        if (toA > 0.0f && toB >= 0.0f && toC >= 0.0f && m_pixels.colours[m_pixels.at(x, y)] != 0)
+        if (toA > 0.0f && toB >= 0.0f && toC >= 0.0f)
           trim(toA * a.end + toB * b.end + toC * c.end,
                toA * a.outward + toB * b.outward + toC * c.outward,
                toA * a.away + toB * b.away + toC * c.away, m_pixels.at(x, y));
       }
+    }
   }
 
   void trim(const glm::vec2& end, const glm::vec2& outward, float away, std::size_t at) const {

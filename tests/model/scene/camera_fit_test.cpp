@@ -3,6 +3,8 @@
 #include "model/scene/camera.h"
 
 #include <QTest>
+#include <glm/geometric.hpp>
+#include <random>
 
 #include "model/scene/free_sides.h"
 #include "tests/model/scene/projected_boxes.h"
@@ -32,6 +34,7 @@ class CameraFitTest : public QObject {
   void fitsBoxWithMargin_data();
   void fitsBoxWithMargin();
   void fitsPointsTighterThanTheirBox();
+  void innerPointsDoNotMatter();
   void fitsWithinSides_data();
   void fitsWithinSides();
   void fitKeepsDirection();
@@ -92,6 +95,33 @@ void CameraFitTest::fitsPointsTighterThanTheirBox() {
   QVERIFY(close(std::max({-seen.low.x, seen.high.x, -seen.low.y, seen.high.y}), 0.9f, 2e-4f));
   QVERIFY(close(seen.low.x, -seen.high.x, 2e-4f));
   QVERIFY(close(seen.low.y, -seen.high.y, 2e-4f));
+}
+
+/// Points on an askew ellipsoid decide, to the last bit, not the many within; nor do one or two
+/// points that all lie at one place.
+void CameraFitTest::innerPointsDoNotMatter() {
+  std::mt19937 chance(7);
+  std::normal_distribution<float> normal;
+  std::vector<glm::vec3> outer;
+  std::vector<glm::vec3> all;
+  for (int i = 0; i < 4000; ++i) {
+    const glm::vec3 way = glm::normalize(glm::vec3(normal(chance), normal(chance), normal(chance)));
+    const glm::vec3 p(120.0f * way.x + 30.0f * way.z, 60.0f * way.y - 20.0f * way.x, 90.0f * way.z);
+    outer.push_back(p);
+    all.push_back(p);
+    all.push_back(0.9f * p);
+    all.push_back(0.2f * p);
+  }
+  for (const float aspect : {0.7f, 1.6f}) {
+    Camera camera;
+    camera.eye = {300, -400, 200};
+    camera.target = {10, 0, 0};
+    camera.projection = Projection::perspective;
+    QVERIFY(fitted(camera, all, aspect) == fitted(camera, outer, aspect));
+    const std::vector<glm::vec3> one{{5.0f, 6.0f, 7.0f}};
+    const std::vector<glm::vec3> twice{one.front(), one.front()};
+    QVERIFY(fitted(camera, one, aspect) == fitted(camera, twice, aspect));
+  }
 }
 
 void CameraFitTest::fitsWithinSides_data() {

@@ -147,8 +147,11 @@ class LegacyParser {
   Status readCountedCells(Values& values, const char* place, Cells kind, std::uint64_t cells,
                           std::uint64_t numbers) {
     constexpr ScalarType type = ScalarType::int32;
-    if (numbers > values.atMost(type) || cells > numbers)
-      return tooMany(place, "cells", cells, values.atMost(type));
+    if (numbers > values.atMost(type))
+      return tooMany(place, "numbers of cells", numbers, values.atMost(type));
+    if (cells > numbers)
+      return m_file.wrong(place, "promises " + std::to_string(cells) + " cells of " +
+                                     std::to_string(numbers) + " numbers altogether");
     if (kind == Cells::polygons)
       m_faces.reserve(std::size_t(cells), std::size_t(numbers - cells));
     std::uint64_t left = numbers;
