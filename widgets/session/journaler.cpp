@@ -73,10 +73,10 @@ Journaler::~Journaler() = default;
 void Journaler::setEnabled(bool enabled) {
   if (std::exchange(m_enabled, enabled) == enabled)
     return;
-  if (enabled)
-    follow();
-  else
-    discard();
+  if (!enabled)
+    return discard();
+  m_discarded.reset();
+  follow();
 }
 
 Journaler::Place Journaler::place() const {
@@ -96,9 +96,12 @@ void Journaler::follow() {
   const Place& now = *m_last;
   if (!m_session.modified())
     return;
+  // Of the last step before the journal was thrown away some may be told afterwards.
+  if (m_discarded && m_discarded->isThatOf(now))
+    return;
+  m_discarded.reset();
   const bool same = before && before->opening == now.opening;
-  if (same && m_running && before->step.place == now.step.place &&
-      before->step.count == now.step.count && *before->step.scene == *now.step.scene)
+  if (m_running && before && before->isThatOf(now))
     return;
   if (!m_running || (before && !same)) {
     // The state before the first step is what undoing it leads to.
@@ -168,6 +171,7 @@ void Journaler::fileChange() {
 }
 
 void Journaler::discard() {
+  m_discarded = place();
   remove(true);
 }
 

@@ -43,6 +43,11 @@ class Journaler : public QObject {
   struct Place {
     int opening = 0;
     model::JournalStep step;
+
+    bool isThatOf(const Place& other) const {
+      return opening == other.opening && step.place == other.step.place &&
+             step.count == other.step.count && *step.scene == *other.step.scene;
+    }
   };
   using Task = std::function<Status(Shared&)>;
   Place place() const;
@@ -60,6 +65,7 @@ class Journaler : public QObject {
   std::filesystem::path m_folder;
   std::shared_ptr<Shared> m_shared;  ///< belongs to the queue's thread
   std::optional<Place> m_last;       ///< the place that was seen last
+  std::optional<Place> m_discarded;  ///< that at which the journal was discarded, until another
   model::JournalSource m_source;     ///< as it was noted last
   QTimer m_retry;
   int m_opening = 0;  ///< the opening of which meshes are kept
