@@ -187,8 +187,10 @@ class Octagon {
 std::vector<glm::dvec2> maybeOutermost(const std::vector<glm::dvec3>& points, int lateral) {
   constexpr std::size_t enough = 4096;
   const auto flat = [lateral](const glm::dvec3& p) { return glm::dvec2(p[lateral], p.z); };
+  const std::size_t step = 1 + points.size() / enough;
   std::vector<glm::dvec2> some;
-  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / enough)
+  some.reserve(enough);
+  for (std::size_t i = 0; i < points.size(); i += step)
     some.push_back(flat(points[i]));
   const Octagon octagon(some);
   std::vector<glm::dvec2> kept;

@@ -38,13 +38,8 @@ std::vector<glm::vec3> visiblePoints(const Scene& scene, std::span<const NodeId>
   for (const VisibleStructure& structure : visibleStructures(scene)) {
     if (!wanted(structure.node->id))
       continue;
-    const Mesh& mesh = *structure.node->mesh;
-    const std::vector<Plane> planes = planesOf(scene.sectionsOf(structure.node->id));
-    if (planes.empty()) {
-      points.insert(points.end(), mesh.positions().begin(), mesh.positions().end());
-      continue;
-    }
-    const std::vector<glm::vec3> kept = keptPoints(mesh, planes);
+    const std::vector<glm::vec3> kept =
+        keptPoints(*structure.node->mesh, planesOf(scene.sectionsOf(structure.node->id)));
     points.insert(points.end(), kept.begin(), kept.end());
   }
   return points;
