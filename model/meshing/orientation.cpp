@@ -3,8 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <iterator>
+#include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace sline::model {
@@ -73,34 +79,81 @@ double signedVolume(const Piece& piece, Positions p, Triangles triangles) {
   return sum / 6.0;
 }
 
-/// Counts how often the ray from a point along +x crosses one piece. Triangles stand in rows by
-/// their y, so that many small pieces inside a large one stay cheap.
+/// Counts how often the ray from a point along +x crosses one piece. Triangles stand in the cells
+/// of a grid over y and z, so that many small pieces inside a large one stay cheap.
 class CrossingCounter {
  public:
   CrossingCounter(const Piece& piece, Positions p, Triangles triangles)
-      : m_positions(p), m_triangles(triangles), m_low(piece.box.low.y) {
-    const std::size_t rows = std::max<std::size_t>(1, piece.triangles.size() / 16);
-    m_rows.resize(rows);
-    m_scale = float(rows) / std::max(piece.box.size().y, 1e-30f);
-    for (const std::uint32_t t : piece.triangles) {
-      const auto [low, high] =
-          std::minmax({p[triangles[t][0]].y, p[triangles[t][1]].y, p[triangles[t][2]].y});
-      for (std::size_t row = rowOf(low); row <= rowOf(high); ++row)
-        m_rows[row].push_back(t);
-    }
+      : m_positions(p), m_triangles(triangles), m_low(piece.box.low.y, piece.box.low.z) {
+    const std::vector<std::uint32_t>& own = piece.triangles;
+    const glm::vec3 size = piece.box.size();
+    m_side = std::uint32_t(std::sqrt(double(own.size()) / trianglesOfCell));
+    std::size_t entries = 0;
+    // A mesh of needles has as many as fit, in larger cells.
+    do {
+      m_side = std::max(1U, m_side);
+      m_scale = float(m_side) / glm::max(glm::vec2(size.y, size.z), glm::vec2(1e-30f));
+      entries = 0;
+      for (const std::uint32_t t : own)
+        entries += cellsOf(t).count();
+    } while (entries > mostEntries * own.size() && (m_side /= 2) > 0);
+    m_first.resize(std::size_t(m_side) * m_side + 1, 0);
+    forEachCell(own, [this](std::size_t cell, std::uint32_t) { ++m_first[cell + 1]; });
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    std::vector<std::size_t> next(m_first.begin(), std::prev(m_first.end()));
+    m_entries.resize(entries);
+    forEachCell(own, [&](std::size_t cell, std::uint32_t t) { m_entries[next[cell]++] = t; });
   }
 
   bool oddFrom(const glm::dvec3& from) const {
+    const auto [y, z] = cellAt({float(from.y), float(from.z)});
+    const std::size_t cell = std::size_t(z) * m_side + y;
     bool odd = false;
-    for (const std::uint32_t t : m_rows[rowOf(float(from.y))])
-      odd ^= crosses(m_triangles[t], from);
+    for (std::size_t i = m_first[cell]; i < m_first[cell + 1]; ++i)
+      odd ^= crosses(m_triangles[m_entries[i]], from);
     return odd;
   }
 
  private:
-  std::size_t rowOf(float y) const {
-    const float row = std::max(0.0f, (y - m_low) * m_scale);
-    return std::min(std::size_t(row), m_rows.size() - 1);
+  static constexpr double trianglesOfCell = 4.0;
+  static constexpr std::size_t mostEntries = 16;  ///< of each triangle, on an average
+
+  struct Cell {
+    std::uint32_t y;
+    std::uint32_t z;
+  };
+  /// The cells from `low` to `high`, both included.
+  struct Cells {
+    Cell low;
+    Cell high;
+    std::size_t count() const {
+      return std::size_t(high.y - low.y + 1) * std::size_t(high.z - low.z + 1);
+    }
+  };
+
+  Cell cellAt(const glm::vec2& place) const {
+    const glm::vec2 at =
+        glm::clamp((place - m_low) * m_scale, glm::vec2(0.0f), glm::vec2(float(m_side - 1)));
+    return {std::uint32_t(at.x), std::uint32_t(at.y)};
+  }
+  Cells cellsOf(std::uint32_t triangle) const {
+    glm::vec2 low(std::numeric_limits<float>::infinity());
+    glm::vec2 high(-std::numeric_limits<float>::infinity());
+    for (const std::uint32_t v : m_triangles[triangle]) {
+      const glm::vec2 place(m_positions[v].y, m_positions[v].z);
+      low = glm::min(low, place);
+      high = glm::max(high, place);
+    }
+    return {cellAt(low), cellAt(high)};
+  }
+  template <class Body>
+  void forEachCell(std::span<const std::uint32_t> triangles, const Body& body) const {
+    for (const std::uint32_t t : triangles) {
+      const Cells cells = cellsOf(t);
+      for (std::uint32_t z = cells.low.z; z <= cells.high.z; ++z)
+        for (std::uint32_t y = cells.low.y; y <= cells.high.y; ++y)
+          body(std::size_t(z) * m_side + y, t);
+    }
   }
 
   bool crosses(const Triangle& t, const glm::dvec3& from) const {
@@ -123,9 +176,11 @@ class CrossingCounter {
 
   Positions m_positions;
   Triangles m_triangles;
-  float m_low;
-  float m_scale = 0.0f;
-  std::vector<std::vector<std::uint32_t>> m_rows;
+  glm::vec2 m_low;
+  glm::vec2 m_scale{0.0f};           ///< cells per mm along y and z
+  std::uint32_t m_side = 1;          ///< cells each way
+  std::vector<std::size_t> m_first;  ///< of each cell's entries, and one behind the last
+  std::vector<std::uint32_t> m_entries;
 };
 
 bool contains(const Box& outer, const Box& inner) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "model/fairing/half_edges.h"
 #include "model/meshing/repair.h"
+#include "tests/support/process_memory.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
@@ -62,6 +64,8 @@ class RepairTest : public QObject {
   void insideOutTurns();
   void someTurnedFacesAgree();
   void cavityFacesInward();
+  void bodiesOfManyTrianglesKnowWhatIsInside();
+  void needlesKnowWhatIsInside();
   void partsSideBySideFaceOutward();
   void openShellKeepsItsSide();
   void facesWithoutAreaGo();
@@ -129,6 +133,71 @@ void RepairTest::cavityFacesInward() {
     // A body inside two others is solid again.
     QVERIFY(volume(s, outer + count, core.triangles.size()) > 0.0);
   }
+}
+
+void RepairTest::bodiesOfManyTrianglesKnowWhatIsInside() {
+  // Balls turned inside out around the torus and within its tube: those within stay as they are.
+  const auto ball = test::sphere(1.0f, 1);
+  Soup s = soup(*test::torus(40, 10, 1600, 400));
+  const std::size_t all = s.triangles.size();
+  std::vector<bool> within;
+  for (int i = 0; i < 60; ++i) {
+    const float angle = 0.37f * float(i);
+    const float away = 40.0f + float(i % 5 - 2) * (i % 2 ? 3.5f : 7.5f);
+    Soup inner = soup(
+        *test::moved(*ball, 1.0f, {away * std::cos(angle), away * std::sin(angle), float(i % 3)}));
+    turn(inner);
+    append(s, inner);
+    within.push_back(std::hypot(away - 40.0f, float(i % 3)) < 9.0f);
+  }
+  QVERIFY(std::count(within.begin(), within.end(), true) > 20);
+  QVERIFY(std::count(within.begin(), within.end(), false) > 10);
+  test::resetPeak();
+  const double before = test::residentMiB();
+  repaired(s);
+  QVERIFY(volume(s, 0, all) > 0.0);
+  for (std::size_t i = 0; i < within.size(); ++i) {
+    const std::size_t count = ball->triangleCount();
+    Soup one{s.positions, {}};
+    const auto first = s.triangles.begin() + std::ptrdiff_t(all + i * count);
+    one.triangles.assign(first, first + std::ptrdiff_t(count));
+    // About its own middle, as the volume of a small ball far away is not exact.
+    const glm::vec3 middle = s.positions[one.triangles[0][0]];
+    for (glm::vec3& p : one.positions)
+      p -= middle;
+    QCOMPARE(volume(one, 0, count) < 0.0, bool(within[i]));
+  }
+  const double took = test::peakResidentMiB() - before;
+  qInfo("%.0f MiB for %zu triangles", took, s.triangles.size());
+  QVERIFY(test::sanitized || took < 150.0);
+}
+
+void RepairTest::needlesKnowWhatIsInside() {
+  // Each triangle of the cylinder's sides is as long as it; caps are fans.
+  Soup s;
+  constexpr std::uint32_t around = 3000;
+  for (std::uint32_t i = 0; i < around; ++i) {
+    const float angle = 6.2831853f * float(i) / float(around);
+    s.positions.emplace_back(20.0f * std::cos(angle), 20.0f * std::sin(angle), 0.0f);
+    s.positions.emplace_back(20.0f * std::cos(angle), 20.0f * std::sin(angle), 100.0f);
+  }
+  s.positions.emplace_back(0.0f, 0.0f, 0.0f);
+  s.positions.emplace_back(0.0f, 0.0f, 100.0f);
+  for (std::uint32_t i = 0; i < around; ++i) {
+    const std::uint32_t next = (i + 1) % around;
+    s.triangles.push_back({2 * i, 2 * next, 2 * next + 1});
+    s.triangles.push_back({2 * i, 2 * next + 1, 2 * i + 1});
+    s.triangles.push_back({2 * next, 2 * i, 2 * around});
+    s.triangles.push_back({2 * i + 1, 2 * next + 1, 2 * around + 1});
+  }
+  const std::size_t all = s.triangles.size();
+  const auto ball = test::sphere(3.0f, 2);
+  append(s, soup(*test::moved(*ball, 1.0f, {11, 5, 30})));
+  append(s, soup(*test::moved(*ball, 1.0f, {11, 17, 30})));  // half of it is outside
+  repaired(s);
+  QVERIFY(volume(s, 0, all) > 0.0);
+  QVERIFY(volume(s, all, ball->triangleCount()) < 0.0);
+  QVERIFY(volume(s, all + ball->triangleCount(), ball->triangleCount()) > 0.0);
 }
 
 void RepairTest::partsSideBySideFaceOutward() {
