@@ -339,22 +339,25 @@ std::vector<Triangle> oneRound(const Mesh& mesh, const std::vector<Triangle>& tr
 }
 
 /// Returns the mesh of these triangles, without vertices that none uses.
-MeshPtr meshOf(const Mesh& mesh, std::vector<Triangle> triangles) {
+CoarserMesh meshOf(const Mesh& mesh, std::vector<Triangle> triangles) {
   constexpr std::uint32_t unused = 0xffffffff;
   std::vector<std::uint32_t> numbers(mesh.vertexCount(), unused);
-  std::vector<glm::vec3> positions;
-  positions.reserve(triangles.size() / 2 + 3);
+  std::vector<std::uint32_t> vertices;
+  vertices.reserve(triangles.size() / 2 + 3);
   for (Triangle& t : triangles)
     for (std::uint32_t& corner : t) {
       std::uint32_t& number = numbers[corner];
       if (number == unused) {
-        number = std::uint32_t(positions.size());
-        positions.push_back(mesh.positions()[corner]);
+        number = std::uint32_t(vertices.size());
+        vertices.push_back(corner);
       }
       corner = number;
     }
+  std::vector<glm::vec3> positions(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), positions.begin(),
+                 [&](std::uint32_t v) { return mesh.positions()[v]; });
   Result<Mesh> made = Mesh::create(std::move(positions), std::move(triangles));
-  return std::make_shared<const Mesh>(std::move(*made));
+  return {std::make_shared<const Mesh>(std::move(*made)), std::move(vertices)};
 }
 
 }  // namespace
@@ -373,9 +376,10 @@ std::vector<Triangle> coarsenedTriangles(const Mesh& mesh, float edge) {
   return triangles;
 }
 
-MeshPtr coarsened(const MeshPtr& mesh, float edge) {
-  std::vector<Triangle> triangles = coarsenedTriangles(*mesh, edge);
-  return triangles.size() == mesh->triangleCount() ? mesh : meshOf(*mesh, std::move(triangles));
+CoarserMesh coarsened(const Mesh& mesh, float edge) {
+  std::vector<Triangle> triangles = coarsenedTriangles(mesh, edge);
+  return triangles.size() == mesh.triangleCount() ? CoarserMesh{}
+                                                  : meshOf(mesh, std::move(triangles));
 }
 
 Mesh meshBetween(const Surface& surface, std::vector<Triangle> triangles) {

@@ -2,12 +2,19 @@
 // Makes levels of detail of a mesh that is finer than a picture shows.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "model/geometry/mesh.h"
 #include "model/geometry/surface.h"
 
 namespace sline::model {
+
+/// A mesh whose vertices are some of a finer one's.
+struct CoarserMesh {
+  MeshPtr mesh;
+  std::vector<std::uint32_t> vertices;  ///< the finer mesh's, one for each of its own
+};
 
 /// Returns a mesh of fewer triangles whose vertices are some of the mesh's own, so that what is
 /// computed of it is as smooth as before: edges shorter than `edge` (mm, > 0) are collapsed, the
@@ -17,10 +24,10 @@ namespace sline::model {
 /// A closed surface stays closed and keeps its pieces and handles (link condition: Dey,
 /// Edelsbrunner, Guha and Nekhayev, "Topology preserving edge contraction", 1999). Rims and
 /// vertices around which the triangles are no single fan stay where they are. The same mesh gives
-/// the same result whatever the number of threads. Result is the mesh itself where nothing was
+/// the same result whatever the number of threads. The result's mesh is null where nothing was
 /// collapsed. It takes about a second per million triangles on one core; `simplified` leaves fewer
 /// triangles, of less even sizes, and takes longer.
-MeshPtr coarsened(const MeshPtr& mesh, float edge);
+CoarserMesh coarsened(const Mesh& mesh, float edge);
 /// Returns the triangles of that mesh, between the vertices of this one: no fewer than there are
 /// where nothing was collapsed.
 std::vector<Triangle> coarsenedTriangles(const Mesh& mesh, float edge);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "model/base/parallel.h"
 
@@ -218,11 +219,10 @@ struct Work {
   std::vector<Face> faces;
 };
 
-/// Averages per-face tensors at a vertex, weighted by corner areas and written in the frame there
-/// that begins with `u`.
-template <class T>
-T averaged(const Work& work, std::size_t vertex, const std::vector<T>& perFace,
-           const glm::vec3& u) {
+/// Averages per-face tensors, which `ofFace` returns, at a vertex, weighted by corner areas and
+/// written in the frame there that begins with `u`.
+template <class T, class OfFace>
+T averaged(const Work& work, std::size_t vertex, const OfFace& ofFace, const glm::vec3& u) {
   T sum(0.0f);
   float weights = 0.0f;
   const glm::vec3 normal = work.normals[vertex];
@@ -233,8 +233,7 @@ T averaged(const Work& work, std::size_t vertex, const std::vector<T>& perFace,
     const Triangle& t = work.mesh.triangles()[f];
     const float weight = face.areas[t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2];
     const glm::vec3 edge = work.mesh.positions()[t[2]] - work.mesh.positions()[t[1]];
-    sum +=
-        weight * changed(perFace[f], turnOf(turned(u, normal, face.normal), frameOf(face, edge)));
+    sum += weight * changed(ofFace(f), turnOf(turned(u, normal, face.normal), frameOf(face, edge)));
     weights += weight;
   }
   return weights > 0.0f ? sum / weights : T(0.0f);
@@ -345,54 +344,83 @@ std::vector<Tensor> vertexTensors(const Work& work) {
   });
   std::vector<Tensor> tensors(work.mesh.vertexCount());
   parallelFor(tensors.size(), 2048, [&](std::size_t v) {
-    tensors[v] = averaged(work, v, perFace, tangentFrame(work.normals[v]).u);
+    tensors[v] = averaged<Tensor>(
+        work, v, [&](std::uint32_t f) { return perFace[f]; }, tangentFrame(work.normals[v]).u);
   });
   return tensors;
 }
 
-void addDerivative(Curvature& curvature, const Work& work) {
-  const auto frameAt = [&](std::size_t v) {
-    return Frame{curvature.e1[v], glm::cross(work.normals[v], curvature.e1[v])};
-  };
-  std::vector<glm::vec4> perFace(work.faces.size(), glm::vec4(0.0f));
-  parallelFor(perFace.size(), 4096, [&](std::size_t f) {
-    const Triangle& t = work.mesh.triangles()[f];
-    const Face& face = work.faces[f];
-    if (face.empty())
-      return;
-    const Edges edges = edgesOf(work.mesh, t);
-    const glm::vec3 u = frameOf(face, edges[0]).u;
-    std::array<Tensor, 3> corners;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const glm::vec2 k = curvature.k[t[j]];
-      const Turn turn = turnOf(turned(u, face.normal, work.normals[t[j]]), frameAt(t[j]));
-      corners[j] = changed(Tensor(k.x, 0.0f, k.y), turn);
-    }
-    perFace[f] = faceDerivative(face, edges, corners);
-  });
-  parallelFor(work.mesh.vertexCount(), 2048, [&](std::size_t v) {
-    curvature.derivative[v] = averaged(work, v, perFace, curvature.e1[v]);
-  });
-}
-}  // namespace
+/// The principal directions and curvatures of all vertices.
+struct Principal {
+  std::vector<glm::vec3> e1;
+  std::vector<glm::vec2> k;
+};
 
-Curvature curvature(const Mesh& mesh, std::span<const glm::vec3> normals,
-                    const VertexFaces& vertexFaces, const CurvatureOptions& options) {
-  const Work work{mesh, normals, vertexFaces, makeFaces(mesh)};
+Principal principal(const Work& work, const CurvatureOptions& options) {
+  const std::size_t count = work.mesh.vertexCount();
   std::vector<Tensor> tensors = vertexTensors(work);
   if (options.smoothingSteps > 0) {
     const RingAverage rings(work);
     for (int step = 0; step < options.smoothingSteps; ++step)
       tensors = rings.averaged(tensors);
   }
-  Curvature result{.e1 = std::vector<glm::vec3>(mesh.vertexCount()),
-                   .k = std::vector<glm::vec2>(mesh.vertexCount()),
-                   .derivative = std::vector<glm::vec4>(mesh.vertexCount())};
-  parallelFor(mesh.vertexCount(), 8192, [&](std::size_t v) {
-    diagonalise(tensors[v], tangentFrame(normals[v]), result.e1[v], result.k[v]);
+  Principal result{.e1 = std::vector<glm::vec3>(count), .k = std::vector<glm::vec2>(count)};
+  parallelFor(count, 8192, [&](std::size_t v) {
+    diagonalise(tensors[v], tangentFrame(work.normals[v]), result.e1[v], result.k[v]);
   });
-  tensors = {};
-  addDerivative(result, work);
+  return result;
+}
+
+/// Returns the derivative in the frame of a face with an area.
+glm::vec4 derivativeOf(std::uint32_t f, const Work& work, const Principal& known) {
+  const Triangle& t = work.mesh.triangles()[f];
+  const Face& face = work.faces[f];
+  const Edges edges = edgesOf(work.mesh, t);
+  const glm::vec3 u = frameOf(face, edges[0]).u;
+  std::array<Tensor, 3> corners;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const glm::vec3& normal = work.normals[t[j]];
+    const glm::vec3& e1 = known.e1[t[j]];
+    const glm::vec2 k = known.k[t[j]];
+    const Turn turn = turnOf(turned(u, face.normal, normal), {e1, glm::cross(normal, e1)});
+    corners[j] = changed(Tensor(k.x, 0.0f, k.y), turn);
+  }
+  return faceDerivative(face, edges, corners);
+}
+}  // namespace
+
+Curvature curvature(const Mesh& mesh, std::span<const glm::vec3> normals,
+                    const VertexFaces& vertexFaces, const CurvatureOptions& options) {
+  const Work work{mesh, normals, vertexFaces, makeFaces(mesh)};
+  Principal known = principal(work, options);
+  std::vector<glm::vec4> perFace(work.faces.size(), glm::vec4(0.0f));
+  parallelFor(perFace.size(), 4096, [&](std::size_t f) {
+    if (!work.faces[f].empty())
+      perFace[f] = derivativeOf(std::uint32_t(f), work, known);
+  });
+  std::vector<glm::vec4> derivative(mesh.vertexCount());
+  parallelFor(derivative.size(), 2048, [&](std::size_t v) {
+    derivative[v] = averaged<glm::vec4>(
+        work, v, [&](std::uint32_t f) { return perFace[f]; }, known.e1[v]);
+  });
+  return {std::move(known.e1), std::move(known.k), std::move(derivative)};
+}
+
+Curvature curvatureAt(std::span<const std::uint32_t> vertices, const Mesh& mesh,
+                      std::span<const glm::vec3> normals, const VertexFaces& vertexFaces,
+                      const CurvatureOptions& options) {
+  const Work work{mesh, normals, vertexFaces, makeFaces(mesh)};
+  const Principal known = principal(work, options);
+  Curvature result{.e1 = std::vector<glm::vec3>(vertices.size()),
+                   .k = std::vector<glm::vec2>(vertices.size()),
+                   .derivative = std::vector<glm::vec4>(vertices.size())};
+  parallelFor(vertices.size(), 2048, [&](std::size_t i) {
+    const std::uint32_t v = vertices[i];
+    result.e1[i] = known.e1[v];
+    result.k[i] = known.k[v];
+    result.derivative[i] = averaged<glm::vec4>(
+        work, v, [&](std::uint32_t f) { return derivativeOf(f, work, known); }, known.e1[v]);
+  });
   return result;
 }
 

@@ -4,6 +4,7 @@
 // convention of METHOD §1: convex surfaces with outward normals have positive curvature.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -32,5 +33,9 @@ struct CurvatureOptions {
 
 Curvature curvature(const Mesh& mesh, std::span<const glm::vec3> normals,
                     const VertexFaces& vertexFaces, const CurvatureOptions& options = {});
+/// Returns the same of these vertices alone, one entry for each.
+Curvature curvatureAt(std::span<const std::uint32_t> vertices, const Mesh& mesh,
+                      std::span<const glm::vec3> normals, const VertexFaces& vertexFaces,
+                      const CurvatureOptions& options = {});
 
 }  // namespace sline::model

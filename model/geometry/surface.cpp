@@ -32,29 +32,45 @@ float medianRadius(std::span<const SurfaceVertex> vertices) {
 /// has 4.
 constexpr float longestRim = 0.5f;
 
-/// Sets the vertices: positions of the surface's mesh, normals and curvature of a mesh of the same
-/// triangles.
-void setVertices(Surface& surface, const Mesh& shape, const VertexFaces& faces,
-                 const CurvatureOptions& options) {
+/// Returns vertices at these positions, with normals and curvature of a mesh of the same triangles.
+SurfaceVertices verticesAt(std::span<const glm::vec3> positions, const Mesh& shape,
+                           const VertexFaces& faces, const CurvatureOptions& options) {
   const std::vector<glm::vec3> normals = vertexNormals(shape, faces);
-  surface.vertices = SurfaceVertices(surface.mesh->positions(), normals,
-                                     curvature(shape, normals, faces, options));
+  return {positions, normals, curvature(shape, normals, faces, options)};
+}
+
+/// Returns vertices at these positions, with normals and curvature of some of the shape's.
+SurfaceVertices someVerticesAt(std::span<const glm::vec3> positions, const Mesh& shape,
+                               std::span<const std::uint32_t> vertices,
+                               const CurvatureOptions& options) {
+  const VertexFaces faces(shape);
+  const std::vector<glm::vec3> all = vertexNormals(shape, faces);
+  const Curvature known = curvatureAt(vertices, shape, all, faces, options);
+  std::vector<glm::vec3> normals(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), normals.begin(),
+                 [&](std::uint32_t v) { return all[v]; });
+  return {positions, normals, known};
+}
+
+void setVertices(Surface& surface, SurfaceVertices vertices) {
+  surface.vertices = std::move(vertices);
   surface.normals = NormalColumn(surface.vertices.all());
   surface.curvature = {
       .e1 = decltype(CurvatureColumns::e1)(surface.vertices.all()),
       .k = decltype(CurvatureColumns::k)(surface.vertices.all()),
       .derivative = decltype(CurvatureColumns::derivative)(surface.vertices.all())};
 }
-}  // namespace
 
-SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options) {
+/// Makes the surface of a mesh. `vertices` returns what is known of them, given their triangles.
+template <class Vertices>
+SurfacePtr surfaceOf(MeshPtr mesh, const Vertices& vertices) {
   auto surface = std::make_shared<Surface>();
   surface->mesh = std::move(mesh);
   const Mesh& own = *surface->mesh;
   double rims = 0.0;
   {
     const VertexFaces faces(own);
-    setVertices(*surface, own, faces, options);
+    setVertices(*surface, vertices(faces));
     surface->closed = own.triangleCount() > 0 && countEdges(own, faces).closed();
     rims = surface->closed ? 0.0 : rimLength(own, faces);
   }
@@ -66,11 +82,34 @@ SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options) {
   surface->meanEdge = meanEdgeLength(own.positions(), own.triangles());
   return surface;
 }
+}  // namespace
 
-SurfacePtr reshapedSurface(const Surface& surface, const Mesh& shape) {
+SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options) {
+  const Mesh& own = *mesh;
+  return surfaceOf(std::move(mesh), [&](const VertexFaces& faces) {
+    return verticesAt(own.positions(), own, faces, options);
+  });
+}
+
+SurfacePtr prepareCoarser(MeshPtr mesh, const FinerMesh& finer, const CurvatureOptions& options) {
+  const Mesh& own = *mesh;
+  return surfaceOf(std::move(mesh), [&](const VertexFaces&) {
+    return someVerticesAt(own.positions(), *finer.mesh, finer.vertices, options);
+  });
+}
+
+SurfacePtr prepareCoarser(MeshPtr mesh, const Surface& finer,
+                          std::span<const std::uint32_t> vertices) {
+  return surfaceOf(std::move(mesh), [&](const VertexFaces&) {
+    return SurfaceVertices(finer.vertices.all(), vertices);
+  });
+}
+
+namespace {
+SurfacePtr reshaped(const Surface& surface, SurfaceVertices vertices) {
   auto reshaped = std::make_shared<Surface>();
   reshaped->mesh = surface.mesh;
-  setVertices(*reshaped, shape, VertexFaces(shape), {});
+  setVertices(*reshaped, std::move(vertices));
   reshaped->clusters =
       buildClusters(*surface.mesh, surface.clusters.triangles, reshaped->vertices.all());
   reshaped->boundingSphere = surface.boundingSphere;
@@ -80,6 +119,17 @@ SurfacePtr reshapedSurface(const Surface& surface, const Mesh& shape) {
   reshaped->closed = surface.closed;
   reshaped->solid = surface.solid;
   return reshaped;
+}
+}  // namespace
+
+SurfacePtr reshapedSurface(const Surface& surface, const Mesh& shape) {
+  return reshaped(surface, verticesAt(surface.mesh->positions(), shape, VertexFaces(shape),
+                                      CurvatureOptions{}));
+}
+
+SurfacePtr reshapedSurface(const Surface& surface, const Mesh& shape,
+                           std::span<const std::uint32_t> vertices) {
+  return reshaped(surface, someVerticesAt(surface.mesh->positions(), shape, vertices, {}));
 }
 
 }  // namespace sline::model

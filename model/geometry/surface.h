@@ -3,7 +3,10 @@
 // and drawing start from them.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "model/geometry/clusters.h"
 #include "model/geometry/curvature.h"
@@ -35,8 +38,24 @@ using SurfacePtr = std::shared_ptr<const Surface>;
 
 SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options = {});
 
+/// A mesh, and some of its vertices: those of a coarser one that stands for it.
+struct FinerMesh {
+  MeshPtr mesh;
+  std::vector<std::uint32_t> vertices;
+};
+
+/// Returns the surface of a coarser mesh, with normals and curvature of the finer one.
+SurfacePtr prepareCoarser(MeshPtr mesh, const FinerMesh& finer,
+                          const CurvatureOptions& options = {});
+/// Does so where the finer surface is at hand, of which these are the vertices.
+SurfacePtr prepareCoarser(MeshPtr mesh, const Surface& finer,
+                          std::span<const std::uint32_t> vertices);
+
 /// Returns the surface with normals and curvature of `shape`, a mesh of the same triangles; all
 /// else, positions too, stays its own.
 SurfacePtr reshapedSurface(const Surface& surface, const Mesh& shape);
+/// Does so with a mesh of finer triangles, of which these are the surface's vertices.
+SurfacePtr reshapedSurface(const Surface& surface, const Mesh& shape,
+                           std::span<const std::uint32_t> vertices);
 
 }  // namespace sline::model

@@ -28,4 +28,10 @@ SurfaceVertices::SurfaceVertices(std::span<const glm::vec3> positions,
   });
 }
 
+SurfaceVertices::SurfaceVertices(std::span<const SurfaceVertex> finer,
+                                 std::span<const std::uint32_t> places)
+    : m_vertices(places.size()) {
+  parallelFor(places.size(), 8192, [&](std::size_t v) { m_vertices[v] = finer[places[v]]; });
+}
+
 }  // namespace sline::model

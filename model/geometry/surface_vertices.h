@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -56,6 +57,8 @@ class SurfaceVertices {
   SurfaceVertices() = default;
   SurfaceVertices(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                   const Curvature& curvature);
+  /// Takes those of the finer surface's vertices.
+  SurfaceVertices(std::span<const SurfaceVertex> finer, std::span<const std::uint32_t> places);
   std::size_t size() const { return m_vertices.size(); }
   const SurfaceVertex& operator[](std::size_t vertex) const { return m_vertices[vertex]; }
   std::span<const SurfaceVertex> all() const { return m_vertices; }

@@ -14,10 +14,8 @@ namespace sline::render {
 
 namespace {
 
-// How long edges may be on an average. At 1.3 pixels a few suggestive contours end sooner, and
-// crumbs appear beside contours: a moving camera hides that, a still picture does not.
-constexpr float stillPixels = 0.75f;
-constexpr float movingPixels = 1.5f;
+/// How long edges may be on an average, in pixels.
+constexpr float shownEdge = 1.5f;
 /// How long edges of what is sampled may be, in samples. What is left out lies off by a sixth of
 /// that at most, half a sample, where the surface is bent most.
 constexpr float sampledEdge = 3.0f;
@@ -35,14 +33,8 @@ float leastPixel(const DrawnStructure& shown, const PictureView& view) {
 
 Coarseness allowedCoarseness(const DrawnStructure& shown, const PictureView& view,
                              const PictureSettings& settings) {
-  Coarseness allowed{.edge = 0.0f, .hurried = settings.hurried};
-  if (gammaVaries(shown.style))
-    return allowed;
-  // Hatching would change at rest, and sections would be cut anew.
-  const bool moving = (settings.hurried || settings.surfaceStep > 1) &&
-                      !showsHatching(shown.style) && shown.sections.empty();
-  allowed.edge = leastPixel(shown, view) * (moving ? movingPixels : stillPixels);
-  return allowed;
+  return {.edge = gammaVaries(shown.style) ? 0.0f : leastPixel(shown, view) * shownEdge,
+          .hurried = settings.hurried};
 }
 
 Coarseness sampledCoarseness(const DrawnStructure& shown, const PictureView& view,
@@ -56,13 +48,53 @@ DetailLevels::~DetailLevels() = default;
 DetailLevels::DetailLevels(DetailLevels&&) noexcept = default;
 DetailLevels& DetailLevels::operator=(DetailLevels&&) noexcept = default;
 
-DetailLevels::Level DetailLevels::levelOf(model::MeshPtr mesh) {
+DetailLevels::Level DetailLevels::levelOf(model::MeshPtr mesh,
+                                          std::vector<std::uint32_t> vertices) {
   const float edge = model::meanEdgeLength(mesh->positions(), mesh->triangles());
-  return {.mesh = std::move(mesh), .edge = edge, .cached = std::make_unique<CachedSurface>()};
+  return {.mesh = std::move(mesh),
+          .vertices = std::move(vertices),
+          .edge = edge,
+          .cached = std::make_unique<CachedSurface>()};
 }
 
 bool DetailLevels::ready(std::size_t level) const {
   return m_levels[level].cached->surface != nullptr;
+}
+
+void DetailLevels::add() {
+  const model::Mesh& mesh = *m_levels.back().mesh;
+  m_complete = mesh.triangleCount() < leastTriangles;
+  if (m_complete)
+    return;
+  model::CoarserMesh next = model::coarsened(mesh, LevelStep::collapsed * m_levels.back().edge);
+  m_complete = !next.mesh || !(float(next.mesh->triangleCount()) <
+                               LevelStep::worthwhile * float(mesh.triangleCount()));
+  if (!m_complete)
+    m_levels.push_back(levelOf(std::move(next.mesh), std::move(next.vertices)));
+}
+
+void DetailLevels::prepare(std::size_t level, const model::Provenance& provenance) {
+  Level& chosen = m_levels[level];
+  if (level == 0) {
+    chosen.cached->takeShown(chosen.mesh, provenance);
+    return;
+  }
+  // Its vertices are looked up in each finer level, until those of a prepared one or of the mesh
+  // itself are known.
+  model::SurfacePtr surface;
+  model::FinerMesh finest{m_levels[0].mesh, chosen.vertices};
+  for (std::size_t finer = level - 1;; --finer) {
+    if (!surface && ready(finer))
+      surface =
+          model::prepareCoarser(chosen.mesh, *m_levels[finer].cached->surface, finest.vertices);
+    if (finer == 0)
+      break;
+    for (std::uint32_t& vertex : finest.vertices)
+      vertex = m_levels[finer].vertices[vertex];
+  }
+  if (!surface)
+    surface = model::prepareCoarser(chosen.mesh, finest, pictureCurvature(provenance));
+  chosen.cached->takeCoarser(std::move(surface), std::move(finest), provenance);
 }
 
 std::size_t DetailLevels::wanted(const Coarseness& allowed) {
@@ -75,17 +107,8 @@ std::size_t DetailLevels::wanted(const Coarseness& allowed) {
     const bool last = level + 1 == m_levels.size();
     if (last && keepsAsItIs)
       return level;
-    if (last && !m_complete && LevelStep::growth * m_levels[level].edge <= allowed.edge) {
-      const model::MeshPtr& mesh = m_levels[level].mesh;
-      model::MeshPtr coarser =
-          mesh->triangleCount() < leastTriangles
-              ? mesh
-              : model::coarsened(mesh, LevelStep::collapsed * m_levels[level].edge);
-      m_complete =
-          !(float(coarser->triangleCount()) < LevelStep::worthwhile * float(mesh->triangleCount()));
-      if (!m_complete)
-        m_levels.push_back(levelOf(std::move(coarser)));
-    }
+    if (last && !m_complete && LevelStep::growth * m_levels[level].edge <= allowed.edge)
+      add();
     if (level + 1 == m_levels.size() || m_levels[level + 1].edge > allowed.edge)
       return level;
     ++level;
@@ -95,7 +118,7 @@ std::size_t DetailLevels::wanted(const Coarseness& allowed) {
 CachedSurface& DetailLevels::at(const model::MeshPtr& mesh, const model::Provenance& provenance,
                                 const Coarseness& allowed) {
   if (m_levels.empty())
-    m_levels.push_back(levelOf(pictureMesh(mesh, provenance)));
+    m_levels.push_back(levelOf(pictureMesh(mesh, provenance), {}));
   std::size_t level = wanted(allowed);
   if (allowed.hurried && !ready(level)) {
     // The finest that is ready and not finer than wanted, or else the coarsest of the finer ones.
@@ -107,10 +130,9 @@ CachedSurface& DetailLevels::at(const model::MeshPtr& mesh, const model::Provena
         --other;
     level = ready(other) ? other : level;
   }
-  Level& chosen = m_levels[level];
   if (!ready(level))
-    chosen.cached->takeShown(chosen.mesh, provenance);
-  return *chosen.cached;
+    prepare(level, provenance);
+  return *m_levels[level].cached;
 }
 
 }  // namespace sline::render

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -33,10 +34,9 @@ struct LevelStep {
   static constexpr float worthwhile = 0.6f;
 };
 
-/// Returns how coarse the structure may be in that picture: edges of three quarters of a pixel
-/// where it is nearest, of one and a half while the camera moves, unless the structure is hatched
-/// or cut. Where Γ varies over the surface, or the surface may reach beside the eye, it stays as it
-/// is.
+/// Returns how coarse the structure may be in that picture: edges of one and a half pixels where
+/// it is nearest. Where Γ varies over the surface, or the surface may reach beside the eye, it
+/// stays as it is.
 Coarseness allowedCoarseness(const DrawnStructure& shown, const PictureView& view,
                              const PictureSettings& settings);
 
@@ -45,7 +45,8 @@ Coarseness allowedCoarseness(const DrawnStructure& shown, const PictureView& vie
 Coarseness sampledCoarseness(const DrawnStructure& shown, const PictureView& view,
                              const PictureSettings& settings);
 
-/// The levels of one mesh, each about a quarter of the one before.
+/// The levels of one mesh, each about a quarter of the one before. Normals and curvature of their
+/// vertices are those of the mesh itself: its own triangles' would be less smooth.
 class DetailLevels {
  public:
   /// Meshes of fewer triangles have no coarser level: little could be won.
@@ -65,12 +66,16 @@ class DetailLevels {
  private:
   struct Level {
     model::MeshPtr mesh;
-    float edge = 0.0f;  ///< mean, mm
+    std::vector<std::uint32_t> vertices;  ///< of the level before, one for each of the mesh's own
+    float edge = 0.0f;                    ///< mean, mm
     std::unique_ptr<CachedSurface> cached;
   };
 
-  static Level levelOf(model::MeshPtr mesh);
+  static Level levelOf(model::MeshPtr mesh, std::vector<std::uint32_t> vertices);
   bool ready(std::size_t level) const;
+  /// Appends the next level's mesh, or finds that there is none.
+  void add();
+  void prepare(std::size_t level, const model::Provenance& provenance);
   /// Returns the index of the level that is wanted, and makes the meshes up to it unless one is
   /// ready and `allowed.hurried`.
   std::size_t wanted(const Coarseness& allowed);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/fairing/faired.h"
+#include "model/geometry/edge_length.h"
 
 namespace sline::render {
 
@@ -25,14 +26,6 @@ constexpr std::size_t mostLevels = 3;
 // Beyond the deviation that is this share of F, the least derivative is raised in proportion.
 constexpr float trustedShare = 0.03f;
 
-float deviationOf(const model::Surface& surface, int level) {
-  return levelZero * surface.meanEdge * std::exp2(float(level));
-}
-
-float thresholdOf(const model::Surface& surface, int level) {
-  return std::max(1.0f, deviationOf(surface, level) / (trustedShare * surface.featureSize));
-}
-
 }  // namespace
 
 float scaleDeviation(const model::Surface& surface, const PictureView& view, float lineScale,
@@ -40,6 +33,19 @@ float scaleDeviation(const model::Surface& surface, const PictureView& view, flo
   const float mm = view.millimetresPerPixel(surface.boundingSphere.centre) * view.outputUnit();
   const float wanted = std::min(lineScale * usualScale * mm, largestShare * surface.featureSize);
   return std::sqrt(std::max(wanted * wanted - known * known, 0.0f));
+}
+
+void LineScales::smooth(model::FinerMesh finer) {
+  m_finer = std::move(finer);
+  m_finerEdge = model::meanEdgeLength(m_finer.mesh->positions(), m_finer.mesh->triangles());
+}
+
+float LineScales::deviationOf(const model::Surface& surface, int level) const {
+  return levelZero * (m_finer.mesh ? m_finerEdge : surface.meanEdge) * std::exp2(float(level));
+}
+
+float LineScales::thresholdOf(const model::Surface& surface, int level) const {
+  return std::max(1.0f, deviationOf(surface, level) / (trustedShare * surface.featureSize));
 }
 
 std::vector<ScaledShape> LineScales::at(const model::SurfacePtr& surface, float deviation) {
@@ -97,9 +103,12 @@ model::SurfacePtr LineScales::level(const model::SurfacePtr& surface, int level)
     const bool lowIsFarther = level - m_levels.begin()->first > m_levels.rbegin()->first - level;
     m_levels.erase(lowIsFarther ? m_levels.begin() : std::prev(m_levels.end()));
   }
-  const model::MeshPtr shape =
-      model::withoutSmallForms(*surface->mesh, deviationOf(*surface, level));
-  return m_levels.emplace(level, model::reshapedSurface(*surface, *shape)).first->second;
+  const model::Mesh& source = m_finer.mesh ? *m_finer.mesh : *surface->mesh;
+  const model::MeshPtr shape = model::withoutSmallForms(source, deviationOf(*surface, level));
+  return m_levels
+      .emplace(level, m_finer.mesh ? model::reshapedSurface(*surface, *shape, m_finer.vertices)
+                                   : model::reshapedSurface(*surface, *shape))
+      .first->second;
 }
 
 }  // namespace sline::render

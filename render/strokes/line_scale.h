@@ -32,6 +32,8 @@ float scaleDeviation(const model::Surface& surface, const PictureView& view, flo
 /// Keeps the scales of a surface that pictures have asked for last. May be used from threads.
 class LineScales {
  public:
+  /// From now on forms are those of a finer mesh, which the surface stands for.
+  void smooth(model::FinerMesh finer);
   /// Returns the shapes that lines are found on for that deviation: one, or two of which one fades
   /// out while the other comes in, as the deviation grows.
   std::vector<ScaledShape> at(const model::SurfacePtr& surface, float deviation);
@@ -45,7 +47,12 @@ class LineScales {
   model::SurfacePtr level(const model::SurfacePtr& surface, int level);
   bool knows(const std::vector<std::pair<int, float>>& wanted) const;
   ScaledShape nearest(const model::SurfacePtr& surface, float level) const;
+  /// Returns the deviation of a level, and what its lines' least derivative is multiplied by.
+  float deviationOf(const model::Surface& surface, int level) const;
+  float thresholdOf(const model::Surface& surface, int level) const;
 
+  model::FinerMesh m_finer;  ///< its mesh is null where the surface's own is the finest
+  float m_finerEdge = 0.0f;  ///< mean, mm
   mutable std::mutex m_mutex;
   std::map<int, model::SurfacePtr> m_levels;
   std::atomic<bool> m_hurried = false;

@@ -2,6 +2,7 @@
 #include "render/strokes/prepared_surface.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "model/fairing/faired.h"
 #include "render/lines/hatching.h"
@@ -23,8 +24,8 @@ int tensorSmoothing(const model::Provenance& provenance) {
   return provenance.smoothingSteps > 0 ? steps : 0;
 }
 
-model::SurfacePtr surfaceOf(const model::MeshPtr& shown, const model::Provenance& provenance) {
-  return model::prepareSurface(shown, {.smoothingSteps = tensorSmoothing(provenance)});
+float smoothnessOf(const model::Provenance& provenance) {
+  return fairedSlices * provenance.sliceMm;
 }
 
 }  // namespace
@@ -34,7 +35,11 @@ model::MeshPtr pictureMesh(const model::MeshPtr& mesh, const model::Provenance& 
 }
 
 model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Provenance& provenance) {
-  return surfaceOf(pictureMesh(mesh, provenance), provenance);
+  return model::prepareSurface(pictureMesh(mesh, provenance), pictureCurvature(provenance));
+}
+
+model::CurvatureOptions pictureCurvature(const model::Provenance& provenance) {
+  return {.smoothingSteps = tensorSmoothing(provenance)};
 }
 
 void PreparedSurface::take(const model::MeshPtr& mesh, const model::Provenance& provenance) {
@@ -42,8 +47,15 @@ void PreparedSurface::take(const model::MeshPtr& mesh, const model::Provenance& 
 }
 
 void PreparedSurface::takeShown(const model::MeshPtr& shown, const model::Provenance& provenance) {
-  surface = surfaceOf(shown, provenance);
-  smoothness = fairedSlices * provenance.sliceMm;
+  surface = model::prepareSurface(shown, pictureCurvature(provenance));
+  smoothness = smoothnessOf(provenance);
+}
+
+void PreparedSurface::takeCoarser(model::SurfacePtr coarser, model::FinerMesh finest,
+                                  const model::Provenance& provenance) {
+  surface = std::move(coarser);
+  scales.smooth(std::move(finest));
+  smoothness = smoothnessOf(provenance);
 }
 
 void PreparedSurface::need(const LineNeeds& needs) {

@@ -19,6 +19,9 @@ model::MeshPtr pictureMesh(const model::MeshPtr& mesh, const model::Provenance& 
 /// vertices carry its noise.
 model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Provenance& provenance);
 
+/// Returns how the curvature of that surface is found.
+model::CurvatureOptions pictureCurvature(const model::Provenance& provenance);
+
 /// Says which lines a surface is to be ready for.
 struct LineNeeds {
   LineKinds kinds{};
@@ -37,8 +40,11 @@ struct PreparedSurface {
 
   /// Sets the surface and what is known of it.
   void take(const model::MeshPtr& mesh, const model::Provenance& provenance);
-  /// Does so with a mesh that `pictureMesh` returned, or a coarser one.
+  /// Does so with a mesh that `pictureMesh` returned, ...
   void takeShown(const model::MeshPtr& shown, const model::Provenance& provenance);
+  /// ... and with a coarser one's surface, which stands for that mesh.
+  void takeCoarser(model::SurfacePtr coarser, model::FinerMesh finest,
+                   const model::Provenance& provenance);
 
   /// Prepares the surface for these lines, once each.
   void need(const LineNeeds& needs);

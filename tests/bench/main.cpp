@@ -89,8 +89,6 @@ Status measureFrames(render::Picture& picture, const bench::Stage& stage, bench:
   });
   if (!frame)
     return frame.error();
-  // The peak is read here, since the yardsticks upload and hold what no picture needs.
-  report.peakRssMiB = test::peakResidentMiB();
   report.frame = bench::spreadOf(*frame);
   report.lines = bench::spreadOf(lines);
   for (const std::string& name : order)
@@ -312,6 +310,9 @@ Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
     return status.error();
   if (const Status status = measureMoving(**picture, *stage, report); !status)
     return status.error();
+  // Read here, since the yardsticks upload and hold what no picture needs.
+  report.restRssMiB = test::residentMiB();
+  report.peakRssMiB = test::peakResidentMiB();
   if (const Status status = bench::measurePhong(*stage, report); !status)
     return status.error();
   if (const Status status = bench::measureVectors(*stage, report); !status)

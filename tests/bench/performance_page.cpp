@@ -77,12 +77,8 @@ constexpr std::array wholeColumns{
              return r.at("/structures") > 1 ? fixed(r.at("/gamma_ratio"), 2) : std::string("–");
            }},
     Column{"Vector drawing, s", [](const Row& r) { return fixed(1e-3 * r.at("/vectors_ms"), 1); }},
-    Column{"Bytes a triangle",
-           [](const Row& r) {
-             return fixed((r.at("/peak_rss_mib") - r.at("/base_rss_mib")) * 1024.0 * 1024.0 /
-                              std::max(r.triangles(), 1.0),
-                          0);
-           }},
+    Column{"Bytes a triangle", [](const Row& r) { return fixed(r.at("/bytes_per_triangle"), 0); }},
+    Column{"At most, times that", [](const Row& r) { return fixed(r.at("/peak_ratio"), 1); }},
 };
 
 void writeWhole(std::ostream& out, const std::vector<Row>& rows) {
@@ -269,9 +265,9 @@ Status writePerformancePage(const std::filesystem::path& page,
   out << "\nPreparing is what is computed once a surface: order, neighbours, curvature, fair "
          "normals. Lines are contours and suggestive contours. While the camera moves, lines are "
          "as "
-         "ever and surfaces have a sample for three pixels each way. Bytes count everything from "
-         "the "
-         "import to the last picture at its highest. Γ is 0 to 5 over the structures of a scene, "
+         "ever and surfaces have a sample for three pixels each way. Bytes count everything "
+         "that is held after the last picture, the meshes too, and the next column its highest "
+         "since the import began. Γ is 0 to 5 over the structures of a scene, "
          "and 2 for a surface alone.\n\n"
          "## Where the time of a picture goes, in milliseconds\n\n";
   writePhases(out, rows);

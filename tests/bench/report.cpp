@@ -22,7 +22,12 @@ void line(std::ostream& out, const std::string& name, const Spread& spread) {
 }  // namespace
 
 double Report::bytesPerTriangle() const {
-  return triangles == 0 ? 0.0 : (peakRssMiB - baseRssMiB) * 1024.0 * 1024.0 / double(triangles);
+  return triangles == 0 ? 0.0 : (restRssMiB - baseRssMiB) * 1024.0 * 1024.0 / double(triangles);
+}
+
+double Report::peakRatio() const {
+  const double held = restRssMiB - baseRssMiB;
+  return held > 0.0 ? (peakRssMiB - baseRssMiB) / held : 0.0;
 }
 
 double Report::frameRatio() const {
@@ -38,14 +43,22 @@ std::string asJson(const Report& r) {
   Json passes = Json::object();
   for (const auto& [name, spread] : r.passes)
     passes[name] = json(spread);
-  const Json all{{"triangles", r.triangles},     {"structures", r.structures},
-                 {"import_ms", r.importMs},      {"preprocess_ms", r.preprocessMs},
-                 {"base_rss_mib", r.baseRssMiB}, {"peak_rss_mib", r.peakRssMiB},
-                 {"frame_ms", json(r.frame)},    {"moving_ms", json(r.moving)},
-                 {"lines_ms", json(r.lines)},    {"passes_ms", passes},
-                 {"phong_ms", json(r.phong)},    {"vtk_phong_ms", json(r.vtkPhong)},
-                 {"vectors_ms", r.vectorsMs},    {"gamma_ratio", r.gammaRatio},
-                 {"reopen_ms", r.reopenMs},      {"driver", r.driver}};
+  const Json all{{"triangles", r.triangles},
+                 {"structures", r.structures},
+                 {"import_ms", r.importMs},
+                 {"preprocess_ms", r.preprocessMs},
+                 {"bytes_per_triangle", r.bytesPerTriangle()},
+                 {"peak_ratio", r.peakRatio()},
+                 {"frame_ms", json(r.frame)},
+                 {"moving_ms", json(r.moving)},
+                 {"lines_ms", json(r.lines)},
+                 {"passes_ms", passes},
+                 {"phong_ms", json(r.phong)},
+                 {"vtk_phong_ms", json(r.vtkPhong)},
+                 {"vectors_ms", r.vectorsMs},
+                 {"gamma_ratio", r.gammaRatio},
+                 {"reopen_ms", r.reopenMs},
+                 {"driver", r.driver}};
   return all.dump(2) + "\n";
 }
 
@@ -54,8 +67,9 @@ std::string asText(const Report& r) {
   out << std::fixed << std::setprecision(1);
   out << r.structures << " structures, " << r.triangles << " triangles, " << r.driver << '\n'
       << "import " << r.importMs << " ms, preprocessing " << r.preprocessMs << " ms\n"
-      << "memory " << r.baseRssMiB << " MiB before, " << r.peakRssMiB
-      << " MiB at most: " << r.bytesPerTriangle() << " bytes per triangle\n\n"
+      << "memory " << r.baseRssMiB << " MiB before, " << r.restRssMiB << " after, " << r.peakRssMiB
+      << " at most: " << r.bytesPerTriangle() << " bytes per triangle, " << r.peakRatio()
+      << " times that at most\n\n"
       << "milliseconds              median       p95\n";
   line(out, "frame", r.frame);
   line(out, "  lines", r.lines);

@@ -16,6 +16,7 @@ struct Report {
   double importMs = 0.0;
   double preprocessMs = 0.0;
   double baseRssMiB = 0.0;  ///< after the context was made, before the import
+  double restRssMiB = 0.0;  ///< after the last frame
   double peakRssMiB = 0.0;  ///< until the last frame, before the yardsticks
   Spread frame;
   Spread moving;  ///< as while the camera moves: lines as ever, surfaces at a third
@@ -28,7 +29,9 @@ struct Report {
   double vectorsMs = 0.0;   ///< lines as paths, hidden ones removed, and fills as shapes
   std::string driver;
 
+  /// Return what memory holds after the last frame, and its peak in units of that.
   double bytesPerTriangle() const;
+  double peakRatio() const;
   /// Returns the frame's time over the smaller of both yardsticks.
   double frameRatio() const;
   /// Returns a vector drawing's time over the frame's.

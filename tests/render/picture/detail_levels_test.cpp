@@ -7,6 +7,8 @@
 #include <QtTest>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
+#include <tuple>
 
 #include "render/picture/surface_cache.h"
 #include "tests/render/picture/scenes.h"
@@ -21,9 +23,9 @@ using render::PictureSettings;
 
 namespace {
 
-/// A torus with waves all over it, of 640,000 triangles.
-model::MeshPtr fineMesh() {
-  const model::MeshPtr smooth = torus(50.0f, 20.0f, 1000, 320);
+/// A torus with waves all over it, of twice so many triangles.
+model::MeshPtr fineMesh(int aroundRing, int aroundTube) {
+  const model::MeshPtr smooth = torus(50.0f, 20.0f, aroundRing, aroundTube);
   std::vector<glm::vec3> positions(smooth->positions().begin(), smooth->positions().end());
   for (glm::vec3& p : positions)
     p += 1.2f * glm::vec3(std::sin(0.16f * p.y), std::sin(0.13f * p.z), std::sin(0.2f * p.x));
@@ -51,7 +53,7 @@ class DetailLevelsTest : public QObject {
     auto picture = render::Picture::create({.levelsOfDetail = false});
     QVERIFY(picture.ok());
     m_whole = std::move(*picture);
-    m_mesh = fineMesh();
+    m_mesh = fineMesh(1000, 320);
   }
 
   void theCoarsestThatIsAllowedIsShown() {
@@ -78,6 +80,59 @@ class DetailLevelsTest : public QObject {
     QCOMPARE(trianglesAt(1.0f), first);
   }
 
+  /// Whichever levels were prepared before, each has normals and curvature of the mesh itself.
+  void verticesAreThoseOfTheMesh() {
+    const model::MeshPtr finest = fineMesh(1400, 480);
+    render::DetailLevels levels;
+    const auto at = [](render::DetailLevels& of, const model::MeshPtr& mesh, float edge) {
+      return of.at(mesh, {}, {.edge = edge}).surface;
+    };
+    const model::SurfacePtr second = at(levels, finest, 4.0f);
+    const model::SurfacePtr first = at(levels, finest, 1.0f);
+    const model::SurfacePtr whole = at(levels, finest, 0.0f);
+    QVERIFY(second->mesh->triangleCount() < first->mesh->triangleCount());
+    std::map<std::tuple<float, float, float>, std::uint32_t> places;
+    for (std::uint32_t v = 0; v < whole->mesh->vertexCount(); ++v) {
+      const glm::vec3& p = whole->mesh->positions()[v];
+      places[{p.x, p.y, p.z}] = v;
+    }
+    const auto same = [&](const model::Surface& level, const model::Surface& mesh) {
+      for (std::size_t v = 0; v < level.vertices.size(); ++v) {
+        const model::SurfaceVertex& own = level.vertices[v];
+        const model::SurfaceVertex& fine =
+            mesh.vertices[places.at({own.position.x, own.position.y, own.position.z})];
+        if (level.mesh->positions()[v] != own.position || own.normal != fine.normal ||
+            own.e1 != fine.e1 || own.k != fine.k || own.derivative != fine.derivative)
+          return false;
+      }
+      return true;
+    };
+    QVERIFY(same(*first, *whole));
+    QVERIFY(same(*second, *whole));
+    render::DetailLevels down;
+    const model::SurfacePtr again = at(down, finest, 0.0f);
+    QVERIFY(same(*at(down, finest, 1.0f), *again));
+    QVERIFY(same(*at(down, finest, 4.0f), *again));
+  }
+
+  /// Larger forms of a level are those of the mesh itself.
+  void scalesAreThoseOfTheMesh() {
+    render::DetailLevels levels;
+    render::CachedSurface& coarse = levels.at(m_mesh, {}, {.edge = 1.0f});
+    render::CachedSurface& whole = levels.at(m_mesh, {}, {});
+    const float deviation = 4.0f * whole.surface->meanEdge;
+    const auto ofCoarse = coarse.scales.at(coarse.surface, deviation);
+    const auto ofWhole = whole.scales.at(whole.surface, deviation);
+    QCOMPARE(ofCoarse.size(), std::size_t(1));
+    QCOMPARE(ofWhole.size(), std::size_t(1));
+    std::map<std::tuple<float, float, float>, glm::vec2> known;
+    for (const model::SurfaceVertex& v : ofWhole[0].surface->vertices.all())
+      known[{v.position.x, v.position.y, v.position.z}] = v.k;
+    for (const model::SurfaceVertex& v : ofCoarse[0].surface->vertices.all())
+      QVERIFY(known.at({v.position.x, v.position.y, v.position.z}) == v.k);
+    QCOMPARE(ofCoarse[0].surface->mesh, coarse.surface->mesh);
+  }
+
   void nothingHasOneLevel() {
     const auto none = std::make_shared<const model::Mesh>(*model::Mesh::create({}, {}));
     render::DetailLevels levels;
@@ -99,14 +154,14 @@ class DetailLevelsTest : public QObject {
     const float once = allowed(slantedCamera(), 400.0f);
     QVERIFY(once > 0.0f);
     QVERIFY(std::abs(allowed(slantedCamera(), 800.0f) / once - 0.5f) < 0.01f);
+    // A moving picture shows the same one.
     settings.surfaceStep = 3;
-    QVERIFY(std::abs(allowed(slantedCamera(), 400.0f) / once - 2.0f) < 0.01f);
-    // Hatching stays what it is at rest, and so do cut faces.
-    shown.style.gamma = Gamma::clamped(3.0f);
     QCOMPARE(allowed(slantedCamera(), 400.0f), once);
-    shown.style.gamma = Gamma::clamped(1.0f);
-    shown.sections.emplace_back();
-    QCOMPARE(allowed(slantedCamera(), 400.0f), once);
+    settings.surfaceStep = 1;
+    shown.style.gammaMap.scalar = model::GammaScalar::curvature;
+    shown.style.gammaMap.curve = {{0.0f, 1.0f}};
+    QCOMPARE(allowed(slantedCamera(), 400.0f), 0.0f);
+    shown.style.gammaMap = {};
     // From within it may be as near as can be.
     model::Camera inside = slantedCamera();
     inside.projection = model::Projection::perspective;
