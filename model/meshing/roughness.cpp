@@ -7,7 +7,6 @@
 #include <cmath>
 #include <complex>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numbers>
 
 namespace sline::model {
@@ -43,28 +42,68 @@ void fourierTransform(std::vector<Complex>& x) {
   }
 }
 
-/// Returns Σ exp(2πi·x/period) over the coordinates along one axis; at most `samples` of them.
-std::complex<double> wave(std::span<const glm::vec3> positions, int axis, float period,
-                          std::size_t samples = std::numeric_limits<std::size_t>::max()) {
-  const std::size_t stride = 1 + positions.size() / std::max<std::size_t>(1, samples);
+/// Returns Σ exp(2πi·x/period) over the coordinates along one axis.
+std::complex<double> wave(std::span<const glm::vec3> positions, int axis, float period) {
   std::complex<double> sum = 0.0;
-  for (std::size_t v = 0; v < positions.size(); v += stride)
-    sum += std::polar(1.0, 2.0 * std::numbers::pi * double(positions[v][axis]) / double(period));
+  for (const glm::vec3& p : positions)
+    sum += std::polar(1.0, 2.0 * std::numbers::pi * double(p[axis]) / double(period));
   return sum;
 }
 
-/// Finds the true length of a period, which the transform knows to half a bin, by a search around
-/// it.
-float refined(std::span<const glm::vec3> positions, int axis, float low, float high) {
-  for (int i = 0; i < 24; ++i) {
-    const float a = low + (high - low) / 3.0f;
-    const float b = high - (high - low) / 3.0f;
-    if (std::abs(wave(positions, axis, a, 4096)) < std::abs(wave(positions, axis, b, 4096)))
-      low = a;
-    else
-      high = b;
+/// The power of a wave Σ exp(2πi·x·frequency) over some coordinates along one axis, and how its
+/// logarithm changes with the frequency.
+struct WaveAt {
+  double power = 0.0;
+  double gradient = 0.0;
+  double bend = 0.0;
+};
+
+WaveAt waveAt(std::span<const glm::vec3> positions, int axis, double frequency) {
+  constexpr std::size_t samples = 4096;
+  const std::size_t stride = 1 + positions.size() / samples;
+  // Where coordinates are counted from turns the wave, and leaves its power as it is.
+  const double middle = double(positions[positions.size() / 2][axis]);
+  std::complex<double> wave = 0.0;
+  std::complex<double> first = 0.0;
+  std::complex<double> second = 0.0;
+  for (std::size_t v = 0; v < positions.size(); v += stride) {
+    const double x = 2.0 * std::numbers::pi * (double(positions[v][axis]) - middle);
+    const std::complex<double> one = std::polar(1.0, frequency * x);
+    wave += one;
+    first += x * one;
+    second += x * x * one;
   }
-  return 0.5f * (low + high);
+  if (!(std::norm(wave) > 0.0))
+    return {};
+  const std::complex<double> slope = std::complex<double>(0.0, 1.0) * first / wave;
+  return {.power = std::norm(wave),
+          .gradient = 2.0 * slope.real(),
+          .bend = 2.0 * (-second / wave - slope * slope).real()};
+}
+
+/// Finds the frequency at which the wave is strongest, 1/mm, near that of k waves in that length.
+/// The transform knows k to a half, and nearby the logarithm of the power is bent downwards: there
+/// Newton's method finds the top.
+double strongestNear(std::span<const glm::vec3> positions, int axis, double k, double length) {
+  constexpr int mostSteps = 12;
+  const double low = (k - 1.0) / length;
+  const double high = (k + 1.0) / length;
+  double frequency = k / length;
+  WaveAt here = waveAt(positions, axis, frequency);
+  if (!(here.bend < 0.0))
+    for (double at = k - 0.875; at < k + 1.0; at += 0.25)
+      if (const WaveAt other = waveAt(positions, axis, at / length); other.power > here.power) {
+        here = other;
+        frequency = at / length;
+      }
+  for (int step = 0; step < mostSteps && here.bend < 0.0; ++step) {
+    const double before = frequency;
+    frequency = std::clamp(frequency - here.gradient / here.bend, low, high);
+    if (std::abs(frequency - before) < 1e-8 * frequency)
+      break;
+    here = waveAt(positions, axis, frequency);
+  }
+  return frequency;
 }
 
 struct Period {
@@ -115,7 +154,7 @@ Period strongestPeriod(std::span<const glm::vec3> positions, int axis, float mea
     best.length = twice.length;
   if (best.power > 20.0f) {
     const float k = length / best.length;
-    best.length = refined(positions, axis, length / (k + 1.0f), length / (k - 1.0f));
+    best.length = float(1.0 / strongestNear(positions, axis, double(k), double(length)));
   }
   return best;
 }
