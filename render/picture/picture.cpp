@@ -369,7 +369,10 @@ Status Picture::draw(const model::Scene& scene, const model::Camera& camera,
 Result<bool> Picture::drawInto(const TargetJob& job, const model::Scene& scene,
                                const model::Camera& camera, const PictureSettings& settings) {
   assert(job.target.size() == (gpu::TextureSize{settings.width, settings.height}));
-  const Output output{.target = &job.target, .unwanted = job.unwanted, .outlines = job.outlines};
+  const Output output{.target = &job.target,
+                      .unwanted = job.unwanted,
+                      .outlines = job.outlines,
+                      .aside = job.aside};
   if (Status s = m_data->picture(scene, camera, settings, output); !s)
     return s.error();
   m_data->device->finish();

@@ -127,6 +127,8 @@ class Picture {
     /// Set from another thread when the picture is no longer wanted; may be null.
     const std::atomic<bool>* unwanted = nullptr;
     std::span<const Outline> outlines = {};  ///< drawn over the picture, the last on top
+    /// What is kept between pictures stays as it is, as it does for a preview.
+    bool aside = false;
   };
   Result<bool> drawInto(const TargetJob& job, const model::Scene& scene,
                         const model::Camera& camera, const PictureSettings& settings);

@@ -19,6 +19,7 @@
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 #include "widgets/viewport/picture_screen.h"
+#include "widgets/viewport/render_thread.h"
 
 namespace sline::test {
 
@@ -32,6 +33,8 @@ QString sealed(const QString& folder) {
   settings.setValue(QStringLiteral("picture/openingLook"), QStringLiteral("plain"));
   // Views change at once, so that a test finds the next one when the key was pressed.
   settings.setValue(QStringLiteral("navigation/flights"), false);
+  // A picture that is done stays as it is; viewport_refinement_test says otherwise.
+  widgets::chooseRefinement(false);
   if (qEnvironmentVariable("SLINE_TEST_SCREEN") == QStringLiteral("driver"))
     widgets::chooseScreens(widgets::ScreenKind::driver);
   return file;

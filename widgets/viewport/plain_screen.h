@@ -3,6 +3,7 @@
 #pragma once
 
 #include <mutex>
+#include <vector>
 
 #include "render/gpu/readback.h"
 #include "widgets/viewport/picture_screen.h"
@@ -23,7 +24,7 @@ class PlainScreen : public QWidget, public PictureScreen {
   QImage picture() override;
 
   Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) override;
-  void publish(std::uint64_t number) override;
+  void publish(std::uint64_t number, int samples) override;
   void releaseDrawing() override { m_readback.release(); }
 
  protected:
@@ -34,6 +35,7 @@ class PlainScreen : public QWidget, public PictureScreen {
   struct Numbered {
     QImage image;
     std::uint64_t number = 0;  ///< 0: none
+    std::uint64_t turn = 0;    ///< counts what was published
   };
   void takeNewest();
 
@@ -50,6 +52,8 @@ class PlainScreen : public QWidget, public PictureScreen {
   // The drawing side's own.
   render::gpu::Readback m_readback;
   render::gpu::TextureSize m_size;
+  std::vector<std::uint32_t> m_samples;
+  std::uint64_t m_turn = 0;
   Numbered m_drawn;
 };
 

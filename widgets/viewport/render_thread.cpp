@@ -12,6 +12,11 @@ namespace sline::widgets {
 
 namespace {
 
+std::atomic<bool>& refining() {
+  static std::atomic<bool> on = true;
+  return on;
+}
+
 class RendererPainter : public PicturePainter {
  public:
   explicit RendererPainter(std::unique_ptr<render::Picture> picture)
@@ -23,6 +28,14 @@ class RendererPainter : public PicturePainter {
   Result<std::optional<render::Image>> preview(const PreviewRequest::Preview& preview,
                                                const std::atomic<bool>& unwanted) override {
     return m_picture->preview(preview.scene, preview.camera, preview.settings, &unwanted);
+  }
+  Result<bool> refine(const PictureRequest& request, int samples,
+                      const render::Picture::TargetJob& job) override {
+    render::PictureSettings finer = request.settings;
+    finer.width *= samples;
+    finer.height *= samples;
+    finer.hurried = true;
+    return m_picture->drawInto(job, request.scene, request.camera, finer);
   }
   void makeReady(const PictureRequest& request, const std::atomic<bool>& unwanted) override {
     render::PictureSettings moving = request.settings;
@@ -43,6 +56,10 @@ Result<std::unique_ptr<PicturePainter>> makePicturePainter() {
   if (!picture)
     return picture.error();
   return std::unique_ptr<PicturePainter>(std::make_unique<RendererPainter>(std::move(*picture)));
+}
+
+void chooseRefinement(bool on) {
+  refining() = on;
 }
 
 RenderThread::RenderThread(PictureScreen& screen, PainterFactory factory)
@@ -74,7 +91,8 @@ RenderThread::~RenderThread() {
 void RenderThread::ask(PictureRequest request) {
   {
     const std::lock_guard lock(m_mutex);
-    if (m_previewing || (m_resting && (request.moving || !(*m_resting == request.camera))))
+    if (m_previewing || m_refining ||
+        (m_resting && (request.moving || !(*m_resting == request.camera))))
       m_unwanted = true;
     m_request = std::move(request);
   }
@@ -88,7 +106,7 @@ void RenderThread::ask(PreviewRequest request) {
     waiting.previews = std::move(request.previews);
     std::reverse(waiting.previews.begin(), waiting.previews.end());
     ++waiting.round;
-    if (m_previewing == request.asker)
+    if (m_previewing == request.asker || m_refining)
       m_unwanted = true;
   }
   m_wake.notify_one();
@@ -102,15 +120,21 @@ bool RenderThread::previewsWait() const {
 RenderThread::Work RenderThread::next() {
   // Between two pictures of a drag there is less time than a preview may take.
   constexpr std::chrono::milliseconds quiet(200);
+  // What one looks at for a while is refined, and not what one passes by.
+  constexpr std::chrono::milliseconds calm(500);
   std::unique_lock lock(m_mutex);
+  m_refining = false;
   for (;;) {
-    m_wake.wait(lock, [this] { return m_quit || m_request || m_unlabelled || previewsWait(); });
+    m_wake.wait(lock, [this] {
+      return m_quit || m_request || m_unlabelled || previewsWait() || m_unrefined;
+    });
     if (m_quit)
       return {};
     if (m_unlabelled && !m_request)
       return {.labels = true};
-    const auto other = [this] { return m_quit || m_request || !previewsWait(); };
-    if (m_request || !m_wake.wait_until(lock, m_pictureEnd + quiet, other))
+    const bool previews = previewsWait();
+    const auto other = [&] { return m_quit || m_request || previews != previewsWait(); };
+    if (m_request || !m_wake.wait_until(lock, m_pictureEnd + (previews ? quiet : calm), other))
       break;
   }
   m_unwanted = false;
@@ -124,6 +148,10 @@ RenderThread::Work RenderThread::next() {
     Work work{.preview = std::move(previews.back()), .asker = *m_previewing};
     previews.pop_back();
     return work;
+  }
+  if (!m_request) {
+    m_refining = true;
+    return {.refinement = true};
   }
   // Pictures of a moving camera are always finished, or a long move would show none.
   if (!m_request->moving)
@@ -157,9 +185,12 @@ Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& r
 void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& request) {
   QElapsedTimer clock;
   clock.start();
-  if (const Result<bool> done = draw(painter, request); !done)
+  m_unrefined.reset();
+  if (const Result<bool> done = draw(painter, request); !done) {
     emit failed(done.error());
-  else if (*done)
+  } else if (*done) {
+    if (request.refined && request.fineness.full() && refining())
+      m_unrefined = request;
     emit drawn({.number = request.number,
                 .milliseconds = double(clock.nsecsElapsed()) * 1e-6,
                 .fineness = request.fineness,
@@ -168,10 +199,42 @@ void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& re
                 .layersDrawn = painter.layersDrawn(),
                 .makeshift = painter.makeshift(),
                 .labels = m_sheet});
+  }
   if (!request.moving && !m_unwanted)
     painter.makeReady(request, m_unwanted);
   const std::lock_guard lock(m_mutex);
   m_pictureEnd = std::chrono::steady_clock::now();
+}
+
+void RenderThread::refine(PicturePainter& painter) {
+  constexpr int samples = 2;
+  const PictureRequest request = *std::exchange(m_unrefined, std::nullopt);
+  std::vector<render::Outline> outlines = request.outlines;
+  for (render::Outline& outline : outlines) {
+    outline.width *= float(samples);
+    outline.casingWidth *= float(samples);
+  }
+  try {
+    const auto target = m_screen.begin(
+        {.width = samples * request.settings.width, .height = samples * request.settings.height});
+    // Without it the picture is only less smooth, which is not worth a message.
+    if (!target)
+      return;
+    const Result<bool> done = painter.refine(
+        request, samples,
+        {.target = **target, .unwanted = &m_unwanted, .outlines = outlines, .aside = true});
+    if (!done)
+      return;
+    if (*done) {
+      m_screen.publish(request.number, samples);
+      emit refined(request.number);
+    } else if (m_unwanted) {
+      // It may have made way for a preview.
+      m_unrefined = request;
+    }
+  } catch (const std::exception&) {
+    return;
+  }
 }
 
 void RenderThread::drawLabels() {
@@ -229,6 +292,8 @@ void RenderThread::run() {
     const Work work = next();
     if (work.picture)
       drawPicture(**painter, *work.picture);
+    else if (work.refinement)
+      refine(**painter);
     else if (work.labels)
       drawLabels();
     else if (work.preview)

@@ -32,8 +32,10 @@ struct PictureRequest {
   model::Camera camera;
   render::PictureSettings settings;
   render::Fineness fineness;  ///< as in the settings; the picture is shown at the window's size
-  bool moving = false;  ///< camera or section are moving; else they rest, and their picture is
-                        ///< abandoned when they move on
+  bool moving = false;   ///< camera or section are moving; else they rest, and their picture is
+                         ///< abandoned when they move on
+  bool refined = false;  ///< once it is done, as fine as can be, and nothing else asked for a
+                         ///< while, it is drawn again with more samples a pixel
   LabelWish labels;
   std::vector<render::Outline> outlines;  ///< over the picture, around what is selected or meant
 };
@@ -70,6 +72,12 @@ class PicturePainter {
                                                        const std::atomic<bool>& /*unwanted*/) {
     return std::optional<render::Image>();
   }
+  /// Draws the picture again so much larger each way, into a target of that size, with nothing made
+  /// for it that takes long; returns false where it was abandoned. A painter need not.
+  virtual Result<bool> refine(const PictureRequest&, int /*samples*/,
+                              const render::Picture::TargetJob&) {
+    return false;
+  }
   /// Makes ready what a moving camera's pictures need beside this one, which is done; stops early
   /// where `unwanted` is set.
   virtual void makeReady(const PictureRequest&, const std::atomic<bool>& /*unwanted*/) {}
@@ -94,6 +102,9 @@ struct PictureReport {
   LabelSheetPtr labels;    ///< null: they come later, by `labelled`
 };
 
+/// Sets whether pictures are refined, as they are from the beginning; for tests.
+void chooseRefinement(bool on);
+
 class RenderThread : public QThread {
   Q_OBJECT
  public:
@@ -110,6 +121,8 @@ class RenderThread : public QThread {
   void drawn(const sline::widgets::PictureReport& report);
   /// Tells the labels of the newest picture, which came without them.
   void labelled(const sline::widgets::LabelSheetPtr& labels);
+  /// Tells that the picture of that number, which was drawn before, has come with more samples.
+  void refined(std::uint64_t number);
   void previewed(sline::widgets::PreviewsOf asker, int id, const QImage& image);
   void failed(const sline::Error& error);
 
@@ -123,11 +136,14 @@ class RenderThread : public QThread {
     std::optional<PreviewRequest::Preview> preview;
     PreviewsOf asker = PreviewsOf::stages;
     bool labels = false;
+    bool refinement = false;
   };
   Work next();
   /// Does one step towards the labels of a picture that lacks them.
   void drawLabels();
   void drawPicture(PicturePainter& painter, const PictureRequest& request);
+  /// Draws the last picture again, finer; if something else is asked for, later.
+  void refine(PicturePainter& painter);
   void drawPreview(PicturePainter& painter, const PreviewRequest::Preview& preview,
                    PreviewsOf asker);
   Result<bool> draw(PicturePainter& painter, const PictureRequest& request);
@@ -136,6 +152,7 @@ class RenderThread : public QThread {
   LabelDrawer m_labels;
   LabelSheetPtr m_sheet;                       ///< of the picture that was drawn last
   std::optional<PictureRequest> m_unlabelled;  ///< its request, if it has no labels yet
+  std::optional<PictureRequest> m_unrefined;   ///< its request, if it shall be refined
 
   PictureScreen& m_screen;
   PainterFactory m_factory;
@@ -154,6 +171,7 @@ class RenderThread : public QThread {
   std::chrono::steady_clock::time_point m_pictureEnd;
   bool m_quit = false;
   std::optional<PreviewsOf> m_previewing;
+  bool m_refining = false;
   /// The camera of the picture that is being drawn, if it rests.
   std::optional<model::Camera> m_resting;
   std::atomic<bool> m_unwanted = false;

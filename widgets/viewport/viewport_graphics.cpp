@@ -30,6 +30,10 @@ void Viewport::openGraphics() {
   connect(m_thread.get(), &RenderThread::labelled, this, [this](const LabelSheetPtr& sheet) {
     m_labels->took(sheet, m_drawnCamera.value_or(m_camera));
   });
+  connect(m_thread.get(), &RenderThread::refined, this, [this](std::uint64_t number) {
+    if (number == m_asked)
+      m_screen->showNewest();
+  });
   connect(m_thread.get(), &RenderThread::previewed, this, &Viewport::previewed);
   connect(m_thread.get(), &RenderThread::failed, this, &Viewport::failure);
   refresh();
@@ -89,6 +93,8 @@ void Viewport::refresh(model::Scene scene) {
                                       .hurried = m_moving},
                          .fineness = m_askedFineness,
                          .moving = m_moving,
+                         // Where pixels are too small to be seen, so are their stairs.
+                         .refined = devicePixelRatioF() < 1.5,
                          .labels = m_labels->wish(m_moving),
                          .outlines = outlines()};
   m_thread->ask(std::move(request));
