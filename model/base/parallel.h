@@ -13,6 +13,8 @@ namespace detail {
 using ChunkFunction = void (*)(const void* context, std::size_t begin, std::size_t end);
 void parallelChunksErased(std::size_t count, std::size_t grain, ChunkFunction function,
                           const void* context);
+using TaskFunction = void (*)(const void* context);
+void isolatedErased(TaskFunction function, const void* context);
 }  // namespace detail
 
 /// Calls body(begin, end) for disjoint ranges that together cover [0, count); ranges hold about
@@ -34,6 +36,14 @@ void parallelFor(std::size_t count, std::size_t grain, const Body& body) {
     for (std::size_t i = begin; i < end; ++i)
       body(i);
   });
+}
+
+/// Runs the body. While a thread waits for the loops in it, it takes up nothing from outside, as it
+/// may elsewhere: a lock that is held over a loop would be locked again by the same thread.
+template <class Body>
+void isolated(const Body& body) {
+  detail::isolatedErased([](const void* context) { (*static_cast<const Body*>(context))(); },
+                         &body);
 }
 
 }  // namespace sline

@@ -10,4 +10,8 @@ void parallelChunksErased(std::size_t count, std::size_t /*grain*/, ChunkFunctio
     function(context, 0, count);
 }
 
+void isolatedErased(TaskFunction function, const void* context) {
+  function(context);
+}
+
 }  // namespace sline::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include "model/base/parallel.h"
 
@@ -17,6 +18,10 @@ void parallelChunksErased(std::size_t count, std::size_t grain, ChunkFunction fu
   oneapi::tbb::parallel_for(
       oneapi::tbb::blocked_range<std::size_t>(0, count, grain),
       [function, context](const auto& range) { function(context, range.begin(), range.end()); });
+}
+
+void isolatedErased(TaskFunction function, const void* context) {
+  oneapi::tbb::this_task_arena::isolate([=] { function(context); });
 }
 
 }  // namespace sline::detail

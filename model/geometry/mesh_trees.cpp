@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "model/base/parallel.h"
 #include "model/geometry/spatial_order.h"
 
 namespace sline::model {
@@ -51,7 +52,7 @@ BvhPtr treeOf(const MeshPtr& mesh) {
   const std::lock_guard lock(place->making);
   BvhPtr tree = place->tree.lock();
   if (!tree) {
-    tree = std::make_shared<const Bvh>(mesh, spatialOrder(*mesh));
+    isolated([&] { tree = std::make_shared<const Bvh>(mesh, spatialOrder(*mesh)); });
     place->tree = tree;
   }
   return tree;

@@ -131,9 +131,10 @@ class CrossingCounter {
     }
   };
 
+  /// Places outside are in the nearest cell; those of a piece without size in the first.
   Cell cellAt(const glm::vec2& place) const {
-    const glm::vec2 at =
-        glm::clamp((place - m_low) * m_scale, glm::vec2(0.0f), glm::vec2(float(m_side - 1)));
+    const glm::vec2 inside = glm::max(glm::vec2(0.0f), (place - m_low) * m_scale);
+    const glm::vec2 at = glm::min(glm::vec2(float(m_side - 1)), inside);
     return {std::uint32_t(at.x), std::uint32_t(at.y)};
   }
   Cells cellsOf(std::uint32_t triangle) const {

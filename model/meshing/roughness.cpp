@@ -96,14 +96,20 @@ double strongestNear(std::span<const glm::vec3> positions, int axis, double k, d
         here = other;
         frequency = at / length;
       }
+  double strongest = frequency;
+  double most = here.power;
   for (int step = 0; step < mostSteps && here.bend < 0.0; ++step) {
     const double before = frequency;
     frequency = std::clamp(frequency - here.gradient / here.bend, low, high);
+    here = waveAt(positions, axis, frequency);
+    if (here.power > most) {
+      most = here.power;
+      strongest = frequency;
+    }
     if (std::abs(frequency - before) < 1e-8 * frequency)
       break;
-    here = waveAt(positions, axis, frequency);
   }
-  return frequency;
+  return strongest;
 }
 
 struct Period {

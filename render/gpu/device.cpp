@@ -181,10 +181,11 @@ void Device::copyDepth(const Target& from, const Target& to, const PixelRect& ar
 
 void Device::copyColour(const Target& from, const PixelRect& area, const Target& to,
                         const PixelRect& place) {
-  assert(area.width == place.width && area.height == place.height);
+  const bool halved = area.width == 2 * place.width && area.height == 2 * place.height;
+  assert(halved || (area.width == place.width && area.height == place.height));
   bindCopy(from, to);
   glBlitFramebuffer(area.x, area.y, area.right(), area.top(), place.x, place.y, place.right(),
-                    place.top(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+                    place.top(), GL_COLOR_BUFFER_BIT, halved ? GL_LINEAR : GL_NEAREST);
 }
 
 void Device::read(const Target& target, const PixelRect& area, std::span<std::byte> rgba) {

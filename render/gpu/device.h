@@ -54,7 +54,8 @@ class Device {
 
   /// Copies depth to the same place of another target.
   void copyDepth(const Target& from, const Target& to, const PixelRect& area);
-  /// Copies the first colour texture's area to another target; both areas have one size.
+  /// Copies the first colour texture's area to another target: to an area as large, or half as
+  /// large each way, of which each pixel is the mean of four.
   void copyColour(const Target& from, const PixelRect& area, const Target& to,
                   const PixelRect& place);
   /// Reads the first colour texture as 8-bit RGBA rows from the bottom, tightly packed.

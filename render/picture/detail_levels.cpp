@@ -33,8 +33,8 @@ float leastPixel(const DrawnStructure& shown, const PictureView& view) {
 
 Coarseness allowedCoarseness(const DrawnStructure& shown, const PictureView& view,
                              const PictureSettings& settings) {
-  return {.edge = gammaVaries(shown.style) ? 0.0f : leastPixel(shown, view) * shownEdge,
-          .hurried = settings.hurried};
+  const float edge = leastPixel(shown, view) * shownEdge * float(settings.samples);
+  return {.edge = gammaVaries(shown.style) ? 0.0f : edge, .hurried = settings.hurried};
 }
 
 Coarseness sampledCoarseness(const DrawnStructure& shown, const PictureView& view,

@@ -29,7 +29,9 @@ struct Output {
   const PicturePieces* pieces = nullptr;
   const std::atomic<bool>* unwanted = nullptr;
   std::span<const Outline> outlines = {};
-  bool aside = false;  ///< it is not one of those that are drawn again and again
+  bool aside = false;  ///< not one of those that are drawn again and again; it has little room
+  int samples = 1;     ///< each way, for each pixel of the target
+  bool over = false;   ///< the target keeps what it has, under the outlines
 };
 
 /// What a picture shows, and from where.
@@ -211,15 +213,19 @@ Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
                        "the structures of this scene do not fit into the memory set aside "
                        "for a picture, not even piece by piece",
                    .remedy = "Hide some structures"};
-    const auto [first, second] = halves(region, output.pieces ? output.pieces->grid : 1);
+    const auto [first, second] =
+        halves(region, output.pieces ? output.pieces->grid : output.samples);
     for (const PixelRect& half : {first, second})
       if (Status s = paint(input, half, stopwatch, output); !s || givenUp)
         return s;
     return Unit{};
   }
   layersDrawn += used.painter->layersDrawn();
-  if (output.target)
-    device->copyColour(*canvas.target, {0, 0, region.width, region.height}, *output.target, region);
+  if (output.target && !output.over) {
+    const int n = output.samples;
+    device->copyColour(*canvas.target, {0, 0, region.width, region.height}, *output.target,
+                       {region.x / n, region.y / n, region.width / n, region.height / n});
+  }
   for (const Outline& outline : output.outlines)
     if (Status s = used.painter->outline(*device, input, region, *output.target, outline); !s)
       return s;
@@ -260,7 +266,8 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   const model::KeyLight own = scene.keyLight().value_or(model::KeyLight());
   Stopwatch stopwatch;
   std::map<model::NodeId, StructureLines> lines;
-  const bool whole = !output.pieces && std::max(settings.width, settings.height) <= regionSide();
+  const bool whole =
+      !output.pieces && !output.aside && std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
   for (const PreparedStructure& s : visible)
     s.cached->scales.hurry(settings.hurried);
@@ -284,9 +291,11 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   const bool makeshift =
       std::any_of(visible.begin(), visible.end(),
                   [](const PreparedStructure& s) { return s.cached->scales.lacks(); });
-  // The next picture shall not keep what lacks something.
-  if (makeshift)
+  // The next picture shall not keep what lacks something, and none is drawn again to lack it.
+  if (makeshift) {
     easel(output).painter->forget();
+    givenUp = givenUp || output.aside;
+  }
   if (!output.aside) {
     timings = stopwatch.done();
     timings.layersDrawn = layersDrawn;
@@ -369,12 +378,31 @@ Status Picture::draw(const model::Scene& scene, const model::Camera& camera,
 Result<bool> Picture::drawInto(const TargetJob& job, const model::Scene& scene,
                                const model::Camera& camera, const PictureSettings& settings) {
   assert(job.target.size() == (gpu::TextureSize{settings.width, settings.height}));
-  const Output output{.target = &job.target,
-                      .unwanted = job.unwanted,
-                      .outlines = job.outlines,
-                      .aside = job.aside};
+  const Output output{.target = &job.target, .unwanted = job.unwanted, .outlines = job.outlines};
   if (Status s = m_data->picture(scene, camera, settings, output); !s)
     return s.error();
+  m_data->device->finish();
+  return !m_data->givenUp;
+}
+
+Result<bool> Picture::refineInto(const TargetJob& job, const model::Scene& scene,
+                                 const model::Camera& camera, const PictureSettings& settings) {
+  PictureSettings finer = settings;
+  finer.samples = 2;
+  finer.width *= finer.samples;
+  finer.height *= finer.samples;
+  finer.hurried = true;
+  const Output large{
+      .target = &job.target, .unwanted = job.unwanted, .aside = true, .samples = finer.samples};
+  if (Status s = m_data->picture(scene, camera, finer, large); !s)
+    return s.error();
+  if (!m_data->givenUp && !job.outlines.empty()) {
+    // Their width is at most some pixels: more samples would not be seen. Layers are those kept.
+    const Output outlines{
+        .target = &job.target, .unwanted = job.unwanted, .outlines = job.outlines, .over = true};
+    if (Status s = m_data->picture(scene, camera, settings, outlines); !s)
+      return s.error();
+  }
   m_data->device->finish();
   return !m_data->givenUp;
 }

@@ -127,11 +127,13 @@ class Picture {
     /// Set from another thread when the picture is no longer wanted; may be null.
     const std::atomic<bool>* unwanted = nullptr;
     std::span<const Outline> outlines = {};  ///< drawn over the picture, the last on top
-    /// What is kept between pictures stays as it is, as it does for a preview.
-    bool aside = false;
   };
   Result<bool> drawInto(const TargetJob& job, const model::Scene& scene,
                         const model::Camera& camera, const PictureSettings& settings);
+  /// Does the same with four samples for each pixel, where the picture was drawn before: what is
+  /// kept for the next one stays, and nothing is made that takes long.
+  Result<bool> refineInto(const TargetJob& job, const model::Scene& scene,
+                          const model::Camera& camera, const PictureSettings& settings);
   /// Draws a small picture beside those that are drawn again and again: it shares their surfaces,
   /// and what they keep from one to the next stays good. It returns nothing where it was given up.
   Result<std::optional<Image>> preview(const model::Scene& scene, const model::Camera& camera,

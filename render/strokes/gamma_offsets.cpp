@@ -117,14 +117,18 @@ std::shared_ptr<const std::vector<float>> GammaFields::fromPlace(
 GammaOffsetsPtr GammaFields::at(const model::Surface& surface, const model::GammaMap& map,
                                 const std::vector<model::MeshPtr>& targets) {
   const std::lock_guard lock(m_mutex);
-  const auto values =
-      map.place ? fromPlace(surface, map, targets) : field(surface, map.scalar, targets);
+  std::shared_ptr<const std::vector<float>> values;
+  isolated([&] {
+    values = map.place ? fromPlace(surface, map, targets) : field(surface, map.scalar, targets);
+  });
   for (const Curve& known : m_curves)
     if (known.values == values && known.points == map.curve)
       return known.offsets;
   GammaOffsets offsets(values->size());
-  parallelFor(offsets.size(), 16384,
-              [&](std::size_t v) { offsets[v] = map.offsetAt((*values)[v]); });
+  isolated([&] {
+    parallelFor(offsets.size(), 16384,
+                [&](std::size_t v) { offsets[v] = map.offsetAt((*values)[v]); });
+  });
   if (m_curves.size() >= mostCurves)
     m_curves.erase(m_curves.begin());
   m_curves.push_back({values, map.curve, std::make_shared<const GammaOffsets>(std::move(offsets))});

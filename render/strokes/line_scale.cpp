@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "model/base/parallel.h"
 #include "model/fairing/faired.h"
 #include "model/geometry/edge_length.h"
 
@@ -103,12 +104,14 @@ model::SurfacePtr LineScales::level(const model::SurfacePtr& surface, int level)
     const bool lowIsFarther = level - m_levels.begin()->first > m_levels.rbegin()->first - level;
     m_levels.erase(lowIsFarther ? m_levels.begin() : std::prev(m_levels.end()));
   }
-  const model::Mesh& source = m_finer.mesh ? *m_finer.mesh : *surface->mesh;
-  const model::MeshPtr shape = model::withoutSmallForms(source, deviationOf(*surface, level));
-  return m_levels
-      .emplace(level, m_finer.mesh ? model::reshapedSurface(*surface, *shape, m_finer.vertices)
-                                   : model::reshapedSurface(*surface, *shape))
-      .first->second;
+  model::SurfacePtr made;
+  isolated([&] {
+    const model::Mesh& source = m_finer.mesh ? *m_finer.mesh : *surface->mesh;
+    const model::MeshPtr shape = model::withoutSmallForms(source, deviationOf(*surface, level));
+    made = m_finer.mesh ? model::reshapedSurface(*surface, *shape, m_finer.vertices)
+                        : model::reshapedSurface(*surface, *shape);
+  });
+  return m_levels.emplace(level, std::move(made)).first->second;
 }
 
 }  // namespace sline::render

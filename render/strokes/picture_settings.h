@@ -46,6 +46,8 @@ struct PictureSettings {
   /// Surfaces are drawn with one pixel for so many of the picture each way, 1 … 4, as is enough
   /// while they move; lines are as sharp as ever. Graphics cards draw as with 1.
   int surfaceStep = 1;
+  /// The picture will be reduced by so much each way: surfaces need be no finer than for that.
+  int samples = 1;
   /// Nothing is prepared that takes long and that a picture can do without, as while the camera
   /// moves: lines may be found at another scale of a surface (PictureTimings::makeshift).
   bool hurried = false;

@@ -33,12 +33,12 @@ class WatchedPainter : public widgets::PicturePainter {
                      const render::Picture::TargetJob& job) override {
     return m_painter->paint(request, job);
   }
-  Result<bool> refine(const widgets::PictureRequest& request, int samples,
+  Result<bool> refine(const widgets::PictureRequest& request,
                       const render::Picture::TargetJob& job) override {
     ++m_watch->begun;
     while (m_watch->waits && !*job.unwanted)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    const Result<bool> done = m_painter->refine(request, samples, job);
+    const Result<bool> done = m_painter->refine(request, job);
     ++(done && *done ? m_watch->done : m_watch->abandoned);
     return done;
   }

@@ -26,7 +26,7 @@ class DriverScreen : public QOpenGLWidget, public PictureScreen {
   Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) override {
     return m_handoff->begin(size);
   }
-  void publish(std::uint64_t number, int /*samples*/) override { m_handoff->publish(number); }
+  void publish(std::uint64_t number) override { m_handoff->publish(number); }
   void releaseDrawing() override { m_handoff->releaseDrawing(); }
 
  protected:

@@ -50,8 +50,8 @@ class PictureScreen {
   /// Drawing side: returns a target of that size; declares it drawn, after which the next
   /// `showNewest` shows it; and releases everything, the context being current.
   virtual Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) = 0;
-  /// A picture may have several `samples` a pixel each way.
-  virtual void publish(std::uint64_t number, int samples = 1) = 0;
+  /// The same number may come again, with a better picture.
+  virtual void publish(std::uint64_t number) = 0;
   virtual void releaseDrawing() = 0;
 };
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <mutex>
-#include <vector>
 
 #include "render/gpu/readback.h"
 #include "widgets/viewport/picture_screen.h"
@@ -24,7 +23,7 @@ class PlainScreen : public QWidget, public PictureScreen {
   QImage picture() override;
 
   Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) override;
-  void publish(std::uint64_t number, int samples) override;
+  void publish(std::uint64_t number) override;
   void releaseDrawing() override { m_readback.release(); }
 
  protected:
@@ -52,7 +51,6 @@ class PlainScreen : public QWidget, public PictureScreen {
   // The drawing side's own.
   render::gpu::Readback m_readback;
   render::gpu::TextureSize m_size;
-  std::vector<std::uint32_t> m_samples;
   std::uint64_t m_turn = 0;
   Numbered m_drawn;
 };

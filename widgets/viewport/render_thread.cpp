@@ -29,13 +29,9 @@ class RendererPainter : public PicturePainter {
                                                const std::atomic<bool>& unwanted) override {
     return m_picture->preview(preview.scene, preview.camera, preview.settings, &unwanted);
   }
-  Result<bool> refine(const PictureRequest& request, int samples,
+  Result<bool> refine(const PictureRequest& request,
                       const render::Picture::TargetJob& job) override {
-    render::PictureSettings finer = request.settings;
-    finer.width *= samples;
-    finer.height *= samples;
-    finer.hurried = true;
-    return m_picture->drawInto(job, request.scene, request.camera, finer);
+    return m_picture->refineInto(job, request.scene, request.camera, request.settings);
   }
   void makeReady(const PictureRequest& request, const std::atomic<bool>& unwanted) override {
     render::PictureSettings moving = request.settings;
@@ -207,28 +203,19 @@ void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& re
 }
 
 void RenderThread::refine(PicturePainter& painter) {
-  constexpr int samples = 2;
-  const PictureRequest request = *std::exchange(m_unrefined, std::nullopt);
-  std::vector<render::Outline> outlines = request.outlines;
-  for (render::Outline& outline : outlines) {
-    outline.width *= float(samples);
-    outline.casingWidth *= float(samples);
-  }
   try {
-    const auto target = m_screen.begin(
-        {.width = samples * request.settings.width, .height = samples * request.settings.height});
+    const PictureRequest request = *std::exchange(m_unrefined, std::nullopt);
+    const auto target =
+        m_screen.begin({.width = request.settings.width, .height = request.settings.height});
     // Without it the picture is only less smooth, which is not worth a message.
     if (!target)
       return;
     const Result<bool> done = painter.refine(
-        request, samples,
-        {.target = **target, .unwanted = &m_unwanted, .outlines = outlines, .aside = true});
-    if (!done)
-      return;
-    if (*done) {
-      m_screen.publish(request.number, samples);
+        request, {.target = **target, .unwanted = &m_unwanted, .outlines = request.outlines});
+    if (done && *done) {
+      m_screen.publish(request.number);
       emit refined(request.number);
-    } else if (m_unwanted) {
+    } else if (done && m_unwanted) {
       // It may have made way for a preview.
       m_unrefined = request;
     }

@@ -72,10 +72,9 @@ class PicturePainter {
                                                        const std::atomic<bool>& /*unwanted*/) {
     return std::optional<render::Image>();
   }
-  /// Draws the picture again so much larger each way, into a target of that size, with nothing made
-  /// for it that takes long; returns false where it was abandoned. A painter need not.
-  virtual Result<bool> refine(const PictureRequest&, int /*samples*/,
-                              const render::Picture::TargetJob&) {
+  /// Draws the picture again with more samples for each pixel; returns false where it was
+  /// abandoned. A painter need not.
+  virtual Result<bool> refine(const PictureRequest&, const render::Picture::TargetJob&) {
     return false;
   }
   /// Makes ready what a moving camera's pictures need beside this one, which is done; stops early
