@@ -40,14 +40,20 @@ class GatedPainter : public widgets::PicturePainter {
   std::shared_ptr<Gate> m_gate;
 };
 
-inline widgets::PainterFactory gated(const std::shared_ptr<Gate>& gate) {
-  return [gate]() -> Result<std::unique_ptr<widgets::PicturePainter>> {
+/// Makes painters that stand before the renderer, of a class that takes it and what steers it.
+template <class Painter, class Steered>
+widgets::PainterFactory rendererBehind(const std::shared_ptr<Steered>& steered) {
+  return [steered]() -> Result<std::unique_ptr<widgets::PicturePainter>> {
     auto painter = widgets::makePicturePainter();
     if (!painter)
       return painter.error();
     return std::unique_ptr<widgets::PicturePainter>(
-        std::make_unique<GatedPainter>(std::move(*painter), gate));
+        std::make_unique<Painter>(std::move(*painter), steered));
   };
+}
+
+inline widgets::PainterFactory gated(const std::shared_ptr<Gate>& gate) {
+  return rendererBehind<GatedPainter>(gate);
 }
 
 }  // namespace sline::test

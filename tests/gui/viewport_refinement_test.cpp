@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "model/edit/look.h"
+#include "tests/gui/gated_painter.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
 
@@ -49,16 +50,6 @@ class WatchedPainter : public widgets::PicturePainter {
   std::shared_ptr<Watch> m_watch;
 };
 
-widgets::PainterFactory watched(const std::shared_ptr<Watch>& watch) {
-  return [watch]() -> Result<std::unique_ptr<widgets::PicturePainter>> {
-    auto painter = widgets::makePicturePainter();
-    if (!painter)
-      return painter.error();
-    return std::unique_ptr<widgets::PicturePainter>(
-        std::make_unique<WatchedPainter>(std::move(*painter), watch));
-  };
-}
-
 double apart(QRgb a, QRgb b) {
   return std::hypot(qRed(a) - qRed(b), qGreen(a) - qGreen(b), qBlue(a) - qBlue(b));
 }
@@ -91,7 +82,7 @@ class ViewportRefinementTest : public QObject {
   void aPictureAtRestComesFiner() {
     const auto watch = std::make_shared<Watch>();
     watch->waits = true;
-    WindowFixture f(watched(watch));
+    WindowFixture f(rendererBehind<WatchedPainter>(watch));
     widgets::chooseRefinement(true);
     QVERIFY(f.drop(m_body.path()));
     QVERIFY(f.settled());
@@ -122,7 +113,7 @@ class ViewportRefinementTest : public QObject {
   void movingOnGivesItUp() {
     const auto watch = std::make_shared<Watch>();
     watch->waits = true;
-    WindowFixture f(watched(watch));
+    WindowFixture f(rendererBehind<WatchedPainter>(watch));
     widgets::chooseRefinement(true);
     QVERIFY(f.drop(m_body.path()));
     QVERIFY(f.settled());
@@ -144,7 +135,7 @@ class ViewportRefinementTest : public QObject {
   /// What is kept of the layers stays, so that the next change draws one layer.
   void layersAreKept() {
     const auto watch = std::make_shared<Watch>();
-    WindowFixture f(watched(watch));
+    WindowFixture f(rendererBehind<WatchedPainter>(watch));
     widgets::chooseRefinement(true);
     QVERIFY(f.drop(m_body.path()));
     QVERIFY(f.settled());

@@ -154,7 +154,11 @@ class DetailLevelsTest : public QObject {
     const float once = allowed(slantedCamera(), 400.0f);
     QVERIFY(once > 0.0f);
     QVERIFY(std::abs(allowed(slantedCamera(), 800.0f) / once - 0.5f) < 0.01f);
-    // A moving picture shows the same one.
+    // One that will be reduced again shows the same one.
+    settings.samples = 2;
+    QVERIFY(std::abs(allowed(slantedCamera(), 800.0f) / once - 1.0f) < 0.01f);
+    settings.samples = 1;
+    // So does a moving one.
     settings.surfaceStep = 3;
     QCOMPARE(allowed(slantedCamera(), 400.0f), once);
     settings.surfaceStep = 1;
