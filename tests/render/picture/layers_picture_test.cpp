@@ -30,6 +30,7 @@ class LayersPictureTest : public QObject {
   void piecesGiveTheSamePicture();
   void targetsGetTheSamePicture_data();
   void targetsGetTheSamePicture();
+  void refinedTargetsAreReduced();
   void drawsWhatIsLeftOfNothing();
   void whatTouchesHidesNoOutline();
   void refusesBadRequests();
@@ -324,6 +325,40 @@ void LayersPictureTest::targetsGetTheSamePicture() {
     for (int x = 0; x < 4 * size.width; ++x)
       QCOMPARE(int(rows[std::size_t(size.height - 1 - y) * 4 * size.width + x]),
                int(image->rgba[std::size_t(y) * 4 * size.width + x]));
+}
+
+/// It is the picture of four samples a pixel, as exports have it, and what was kept stays.
+void LayersPictureTest::refinedTargetsAreReduced() {
+  const auto drawn = render::Picture::create();
+  QVERIFY(drawn.ok());
+  render::Picture& picture = **drawn;
+  const model::Scene scene = sceneOf(heap());
+  const auto expected = picture.render(scene, camera(), settings, 2);
+  const auto plain = picture.render(scene, camera(), settings);
+  QVERIFY(expected.ok() && plain.ok());
+
+  using namespace render::gpu;
+  const TextureSize size{.width = settings.width, .height = settings.height};
+  const Texture pixels(TextureFormat::rgba8, size, "pixels");
+  const auto target = Target::create({{&pixels}, nullptr}, "pixels");
+  const auto device = Device::create();
+  QVERIFY(target.ok() && device.ok());
+  std::atomic<bool> unwanted = true;
+  const auto none = picture.refineInto({**target, &unwanted}, scene, camera(), settings);
+  QVERIFY(none.ok() && !*none);
+  unwanted = false;
+  const auto done = picture.refineInto({**target, &unwanted}, scene, camera(), settings);
+  QVERIFY(done.ok() && *done);
+  std::vector<std::byte> rows(std::size_t(size.width) * size.height * 4);
+  (*device)->read(**target, {0, 0, size.width, size.height}, rows);
+  render::Image refined{.width = size.width, .height = size.height, .rgba = {}};
+  for (int y = size.height; y-- > 0;)
+    for (int x = 0; x < 4 * size.width; ++x)
+      refined.rgba.push_back(std::uint8_t(rows[std::size_t(y) * 4 * size.width + x]));
+  QVERIFY(difference(refined, *expected).largest <= 1);
+  QVERIFY(difference(refined, *plain).largest > 32);
+  QVERIFY(picture.draw(scene, camera(), settings).ok());
+  QCOMPARE(picture.timings().layersDrawn, 0);
 }
 
 void LayersPictureTest::drawsWhatIsLeftOfNothing() {
