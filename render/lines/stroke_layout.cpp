@@ -264,13 +264,16 @@ StrokeSpacing::Mark StrokeLayout::markAt(const SurfacePoint& place) const {
 }
 
 void StrokeLayout::mark(const LaidTile& tile, const LaidStroke& stroke, float distance,
-                        StrokeSpacing& taken) const {
-  StrokeSpacing::Mark last = markAt(at(tile.points[stroke.first]));
+                        StrokeSpacing& taken) {
+  const auto markOf = [&](std::size_t point) -> StrokeSpacing::Mark {
+    return {tile.position(stroke, point), tile.normal(stroke, point)};
+  };
+  StrokeSpacing::Mark last = markOf(0);
   taken.add(last);
-  for (std::uint32_t i = stroke.first + 1; i < stroke.first + stroke.count; ++i) {
-    const StrokeSpacing::Mark next = markAt(at(tile.points[i]));
+  for (std::size_t i = 1; i < stroke.count; ++i) {
+    const StrokeSpacing::Mark next = markOf(i);
     const float apart = glm::distance(next.position, last.position);
-    if (apart < markStep * distance && i + 1 < stroke.first + stroke.count)
+    if (apart < markStep * distance && i + 1 < stroke.count)
       continue;
     const int pieces = std::max(1, int(std::ceil(apart / (markStep * distance))));
     for (int k = 1; k <= pieces; ++k)

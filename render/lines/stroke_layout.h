@@ -188,8 +188,8 @@ class StrokeLayout {
   LaidTile lay(const KeptCell& known);
   void markAround(const LaidCell& cell, const model::Box& box, StrokeSpacing& taken);
   StrokeSpacing::Mark markAt(const SurfacePoint& place) const;
-  void mark(const LaidTile& tile, const LaidStroke& stroke, float distance,
-            StrokeSpacing& taken) const;
+  static void mark(const LaidTile& tile, const LaidStroke& stroke, float distance,
+                   StrokeSpacing& taken);
 
   model::SurfacePtr m_surface;
   std::vector<std::uint32_t> m_slots;  ///< of each triangle, in Clusters::triangles

@@ -163,15 +163,8 @@ void StrokeLayout::Placer::place(const PlacedSeed& seed) {
 LaidTile StrokeLayout::Placer::take() {
   m_tile.points.shrink_to_fit();
   m_tile.strokes.shrink_to_fit();
-  std::uint32_t rows = 0;
-  for (LaidStroke& stroke : m_tile.strokes) {
-    stroke.firstRow = rows;
-    rows += stroke.rowLength();
-  }
-  m_tile.positions.resize(3 * std::size_t(rows));
-  m_tile.shape.resize(LaidTile::shapeRows * rows);
-  for (LaidStroke& stroke : m_tile.strokes)
-    describe(stroke);
+  m_tile.positions.shrink_to_fit();
+  m_tile.shape.shrink_to_fit();
   return std::move(m_tile);
 }
 
@@ -197,21 +190,26 @@ void StrokeLayout::Placer::keep(const PlacedSeed& seed) {
   LaidStroke stroke{.seed = seed.name,
                     .first = std::uint32_t(m_tile.points.size()),
                     .count = std::uint32_t(m_points.size()),
-                    .seedPoint = m_seedPoint};
+                    .seedPoint = m_seedPoint,
+                    .firstRow = m_rows};
   for (const SurfacePoint& at : m_points)
     m_tile.points.push_back(packed(at));
+  describe(stroke);
   m_tile.strokes.push_back(stroke);
-  m_layout.mark(m_tile, stroke, m_distance, m_taken);
+  mark(m_tile, stroke, m_distance, m_taken);
 }
 
-/// Fills the rows of the stroke's points, and bounds them.
+/// Appends the rows of the stroke's points, and bounds them.
 void StrokeLayout::Placer::describe(LaidStroke& stroke) {
   const std::size_t count = stroke.count;
   const std::size_t row = stroke.rowLength();
+  m_rows += stroke.rowLength();
+  m_tile.positions.resize(3 * std::size_t(m_rows));
+  m_tile.shape.resize(LaidTile::shapeRows * m_rows);
   float* positions = m_tile.positions.data() + 3 * std::size_t(stroke.firstRow);
   std::int16_t* shape = m_tile.shape.data() + LaidTile::shapeRows * stroke.firstRow;
   const auto rounded = [](float number) { return std::int16_t(std::lround(number)); };
-  std::vector<std::array<float, 6>> bendings(count);
+  m_bendings.resize(count);
   model::Box box;
   float largest = 0.0f;
   glm::vec3 sum(0.0f);
@@ -224,8 +222,8 @@ void StrokeLayout::Placer::describe(LaidStroke& stroke) {
       positions[axis * row + i] = mark.position[glm::length_t(axis)];
       shape[axis * row + i] = rounded(LaidTile::normalSteps * mark.normal[glm::length_t(axis)]);
     }
-    bendings[i] = bendingAt(m_layout.surface(), at);
-    for (const float number : bendings[i])
+    m_bendings[i] = bendingAt(m_layout.surface(), at);
+    for (const float number : m_bendings[i])
       largest = std::max(largest, std::abs(number));
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -235,8 +233,8 @@ void StrokeLayout::Placer::describe(LaidStroke& stroke) {
   stroke.bendingStep = largest / LaidTile::normalSteps;
   const float steps = largest > 0.0f ? LaidTile::normalSteps / largest : 0.0f;
   for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < bendings[i].size(); ++k)
-      shape[(3 + k) * row + i] = rounded(steps * bendings[i][k]);
+    for (std::size_t k = 0; k < m_bendings[i].size(); ++k)
+      shape[(3 + k) * row + i] = rounded(steps * m_bendings[i][k]);
   const float length = glm::length(sum);
   if (!(length > 0.0f))
     return;

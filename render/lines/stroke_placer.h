@@ -2,6 +2,7 @@
 // Lays the strokes of one cube of a surface.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -41,6 +42,8 @@ class StrokeLayout::Placer {
   std::vector<SurfacePoint> m_points;
   std::vector<Own> m_marks;
   std::uint32_t m_seedPoint = 0;
+  std::uint32_t m_rows = 0;  ///< how long those of the tile's strokes are together
+  std::vector<std::array<float, 6>> m_bendings;
   LaidTile m_tile;
 };
 
