@@ -2,7 +2,6 @@
 #include "model/fairing/bounded_relaxation.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "model/base/parallel.h"
@@ -13,12 +12,12 @@ namespace sline::model {
 namespace {
 
 /// Returns where the vertex may go of where it went.
-template <class Vector>
-Vector limited(const Vector& after, const Vector& before, float limit) {
-  const Vector move = after - before;
-  const float length = glm::length(move);
-  if (length <= limit)
+[[gnu::always_inline]] inline Lanes limited(Lanes after, Lanes before, float limit) {
+  const Lanes move = after - before;
+  const float squared = move[0] * move[0] + move[1] * move[1] + move[2] * move[2];
+  if (squared <= limit * limit)
     return after;
+  const float length = std::sqrt(squared);
   return length > 0.0f && std::isfinite(length) ? before + move * (limit / length) : before;
 }
 
@@ -26,8 +25,9 @@ Vector limited(const Vector& after, const Vector& before, float limit) {
 
 void limitMoves(std::vector<glm::vec3>& after, std::span<const glm::vec3> before,
                 std::span<const float> limits) {
-  parallelFor(after.size(), 3072,
-              [&](std::size_t v) { after[v] = limited(after[v], before[v], limits[v]); });
+  parallelFor(after.size(), 3072, [&](std::size_t v) {
+    after[v] = narrowed(limited(widened(after[v]), widened(before[v]), limits[v]));
+  });
 }
 
 void relaxWithin(std::vector<glm::vec3>& positions, std::span<const glm::vec3> before,
@@ -35,18 +35,17 @@ void relaxWithin(std::vector<glm::vec3>& positions, std::span<const glm::vec3> b
   constexpr int rounds = 20;
   constexpr float shrink = 0.6307f;  // Taubin's example: pass band 0.1
   constexpr float inflate = -0.6732f;
-  std::vector<glm::vec4> now = widened(positions);
-  std::vector<glm::vec4> next(now.size());
-  const auto stepped = [&](std::size_t v, float weight) {
-    return rings.onBorder(v) || rings[v].empty()
-               ? now[v]
-               : now[v] + weight * (ringMean(now, rings[v]) - now[v]);
+  std::vector<Lanes> now = widened(positions);
+  std::vector<Lanes> next(now.size());
+  const auto stepped = [&](std::size_t v, const auto& ring, float weight) {
+    return rings.onBorder(v) || ring.empty() ? now[v]
+                                             : now[v] + weight * (ringMean(now, ring) - now[v]);
   };
   for (int round = 0; round < rounds; ++round) {
-    parallelFor(now.size(), 3072, [&](std::size_t v) { next[v] = stepped(v, shrink); });
+    rings.forEach([&](std::size_t v, const auto& ring) { next[v] = stepped(v, ring, shrink); });
     std::swap(now, next);
-    parallelFor(now.size(), 3072, [&](std::size_t v) {
-      next[v] = limited(stepped(v, inflate), glm::vec4(before[v], 0.0f), limits[v]);
+    rings.forEach([&](std::size_t v, const auto& ring) {
+      next[v] = limited(stepped(v, ring, inflate), widened(before[v]), limits[v]);
     });
     std::swap(now, next);
   }

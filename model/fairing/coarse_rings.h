@@ -35,7 +35,7 @@ class CoarseRings {
 
 template <class Value>
 std::vector<Value> CoarseRings::means(const std::vector<Value>& values) const {
-  std::vector<Value> means(m_rings.vertexCount(), Value(0.0f));
+  std::vector<Value> means(m_rings.vertexCount(), Value{});
   std::vector<std::uint32_t> counts(means.size(), 0);
   for (std::size_t v = 0; v < values.size(); ++v) {
     means[m_groups[v]] += values[v];

@@ -2,9 +2,17 @@
 #include "model/fairing/vertex_rings.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace sline::model {
+
+namespace {
+// Vertices are put in another order only within blocks of so many, which lie together in memory.
+constexpr std::size_t blockSize = 1024;
+constexpr std::size_t longestCounted = 31;
+}  // namespace
 
 VertexRings::VertexRings(std::size_t vertexCount, std::span<const Triangle> triangles,
                          const HalfEdges& edges)
@@ -32,6 +40,30 @@ VertexRings::VertexRings(std::size_t vertexCount, std::span<const Triangle> tria
     m_neighbours[m_first[a + 1]++] = b;
     m_neighbours[m_first[b + 1]++] = a;
   });
+  findOrder();
+}
+
+VertexRings::VertexRings(std::vector<std::uint32_t> first, std::vector<std::uint32_t> neighbours,
+                         std::vector<char> border)
+    : m_first(std::move(first)), m_neighbours(std::move(neighbours)), m_border(std::move(border)) {
+  findOrder();
+}
+
+void VertexRings::findOrder() {
+  m_order.resize(vertexCount());
+  const auto counted = [this](std::size_t v) {
+    return std::min((*this)[v].size(), longestCounted);
+  };
+  for (std::size_t begin = 0; begin < m_order.size(); begin += blockSize) {
+    const std::size_t end = std::min(begin + blockSize, m_order.size());
+    std::array<std::size_t, longestCounted + 2> place{begin};
+    for (std::size_t v = begin; v < end; ++v)
+      ++place[counted(v) + 1];
+    for (std::size_t length = 1; length < place.size(); ++length)
+      place[length] += place[length - 1];
+    for (std::size_t v = begin; v < end; ++v)
+      m_order[place[counted(v)]++] = std::uint32_t(v);
+  }
 }
 
 float VertexRings::meanEdge(std::span<const glm::vec3> positions) const {

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec4.hpp>
 #include <numbers>
 #include <utility>
 
-#include "model/base/parallel.h"
 #include "model/fairing/coarse_rings.h"
 #include "model/fairing/wide_vectors.h"
 
@@ -16,7 +14,6 @@ namespace sline::model {
 
 namespace {
 
-constexpr std::size_t grain = 3072;
 // Beyond this deviation, in edges, a Gaussian looks at groups of vertices.
 constexpr double farthestFine = 6.0;
 // How much longer than edges the ways between groups must be.
@@ -90,24 +87,24 @@ std::vector<Value> filtered(std::vector<Value> before, const VertexRings& rings,
   // over the ring.
   std::vector<Value> now(count);
   std::vector<Value> sum(count);
-  const auto isFixed = [&](std::size_t v) {
-    return rings[v].empty() || (borders == Borders::stay && rings.onBorder(v));
+  const auto isFixed = [&](std::size_t v, const auto& ring) {
+    return ring.empty() || (borders == Borders::stay && rings.onBorder(v));
   };
-  parallelFor(count, grain, [&](std::size_t v) {
-    now[v] = isFixed(v) ? before[v] : 0.5f * (before[v] + ringMean(before, rings[v]));
+  rings.forEach([&](std::size_t v, const auto& ring) {
+    now[v] = isFixed(v, ring) ? before[v] : 0.5f * (before[v] + ringMean(before, ring));
     sum[v] = float(c[0]) * before[v] + float(c[1]) * now[v];
   });
   for (std::size_t n = 2; n < c.size(); ++n) {
     const float weight = float(c[n]);
-    parallelFor(count, grain, [&](std::size_t v) {
-      const Value next = isFixed(v) ? now[v] : now[v] + ringMean(now, rings[v]) - before[v];
+    rings.forEach([&](std::size_t v, const auto& ring) {
+      const Value next = isFixed(v, ring) ? now[v] : now[v] + ringMean(now, ring) - before[v];
       before[v] = next;
       sum[v] += weight * next;
     });
     std::swap(before, now);
   }
   for (std::size_t v = 0; v < count; ++v)
-    if (isFixed(v))
+    if (isFixed(v, rings[v]))
       sum[v] = now[v];
   return sum;
 }
@@ -116,11 +113,11 @@ template <class Value>
 void averaged(std::vector<Value>& values, const VertexRings& rings, int times) {
   std::vector<Value> next(values.size());
   for (int i = 0; i < times; ++i) {
-    parallelFor(values.size(), grain, [&](std::size_t v) {
+    rings.forEach([&](std::size_t v, const auto& ring) {
       Value total = values[v];
-      for (const std::uint32_t other : rings[v])
+      for (const std::uint32_t other : ring)
         total += values[other];
-      next[v] = total / float(1 + rings[v].size());
+      next[v] = total / float(1 + ring.size());
     });
     std::swap(values, next);
   }
@@ -172,13 +169,14 @@ struct GroupSpacing {
   double within = 0.0;  ///< the variance of a group's vertices along each of the surface's two axes
 };
 
-GroupSpacing spacingOf(const CoarseRings& coarse, const std::vector<glm::vec4>& means,
-                       const std::vector<glm::vec4>& positions, const VertexRings& rings) {
-  const auto squared = [](const glm::vec4& a, const glm::vec4& b) {
-    const glm::dvec4 way = a - b;
-    return glm::dot(way, way);
+GroupSpacing spacingOf(const CoarseRings& coarse, const std::vector<Lanes>& means,
+                       const std::vector<Lanes>& positions, const VertexRings& rings) {
+  const auto squared = [](const Lanes& a, const Lanes& b) {
+    const Lanes way = a - b;
+    const glm::dvec3 exact(narrowed(way));
+    return glm::dot(exact, exact);
   };
-  const auto meanSquaredEdge = [&](const std::vector<glm::vec4>& at, const VertexRings& along) {
+  const auto meanSquaredEdge = [&](const std::vector<Lanes>& at, const VertexRings& along) {
     double sum = 0.0;
     std::size_t count = 0;
     for (std::size_t v = 0; v < at.size(); ++v)
@@ -199,12 +197,12 @@ GroupSpacing spacingOf(const CoarseRings& coarse, const std::vector<glm::vec4>& 
 /// Returns the values averaged with a Gaussian's weights over the surface of those positions.
 template <class Value>
 std::vector<Value> averagedFar(const std::vector<Value>& values,
-                               const std::vector<glm::vec4>& positions, const VertexRings& rings,
+                               const std::vector<Lanes>& positions, const VertexRings& rings,
                                double deviation, Borders borders) {
   if (!(deviation > farthestFine))
     return filtered(values, rings, gaussianCoefficients(float(deviation)), borders);
   const CoarseRings coarse(rings);
-  const std::vector<glm::vec4> places = coarse.means(positions);
+  const std::vector<Lanes> places = coarse.means(positions);
   const GroupSpacing spacing = spacingOf(coarse, places, positions, rings);
   // Nothing is gained where vertices do not gather, or have no neighbours.
   if (!(spacing.apart > leastSpacing))
@@ -227,7 +225,7 @@ std::vector<Value> averagedFar(const std::vector<Value>& values,
 
 std::vector<glm::vec3> gaussian(std::span<const glm::vec3> positions, const VertexRings& rings,
                                 float deviation) {
-  const std::vector<glm::vec4> wide = widened(positions);
+  const std::vector<Lanes> wide = widened(positions);
   return narrowed(averagedFar(wide, wide, rings, double(deviation), Borders::stay));
 }
 
@@ -241,7 +239,7 @@ void averageOverRings(std::vector<float>& values, const VertexRings& rings, int 
 }
 
 void averageOverRings(std::vector<glm::vec3>& values, const VertexRings& rings, int times) {
-  std::vector<glm::vec4> wide = widened(values);
+  std::vector<Lanes> wide = widened(values);
   averaged(wide, rings, times);
   values = narrowed(wide);
 }
