@@ -42,9 +42,8 @@ void appendPoint(std::string& text, const glm::vec3& p) {
 }
 
 void appendMesh(std::string& text, const model::Mesh& mesh) {
-  const model::VertexFaces faces(mesh);
-  const std::vector<glm::vec3> normals = model::vertexNormals(mesh, faces);
-  const model::Curvature curvature = model::curvature(mesh, normals, faces);
+  const std::vector<glm::vec3> normals = model::vertexNormals(mesh);
+  const model::Curvature curvature = model::curvature(mesh, normals);
   text.reserve(text.size() + mesh.vertexCount() * 200);
   for (std::size_t i = 0; i < mesh.vertexCount(); ++i) {
     appendPoint(text, mesh.positions()[i]);

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "model/geometry/mesh.h"
-#include "model/geometry/topology.h"
 
 namespace sline::model {
 
@@ -32,10 +31,9 @@ struct CurvatureOptions {
 };
 
 Curvature curvature(const Mesh& mesh, std::span<const glm::vec3> normals,
-                    const VertexFaces& vertexFaces, const CurvatureOptions& options = {});
+                    const CurvatureOptions& options = {});
 /// Returns the same of these vertices alone, one entry for each.
 Curvature curvatureAt(std::span<const std::uint32_t> vertices, const Mesh& mesh,
-                      std::span<const glm::vec3> normals, const VertexFaces& vertexFaces,
-                      const CurvatureOptions& options = {});
+                      std::span<const glm::vec3> normals, const CurvatureOptions& options = {});
 
 }  // namespace sline::model

@@ -34,18 +34,17 @@ constexpr float longestRim = 0.5f;
 
 /// Returns vertices at these positions, with normals and curvature of a mesh of the same triangles.
 SurfaceVertices verticesAt(std::span<const glm::vec3> positions, const Mesh& shape,
-                           const VertexFaces& faces, const CurvatureOptions& options) {
-  const std::vector<glm::vec3> normals = vertexNormals(shape, faces);
-  return {positions, normals, curvature(shape, normals, faces, options)};
+                           const CurvatureOptions& options) {
+  const std::vector<glm::vec3> normals = vertexNormals(shape);
+  return {positions, normals, curvature(shape, normals, options)};
 }
 
 /// Returns vertices at these positions, with normals and curvature of some of the shape's.
 SurfaceVertices someVerticesAt(std::span<const glm::vec3> positions, const Mesh& shape,
                                std::span<const std::uint32_t> vertices,
                                const CurvatureOptions& options) {
-  const VertexFaces faces(shape);
-  const std::vector<glm::vec3> all = vertexNormals(shape, faces);
-  const Curvature known = curvatureAt(vertices, shape, all, faces, options);
+  const std::vector<glm::vec3> all = vertexNormals(shape);
+  const Curvature known = curvatureAt(vertices, shape, all, options);
   std::vector<glm::vec3> normals(vertices.size());
   std::transform(vertices.begin(), vertices.end(), normals.begin(),
                  [&](std::uint32_t v) { return all[v]; });
@@ -61,16 +60,16 @@ void setVertices(Surface& surface, SurfaceVertices vertices) {
       .derivative = decltype(CurvatureColumns::derivative)(surface.vertices.all())};
 }
 
-/// Makes the surface of a mesh. `vertices` returns what is known of them, given their triangles.
+/// Makes the surface of a mesh. `vertices` returns what is known of them.
 template <class Vertices>
 SurfacePtr surfaceOf(MeshPtr mesh, const Vertices& vertices) {
   auto surface = std::make_shared<Surface>();
   surface->mesh = std::move(mesh);
   const Mesh& own = *surface->mesh;
   double rims = 0.0;
+  setVertices(*surface, vertices());
   {
     const VertexFaces faces(own);
-    setVertices(*surface, vertices(faces));
     surface->closed = own.triangleCount() > 0 && countEdges(own, faces).closed();
     rims = surface->closed ? 0.0 : rimLength(own, faces);
   }
@@ -86,23 +85,20 @@ SurfacePtr surfaceOf(MeshPtr mesh, const Vertices& vertices) {
 
 SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options) {
   const Mesh& own = *mesh;
-  return surfaceOf(std::move(mesh), [&](const VertexFaces& faces) {
-    return verticesAt(own.positions(), own, faces, options);
-  });
+  return surfaceOf(std::move(mesh), [&] { return verticesAt(own.positions(), own, options); });
 }
 
 SurfacePtr prepareCoarser(MeshPtr mesh, const FinerMesh& finer, const CurvatureOptions& options) {
   const Mesh& own = *mesh;
-  return surfaceOf(std::move(mesh), [&](const VertexFaces&) {
+  return surfaceOf(std::move(mesh), [&] {
     return someVerticesAt(own.positions(), *finer.mesh, finer.vertices, options);
   });
 }
 
 SurfacePtr prepareCoarser(MeshPtr mesh, const Surface& finer,
                           std::span<const std::uint32_t> vertices) {
-  return surfaceOf(std::move(mesh), [&](const VertexFaces&) {
-    return SurfaceVertices(finer.vertices.all(), vertices);
-  });
+  return surfaceOf(std::move(mesh),
+                   [&] { return SurfaceVertices(finer.vertices.all(), vertices); });
 }
 
 namespace {
@@ -123,8 +119,7 @@ SurfacePtr reshaped(const Surface& surface, SurfaceVertices vertices) {
 }  // namespace
 
 SurfacePtr reshapedSurface(const Surface& surface, const Mesh& shape) {
-  return reshaped(surface, verticesAt(surface.mesh->positions(), shape, VertexFaces(shape),
-                                      CurvatureOptions{}));
+  return reshaped(surface, verticesAt(surface.mesh->positions(), shape, CurvatureOptions{}));
 }
 
 SurfacePtr reshapedSurface(const Surface& surface, const Mesh& shape,

@@ -37,7 +37,7 @@ vtkNew<vtkPolyData> polyDataOf(const model::Mesh& mesh) {
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(vtkIdType(mesh.vertexCount()));
-  const auto unit = model::vertexNormals(mesh, model::VertexFaces(mesh));
+  const auto unit = model::vertexNormals(mesh);
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
     points->SetPoint(vtkIdType(v), &mesh.positions()[v].x);
     normals->SetTuple(vtkIdType(v), &unit[v].x);

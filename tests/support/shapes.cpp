@@ -146,8 +146,7 @@ MeshPtr jittered(const Mesh& mesh, float fraction, std::uint32_t seed,
       reach[a] = std::min(reach[a], edge);
       reach[b] = std::min(reach[b], edge);
     }
-  const model::VertexFaces faces(mesh);
-  const std::vector<glm::vec3> normals = model::vertexNormals(mesh, faces);
+  const std::vector<glm::vec3> normals = model::vertexNormals(mesh);
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   std::vector<glm::vec3> positions(points.begin(), points.end());

@@ -12,7 +12,6 @@
 #include "model/base/parallel.h"
 #include "model/geometry/normals.h"
 #include "model/geometry/sight.h"
-#include "model/geometry/topology.h"
 #include "model/scene/camera_moves.h"
 
 namespace sline::widgets {
@@ -57,9 +56,8 @@ class PixelFinder {
 }  // namespace
 
 BrushGroundPtr brushGround(const model::MeshPtr& mesh) {
-  const model::VertexFaces faces(*mesh);
   return std::make_shared<const BrushGround>(BrushGround{
-      .mesh = mesh, .tree = model::treeOf(mesh), .normals = model::vertexNormals(*mesh, faces)});
+      .mesh = mesh, .tree = model::treeOf(mesh), .normals = model::vertexNormals(*mesh)});
 }
 
 BrushSight::BrushSight(From from)

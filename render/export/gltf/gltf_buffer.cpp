@@ -28,7 +28,7 @@ void append(std::string& bytes, const glm::vec3& p) {
 /// Returns the unit vectors that glTF requires at each vertex, even at one without faces or with
 /// faces without area.
 std::vector<glm::vec3> unitNormals(const model::Mesh& mesh) {
-  std::vector<glm::vec3> normals = model::vertexNormals(mesh, model::VertexFaces(mesh));
+  std::vector<glm::vec3> normals = model::vertexNormals(mesh);
   for (glm::vec3& n : normals)
     if (!(std::abs(glm::length(n) - 1.0f) < 1e-4f))
       n = {0.0f, 0.0f, 1.0f};

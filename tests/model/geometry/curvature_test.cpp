@@ -97,9 +97,8 @@ struct Errors {
 };
 
 Errors errors(const model::Mesh& mesh, Known known) {
-  const model::VertexFaces faces(mesh);
-  const auto normals = model::vertexNormals(mesh, faces);
-  const model::Curvature c = model::curvature(mesh, normals, faces);
+  const auto normals = model::vertexNormals(mesh);
+  const model::Curvature c = model::curvature(mesh, normals);
   std::vector<float> all;
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
     const glm::vec2 truth = known(mesh.positions()[v]);
@@ -166,9 +165,8 @@ class CurvatureTest : public QObject {
   // change of the ring's curvature along the meridian: d/ds cos v/(R + r·cos v), s = r·v.
   void derivativeOnTorus() {
     const auto mesh = test::torus(ringRadius, tubeRadius, 300, 100);
-    const model::VertexFaces faces(*mesh);
-    const auto normals = model::vertexNormals(*mesh, faces);
-    const model::Curvature c = model::curvature(*mesh, normals, faces);
+    const auto normals = model::vertexNormals(*mesh);
+    const model::Curvature c = model::curvature(*mesh, normals);
     std::vector<float> error;
     for (std::size_t v = 0; v < mesh->vertexCount(); ++v) {
       const glm::vec3 p = mesh->positions()[v];
@@ -191,9 +189,8 @@ class CurvatureTest : public QObject {
     const auto mesh =
         model::Mesh::create({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {9, 9, 9}, {0, 0, 0}},
                             {{0, 1, 2}, {0, 1, 3}, {0, 5, 1}, {1, 1, 1}});
-    const model::VertexFaces faces(mesh.value());
-    const auto normals = model::vertexNormals(mesh.value(), faces);
-    const model::Curvature c = model::curvature(mesh.value(), normals, faces);
+    const auto normals = model::vertexNormals(mesh.value());
+    const model::Curvature c = model::curvature(mesh.value(), normals);
     QCOMPARE(normals[4], glm::vec3(0.0f));
     for (std::size_t v = 0; v < 6; ++v) {
       QVERIFY(std::isfinite(c.k[v].x) && std::isfinite(c.k[v].y));
@@ -204,9 +201,8 @@ class CurvatureTest : public QObject {
 
   void smoothingKeepsASphere() {
     const auto mesh = test::sphere(5.0f, 5);
-    const model::VertexFaces faces(*mesh);
-    const auto normals = model::vertexNormals(*mesh, faces);
-    const model::Curvature c = model::curvature(*mesh, normals, faces, {.smoothingSteps = 4});
+    const auto normals = model::vertexNormals(*mesh);
+    const model::Curvature c = model::curvature(*mesh, normals, {.smoothingSteps = 4});
     for (const glm::vec2& k : c.k)
       QVERIFY(std::abs(k.x - 0.2f) < 0.004f && std::abs(k.y - 0.2f) < 0.004f);
   }
