@@ -33,6 +33,23 @@ inline float signOf(float x) {
   return std::copysign(1.0f, x);
 }
 
+/// What comparisons of lanes give: all bits are set where they hold.
+using LaneMask = decltype(Lanes{} < Lanes{});
+
+/// Returns a bit for each lane, the lowest for the first one.
+inline unsigned bitsOf(LaneMask mask) {
+  using Words = std::int32_t __attribute__((vector_size(16)));
+  const Words bits = std::bit_cast<Words>(mask) & Words{1, 2, 4, 8};
+  return unsigned(bits[0] | bits[1] | bits[2] | bits[3]);
+}
+
+inline Lanes larger(Lanes a, Lanes b) {
+  return a > b ? a : b;
+}
+inline Lanes smaller(Lanes a, Lanes b) {
+  return a < b ? a : b;
+}
+
 /// A vector in space whose coordinates are numbers or lanes of them.
 template <class Number>
 struct Vector {

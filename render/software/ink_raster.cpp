@@ -2,10 +2,12 @@
 #include "render/software/ink_raster.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "model/base/lanes.h"
 #include "model/base/parallel.h"
 #include "render/raster/rounding.h"
 #include "render/software/line_sight.h"
@@ -106,17 +108,50 @@ struct Spot {
   std::size_t at;  ///< in the layer
 };
 
+/// Four pixels of a row that follow each other, of which some belong to a capsule.
+struct FourSpots {
+  Lanes x;  ///< the pixels' middles
+  float y;
+  Lanes t, distance;  ///< see Spot
+  int column, row;    ///< of the first pixel
+  std::size_t at;     ///< in the layer
+  unsigned inside;    ///< a bit for each that belongs to the capsule
+
+  Spot spot(std::size_t lane) const { return {{x[lane], y}, t[lane], distance[lane], at + lane}; }
+};
+
 float mixed(float a, float b, float t) {
   return a + t * (b - a);
+}
+Lanes mixed(float a, float b, Lanes t) {
+  return a + t * (b - a);
+}
+
+Lanes clamped(Lanes value, float low, float high) {
+  return smaller(larger(value, Lanes{} + low), Lanes{} + high);
 }
 
 /// Returns the analytic coverage (METHOD §4).
 float coverageOf(float halfWidth, float distance, float edge) {
   return std::clamp((halfWidth - distance) / edge + 0.5f, 0.0f, 1.0f);
 }
+Lanes coverageOf(Lanes halfWidth, Lanes distance, float edge) {
+  return clamped((halfWidth - distance) / edge + 0.5f, 0.0f, 1.0f);
+}
 
-std::uint16_t byteOf(float value) {
-  return std::uint16_t(nearestWhole(255.0f * std::clamp(value, 0.0f, 1.0f)));
+/// Four whole numbers.
+using Wholes = std::int32_t __attribute__((vector_size(16)));
+
+/// Returns the nearest whole numbers of numbers of 0 or more.
+Wholes wholesOf(Lanes numbers) {
+  return __builtin_convertvector(numbers + 0.5f, Wholes);
+}
+
+/// Calls body(lane) for each bit.
+template <class Body>
+void forEachBit(unsigned bits, const Body& body) {
+  for (; bits != 0; bits &= bits - 1)
+    body(std::size_t(std::countr_zero(bits)));
 }
 
 /// Draws capsules of one kind, row by row.
@@ -128,11 +163,11 @@ class CapsuleDrawer {
   void draw(const Capsule& c, int first, int end) const {
     switch (m_draw.kind) {
       case InkKind::surfaceLines:
-        forEachSpot(c, first, end, [&](const Spot& spot) { surfaceLine(c, spot); });
+        forEachFour(c, first, end, [&](const FourSpots& spots) { surfaceLine(c, spots); });
         break;
       case InkKind::contours:
       case InkKind::hidden:
-        forEachSpot(c, first, end, [&](const Spot& spot) { contour(c, spot); });
+        forEachFour(c, first, end, [&](const FourSpots& spots) { contour(c, spots); });
         break;
       case InkKind::halos:
         forEachSpot(c, first, end, [&](const Spot& spot) { halo(c, spot); });
@@ -147,8 +182,9 @@ class CapsuleDrawer {
 
  private:
   template <class Body>
-  void forEachSpot(const Capsule& c, int first, int end, const Body& body) const {
+  void forEachFour(const Capsule& c, int first, int end, const Body& body) const {
     const PixelRect& area = m_pixels.area;
+    const float perLength = c.length > 1e-6f ? 1.0f / c.length : 0.0f;
     for (int y = std::max(c.bottom, first); y < std::min(c.top, end); ++y) {
       const float dy = float(y) + 0.5f - c.a.y;
       glm::vec2 span(float(area.x) + 0.5f - c.a.x, float(area.right()) - 0.5f - c.a.x);
@@ -158,83 +194,125 @@ class CapsuleDrawer {
         continue;
       const int left = int(std::ceil(span.x + c.a.x - 0.5f));
       const int right = int(std::floor(span.y + c.a.x - 0.5f));
-      const float perLength = c.length > 1e-6f ? 1.0f / c.length : 0.0f;
-      for (int x = left; x <= right; ++x) {
-        const float dx = float(x) + 0.5f - c.a.x;
-        const float way = dx * c.along.x + dy * c.along.y;
-        const float across = dy * c.along.x - dx * c.along.y;
-        const float outside = way - std::clamp(way, 0.0f, c.length);
-        const float t = std::clamp(way * perLength, 0.0f, 1.0f);
-        const float distance =
-            outside == 0.0f ? std::abs(across) : std::sqrt(across * across + outside * outside);
-        if (!(distance < mixed(c.halfWidthA, c.halfWidthB, t) + 0.5f))
-          continue;
-        body(Spot{{float(x) + 0.5f, float(y) + 0.5f}, t, distance, m_pixels.at(x, y)});
+      for (int x = left; x <= right; x += int(laneCount)) {
+        const Lanes columns = float(x) + Lanes{0.0f, 1.0f, 2.0f, 3.0f};
+        const Lanes dx = columns + 0.5f - c.a.x;
+        const Lanes way = dx * c.along.x + dy * c.along.y;
+        const Lanes across = dy * c.along.x - dx * c.along.y;
+        const Lanes outside = way - clamped(way, 0.0f, c.length);
+        const Lanes t = clamped(way * perLength, 0.0f, 1.0f);
+        const Lanes distance = squareRoot(across * across + outside * outside);
+        const unsigned inside = bitsOf((distance < mixed(c.halfWidthA, c.halfWidthB, t) + 0.5f) &
+                                       (columns <= float(right)));
+        if (inside != 0)
+          body(FourSpots{columns + 0.5f, float(y) + 0.5f, t, distance, x, y, m_pixels.at(x, y),
+                         inside});
       }
     }
   }
+  template <class Body>
+  void forEachSpot(const Capsule& c, int first, int end, const Body& body) const {
+    forEachFour(c, first, end, [&](const FourSpots& spots) {
+      forEachBit(spots.inside, [&](std::size_t lane) { body(spots.spot(lane)); });
+    });
+  }
 
   /// Returns the bits of the place that is nearest to the spot's.
-  static std::uint32_t sightAt(const Capsule& c, const Spot& spot) {
-    return c.sight >> nearestWhole(spot.t * float(c.steps));
+  static std::uint32_t sightAt(const Capsule& c, float t) {
+    return c.sight >> nearestWhole(t * float(c.steps));
   }
   static glm::vec2 outwardAt(const Capsule& c, float t) {
     return glm::normalize(glm::mix(c.outwardA, c.outwardB, t) + glm::vec2(1e-6f, 0.0f));
   }
-  float grained(float coverage, const glm::vec2& pixel) const {
-    return m_draw.grain > 0.0f ? coverage * paperAt(pixel, {m_draw.grain, m_draw.grainSize})
-                               : coverage;
+  /// Returns what remains of the spots where the capsule is in sight.
+  static unsigned inSight(const Capsule& c, const FourSpots& spots) {
+    const std::uint32_t all = (2u << c.steps) - 1u;
+    if ((c.sight & all) == all)
+      return spots.inside;
+    unsigned seen = 0;
+    forEachBit(spots.inside,
+               [&](std::size_t lane) { seen |= (sightAt(c, spots.t[lane]) & 1u) << lane; });
+    return seen;
+  }
+  Lanes grained(Lanes coverage, const FourSpots& spots) const {
+    if (m_draw.grain > 0.0f)
+      for (std::size_t lane = 0; lane < laneCount; ++lane)
+        coverage[lane] *= paperAt({spots.x[lane], spots.y}, {m_draw.grain, m_draw.grainSize});
+    return coverage;
   }
 
-  void surfaceLine(const Capsule& c, const Spot& spot) const {
-    if ((sightAt(c, spot) & 1u) == 0)
+  void surfaceLine(const Capsule& c, const FourSpots& spots) const {
+    const unsigned seen = inSight(c, spots);
+    if (seen == 0)
       return;
-    const float halfWidth = mixed(c.halfWidthA, c.halfWidthB, spot.t);
-    const float coverage = grained(
-        coverageOf(halfWidth, spot.distance, c.edge) * mixed(c.opacityA, c.opacityB, spot.t),
-        spot.pixel);
-    if (coverage > least)
-      put(spot.at, byteOf(coverage), mixed(c.depthA, c.depthB, spot.t));
+    const Lanes halfWidth = mixed(c.halfWidthA, c.halfWidthB, spots.t);
+    const Lanes coverage = grained(
+        coverageOf(halfWidth, spots.distance, c.edge) * mixed(c.opacityA, c.opacityB, spots.t),
+        spots);
+    put(spots.at, seen & bitsOf(coverage > least), coverage, mixed(c.depthA, c.depthB, spots.t));
   }
 
-  void contour(const Capsule& c, const Spot& spot) const {
-    const std::uint32_t sight = sightAt(c, spot);
-    if ((sight & 1u) == 0)
+  /// Tells at which of the spots a contour runs within its surface's own mask, away from the pen.
+  LaneMask within(const Capsule& c, const FourSpots& spots, unsigned seen, Lanes apart2) const {
+    const float step = float(m_pixels.step());
+    const unsigned apart = bitsOf(apart2 > step * step);
+    Wholes result{};
+    forEachBit(seen, [&](std::size_t lane) {
+      const bool inner =
+          (sightAt(c, spots.t[lane]) & 0x10000u) != 0 ||
+          ((apart >> lane & 1u) != 0 &&
+           m_pixels.surfaceDepths[m_pixels.samples.at({spots.column + int(lane), spots.row})] <
+               1.0f);
+      result[lane] = inner ? -1 : 0;
+    });
+    return result;
+  }
+
+  void contour(const Capsule& c, const FourSpots& spots) const {
+    const unsigned seen = inSight(c, spots);
+    if (seen == 0)
       return;
-    float halfWidth = mixed(c.halfWidthA, c.halfWidthB, spot.t);
-    float opacity = mixed(c.opacityA, c.opacityB, spot.t);
-    float distance = spot.distance;
+    Lanes halfWidth = mixed(c.halfWidthA, c.halfWidthB, spots.t);
+    Lanes opacity = mixed(c.opacityA, c.opacityB, spots.t);
+    Lanes distance = spots.distance;
     if (c.inner < 1.0f) {
-      const glm::vec2 place = glm::mix(c.penA, c.penB, spot.t);
-      if ((sight & 0x10000u) != 0 || (m_pixels.surfaceDepthAt(spot.pixel) < 1.0f &&
-                                      glm::distance(spot.pixel, place) > float(m_pixels.step()))) {
-        // Thinner strokes keep one pixel and lose opacity instead.
-        const float thin = halfWidth * c.inner;
-        opacity *= std::min(1.0f, thin * 2.0f);
-        halfWidth = std::max(thin, 0.5f);
-        distance = glm::distance(spot.pixel, place + outwardAt(c, spot.t) * (halfWidth - 0.5f));
-      }
+      const Lanes fromX = spots.x - mixed(c.penA.x, c.penB.x, spots.t);
+      const Lanes fromY = spots.y - mixed(c.penA.y, c.penB.y, spots.t);
+      const LaneMask inner = within(c, spots, seen, fromX * fromX + fromY * fromY);
+      // Thinner strokes keep one pixel and lose opacity instead.
+      const Lanes thin = halfWidth * c.inner;
+      const Lanes narrower = larger(thin, Lanes{} + 0.5f);
+      const Lanes outX = mixed(c.outwardA.x, c.outwardB.x, spots.t) + 1e-6f;
+      const Lanes outY = mixed(c.outwardA.y, c.outwardB.y, spots.t);
+      const Lanes out = (narrower - 0.5f) / squareRoot(outX * outX + outY * outY);
+      const Lanes awayX = fromX - outX * out;
+      const Lanes awayY = fromY - outY * out;
+      halfWidth = inner ? narrower : halfWidth;
+      opacity = inner ? opacity * smaller(thin * 2.0f, Lanes{} + 1.0f) : opacity;
+      distance = inner ? squareRoot(awayX * awayX + awayY * awayY) : distance;
     }
-    const float coverage = grained(coverageOf(halfWidth, distance, 1.0f) * opacity, spot.pixel);
-    if (!(coverage > least))
-      return;
+    const Lanes coverage = grained(coverageOf(halfWidth, distance, 1.0f) * opacity, spots);
+    const unsigned inked = seen & bitsOf(coverage > least);
     if (m_draw.kind == InkKind::hidden) {
-      raise(spot.at, std::uint16_t(byteOf(hiddenCoverage * coverage) << 8));
+      const Wholes bytes = wholesOf(255.0f * clamped(hiddenCoverage * coverage, 0.0f, 1.0f));
+      forEachBit(inked, [&](std::size_t lane) {
+        raise(spots.at + lane, std::uint16_t(bytes[lane] << 8));
+      });
       return;
     }
-    const float depth = mixed(c.depthA, c.depthB, spot.t);
-    put(spot.at, byteOf(coverage), std::clamp(depth - c.lift, 0.0f, depth));
+    const Lanes depth = mixed(c.depthA, c.depthB, spots.t);
+    put(spots.at, inked, coverage, smaller(larger(depth - c.lift, Lanes{}), depth));
   }
 
   void halo(const Capsule& c, const Spot& spot) const {
     if (spot.distance >= mixed(c.halfWidthA, c.halfWidthB, spot.t) ||
-        (sightAt(c, spot) & 1u) == 0 || m_pixels.surfaceDepthAt(spot.pixel) < 1.0f)
+        (sightAt(c, spot.t) & 1u) == 0 || m_pixels.surfaceDepthAt(spot.pixel) < 1.0f)
       return;
     put(spot.at, 0xff00, mixed(c.depthA, c.depthB, spot.t));
   }
 
   void edge(const Capsule& c, const Spot& spot) const {
-    if ((sightAt(c, spot) & 1u) == 0)
+    if ((sightAt(c, spot.t) & 1u) == 0)
       return;
     const float depth = mixed(c.depthA, c.depthB, spot.t);
     float coverage = coverageOf(mixed(c.halfWidthA, c.halfWidthB, spot.t), spot.distance, 1.0f) *
@@ -266,6 +344,15 @@ class CapsuleDrawer {
   void put(std::size_t at, std::uint16_t ink, float depth) const {
     raise(at, ink);
     m_pixels.depths[at] = std::clamp(depth, 0.0f, 1.0f);
+  }
+
+  void put(std::size_t at, unsigned bits, Lanes coverage, Lanes depth) const {
+    const Wholes bytes = wholesOf(255.0f * clamped(coverage, 0.0f, 1.0f));
+    const Lanes stored = clamped(depth, 0.0f, 1.0f);
+    forEachBit(bits, [&](std::size_t lane) {
+      raise(at + lane, std::uint16_t(bytes[lane]));
+      m_pixels.depths[at + lane] = stored[lane];
+    });
   }
 
   static constexpr float least = 0.002f;

@@ -3,6 +3,7 @@
 #include "model/base/lanes.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <random>
@@ -53,6 +54,18 @@ class LanesTest : public QObject {
     for (std::size_t lane = 0; lane < laneCount; ++lane)
       QCOMPARE(signs[lane], lane % 2 == 0 ? 1.0f : -1.0f);
     QCOMPARE(signOf(-0.0f), -1.0f);
+  }
+
+  void comparisons() {
+    const Lanes a{1.0f, -2.0f, 3.0f, 0.5f};
+    const Lanes b{0.0f, -1.0f, 3.0f, 0.25f};
+    QCOMPARE(bitsOf(a > b), 0b1001u);
+    QCOMPARE(bitsOf(a >= b), 0b1101u);
+    QCOMPARE(bitsOf(a != a), 0u);
+    for (std::size_t lane = 0; lane < laneCount; ++lane) {
+      QCOMPARE(larger(a, b)[lane], std::max(a[lane], b[lane]));
+      QCOMPARE(smaller(a, b)[lane], std::min(a[lane], b[lane]));
+    }
   }
 
   void rowsBecomeColumns() {
