@@ -6839,6 +6839,13 @@ OpenGL: %3</translation>
         <source>shown in %1 of %2 saved views: the panel Labels says in which</source>
         <translation>gezeigt in %1 von %2 gespeicherten Ansichten: Das Feld „Beschriftungen“ sagt, in welchen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n have no room in this picture: the panel Labels says which</source>
+        <translation>
+            <numerusform>%n hat in diesem Bild keinen Platz: Das Feld „Beschriftungen“ sagt, welche</numerusform>
+            <numerusform>%n haben in diesem Bild keinen Platz: Das Feld „Beschriftungen“ sagt, welche</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::LabelEditor</name>

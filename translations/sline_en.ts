@@ -335,6 +335,13 @@
             <numerusform>%n labels added</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n have no room in this picture: the panel Labels says which</source>
+        <translation>
+            <numerusform>%n has no room in this picture: the panel Labels says which</numerusform>
+            <numerusform>%n have no room in this picture: the panel Labels says which</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::LabelViews</name>

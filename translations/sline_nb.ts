@@ -6839,6 +6839,13 @@ OpenGL: %3</translation>
         <source>shown in %1 of %2 saved views: the panel Labels says in which</source>
         <translation>vises i %1 av %2 lagrede visninger: panelet «Etiketter» sier i hvilke</translation>
     </message>
+    <message numerus="yes">
+        <source>%n have no room in this picture: the panel Labels says which</source>
+        <translation>
+            <numerusform>%n har ikke plass i dette bildet: panelet «Etiketter» sier hvilken</numerusform>
+            <numerusform>%n har ikke plass i dette bildet: panelet «Etiketter» sier hvilke</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::LabelEditor</name>

@@ -6839,6 +6839,13 @@ OpenGL: %3</translation>
         <source>shown in %1 of %2 saved views: the panel Labels says in which</source>
         <translation>getoond in %1 van %2 opgeslagen aanzichten: het paneel ‘Labels’ zegt in welke</translation>
     </message>
+    <message numerus="yes">
+        <source>%n have no room in this picture: the panel Labels says which</source>
+        <translation>
+            <numerusform>%n heeft geen plaats in dit beeld: het paneel ‘Labels’ zegt welk</numerusform>
+            <numerusform>%n hebben geen plaats in dit beeld: het paneel ‘Labels’ zegt welke</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::LabelEditor</name>

@@ -16,7 +16,7 @@ using Vectors = Vector<Lanes>;
 /// What both fits need to know of four faces.
 struct Fitted {
   Corners<Vectors> edges;  ///< edges[j] lies opposite corner j
-  Corners<Lanes> areas;    ///< the part of the triangle that belongs to each corner; 0 without area
+  Corners<Lanes> areas;    ///< the part of the triangle that belongs to each corner
   Vectors normal;
   TangentFrame<Lanes> frame;  ///< begins along edges[0]
   decltype(Lanes{} > 0.0f) hasArea;
@@ -55,11 +55,10 @@ Fitted fitted(const Mesh& mesh, const FourFaces& faces) {
   f.edges = {at[2] - at[1], at[0] - at[2], at[1] - at[0]};
   const Vectors across = cross(f.edges[0], f.edges[1]);
   const Lanes twiceArea = squareRoot(dot(across, across));
-  f.hasArea = twiceArea > 0.0f;
-  f.areas = cornerAreas(f.edges, 0.5f * twiceArea);
-  for (Lanes& area : f.areas)
-    area = f.hasArea ? area : Lanes{};
   f.normal = across / twiceArea;
+  // Neither holds where the face is too small or too large for its area to be a number.
+  f.hasArea = (twiceArea > 0.0f) & (dot(f.normal, f.normal) > 0.0f);
+  f.areas = cornerAreas(f.edges, 0.5f * twiceArea);
   f.frame.u = f.edges[0] / squareRoot(dot(f.edges[0], f.edges[0]));
   f.frame.v = cross(f.normal, f.frame.u);
   return f;

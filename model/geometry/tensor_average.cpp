@@ -6,6 +6,17 @@
 
 namespace sline::model {
 
+namespace {
+/// Returns how much an edge counts in one of its triangles; nothing where both corners are one
+/// vertex.
+Lanes halfUnlessOne(const FourFaces& faces, std::size_t corner, std::size_t next) {
+  const auto half = [&](std::size_t lane) {
+    return faces.vertices[lane][corner] != faces.vertices[lane][next] ? 0.5f : 0.0f;
+  };
+  return Lanes{half(0), half(1), half(2), half(3)};
+}
+}  // namespace
+
 TensorAverage::TensorAverage(const Mesh& mesh, std::span<const glm::vec3> normals)
     : m_mesh(mesh), m_turns(foursOf(mesh.triangleCount())) {
   forFourFaces(mesh, [&](const FourFaces& faces) {
@@ -29,17 +40,19 @@ void TensorAverage::step(std::vector<glm::vec3>& tensors) const {
       own[j] = {tensor.x, tensor.y, tensor.z};
     }
     CornerShares shares{};
-    const auto add = [&shares](std::size_t corner, const TangentTensor<Lanes>& tensor) {
-      shares[corner][0] += 0.5f * tensor.uu;
-      shares[corner][1] += 0.5f * tensor.uv;
-      shares[corner][2] += 0.5f * tensor.vv;
-      shares[corner][3] += 0.5f;
+    const auto add = [&shares](std::size_t corner, const TangentTensor<Lanes>& tensor,
+                               Lanes weight) {
+      shares[corner][0] += weight * tensor.uu;
+      shares[corner][1] += weight * tensor.uv;
+      shares[corner][2] += weight * tensor.vv;
+      shares[corner][3] += weight;
     };
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t next = (j + 1) % 3;
       const Turn<Lanes>& turn = m_turns[faces.number][j];
-      add(j, changed(own[next], turn));
-      add(next, changed(own[j], turn.back()));
+      const Lanes weight = halfUnlessOne(faces, j, next);
+      add(j, changed(own[next], turn), weight);
+      add(next, changed(own[j], turn.back()), weight);
     }
     return shares;
   });

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <map>
 
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
@@ -36,11 +37,15 @@ class Finder {
         continue;
       ++number;
       m_choices.clear();
-      if (std::optional<LabelItem> item = itemOf(annotation))
+      if (std::optional<LabelItem> item = itemOf(annotation)) {
+        const auto* point = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
+        m_named.push_back(point ? point->structure : model::NodeId());
         m_labels.shown.push_back({*std::move(item), model::writtenIn(annotation, language), number,
                                   annotation.colour, lengthOf(annotation, m_scene),
                                   std::move(m_choices)});
+      }
     }
+    weigh();
     return std::move(m_labels);
   }
 
@@ -187,6 +192,19 @@ class Finder {
     return false;
   }
 
+  /// Notes how much one sees of what labels name, where that is known.
+  void weigh() {
+    if (!m_map)
+      return;
+    std::map<std::uint64_t, float> cells;
+    for (const SeenShare& share : m_map->shares())
+      cells[share.structure.value] = share.cells;
+    for (std::size_t i = 0; i < m_labels.shown.size(); ++i) {
+      const auto seen = cells.find(m_named[i].value);
+      m_labels.shown[i].item.seen = seen != cells.end() ? seen->second : 0.0f;
+    }
+  }
+
   /// Made when it is first needed.
   const SeenMap& map() {
     if (!m_map)
@@ -201,6 +219,7 @@ class Finder {
   LabelsBefore m_before;
   std::optional<SeenMap> m_map;
   LabelsInPicture m_labels;
+  std::vector<model::NodeId> m_named;  ///< the structure that each of the shown labels is on
   std::vector<PlaceChoice> m_choices;  ///< of the label that is being looked at
 };
 

@@ -29,6 +29,7 @@ struct LabelItem {
   std::vector<glm::vec2> places;  ///< millimetres of the output; one place, two for a distance
   bool hidden = false;  ///< something, perhaps its own structure, is in front of the place
   glm::vec2 box{0.0f};  ///< the size that the text needs, with its padding
+  float seen = 0.0f;    ///< of a label: how much the picture shows of what it names, if known
   /// Where the place was found for this picture; absent where it was set by hand.
   std::optional<model::Anchor> found;
   /// Set for a label moved by hand: the way from its base to the box's middle.
@@ -116,7 +117,8 @@ LabelLayout resized(const LabelLayout& layout, const glm::vec2& from, const glm:
 /// label moved by hand stays where it was put and the others stand as if it had not been, except
 /// those that would collide: they give way by as little as helps, with a bend of the leader, in
 /// their column, to the other side, or they are left out. Labels that find no place are left out:
-/// hidden ones before seen ones, later items before earlier ones. The same request and the same
+/// hidden ones before seen ones, names of what the picture shows less of before others (twice as
+/// much counts), later items before earlier ones. The same request and the same
 /// layout before give the same layout.
 LabelLayout layOutLabels(const LabelRequest& request, const LabelLayout* before = nullptr);
 

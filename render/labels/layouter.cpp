@@ -5,12 +5,32 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace sline::render {
 
 namespace {
 constexpr float stay = 0.25f;  // of the anatomy's width past its middle: sides stay
+}
+
+void Layouter::setRanks() {
+  // Only steps of two count, so that a list's order decides among what is about as large; and what
+  // was put on a place by hand comes before names. In a film it is the list's order alone, as the
+  // same labels must stand from picture to picture.
+  const auto size = [this](std::size_t i) {
+    if (m_request.still || item(i).kind != model::AnnotationKind::label)
+      return std::numeric_limits<int>::max();
+    return item(i).seen > 0.0f ? std::ilogb(item(i).seen) : std::numeric_limits<int>::min();
+  };
+  m_order.resize(m_request.items.size());
+  std::iota(m_order.begin(), m_order.end(), std::size_t(0));
+  std::stable_sort(m_order.begin(), m_order.end(),
+                   [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
+  m_ranks.resize(m_order.size());
+  for (std::size_t rank = 0; rank < m_order.size(); ++rank)
+    m_ranks[m_order[rank]] = rank;
 }
 
 LabelLayout Layouter::layOut() {
@@ -41,7 +61,7 @@ void Layouter::settle() {
 
 void Layouter::comeBack(const std::vector<Fate>& chosen) {
   for (const bool hidden : {false, true})
-    for (std::size_t i = 0; i < m_fates.size(); ++i) {
+    for (const std::size_t i : m_order) {
       if (!m_fates[i].out || chosen[i].out || !isColumn(chosen[i].post) || item(i).hidden != hidden)
         continue;
       const std::vector<Fate> fates = m_fates;
@@ -149,9 +169,11 @@ bool Layouter::fitsAcross(std::size_t i) {
 
 void Layouter::relieve(LabelPost post) {
   const auto distance = [&](std::size_t i) { return std::abs(placeOf(item(i)).x - m_middle); };
-  // Those that came from the other side go out first, then hidden ones, then the last.
+  // Those that came from the other side go out first, then hidden ones, then those that did not
+  // stand before, then the least important.
   const auto worth = [&](std::size_t i) {
-    return std::tuple(!m_fates[i].tried, !item(i).hidden, -float(i));
+    return std::tuple(!m_fates[i].tried, !item(i).hidden, before(i) != nullptr,
+                      -std::ptrdiff_t(m_ranks[i]));
   };
   m_crowded = m_crowded || (!fit(post) && !fit(otherSide(post)));
   while (!fit(post)) {
@@ -185,7 +207,7 @@ bool Layouter::inConflict(std::size_t i, std::size_t j) const {
 /// Decides which of two items gives way. A label moved by hand wins. A label that has another side
 /// to try goes there: first the cause, the one with a leader through the other's box, then the one
 /// that has not jumped for longer. In a film, where none may, the one whose place is farther past
-/// the middle is left out. Otherwise a seen label wins over a hidden one, then the earlier.
+/// the middle is left out. Otherwise a seen label wins over a hidden one, then the more important.
 std::size_t Layouter::loserOf(std::size_t i, std::size_t j) const {
   const auto rank = [&](std::size_t k, std::size_t other) {
     const bool cause = runsThrough(m_placed[k]->leader, m_placed[other]->box.grown(clearance));
@@ -195,7 +217,7 @@ std::size_t Layouter::loserOf(std::size_t i, std::size_t j) const {
                          : item(k).side == LabelPost::left ? std::max(past, 0.0f)
                                                            : std::max(-past, 0.0f);
     return std::tuple(m_placed[k]->post != LabelPost::byHand, !m_fates[k].tried, astray, cause,
-                      rested, item(k).hidden, k);
+                      rested, item(k).hidden, m_ranks[k]);
   };
   return rank(i, j) < rank(j, i) ? j : i;
 }

@@ -29,7 +29,9 @@ class Layouter {
         m_home(home),
         m_frame(frameOf(request.space)),
         m_fates(request.items.size()),
-        m_placed(request.items.size()) {}
+        m_placed(request.items.size()) {
+    setRanks();
+  }
 
   LabelLayout layOut();
   /// Returns what `labelConflicts` returns.
@@ -50,6 +52,7 @@ class Layouter {
   }
   Column column(LabelPost post) const;
 
+  void setRanks();
   void setColumns();
   /// Makes room for the widest box in each column. While layouts follow each other, columns only
   /// grow, and at once far enough to need no further growth.
@@ -131,8 +134,10 @@ class Layouter {
   std::array<float, 2> m_widths{};
   bool m_crowded = false;  ///< more than fit: none goes across for the sake of another
   float m_middle = 0.0f;
-  float m_width = 0.0f;             ///< that of the anatomy
-  std::vector<std::size_t> m_wide;  ///< those that wait for a column without narrower labels
+  float m_width = 0.0f;              ///< that of the anatomy
+  std::vector<std::size_t> m_wide;   ///< those that wait for a column without narrower labels
+  std::vector<std::size_t> m_order;  ///< the items, the most important first
+  std::vector<std::size_t> m_ranks;  ///< of the items in it
   std::vector<Fate> m_fates;
   std::vector<std::optional<PlacedLabel>> m_placed;
 };

@@ -320,6 +320,41 @@ class LabelsPanelTest : public QObject {
     QCOMPARE(f.annotations().size(), std::size_t(1));
   }
 
+  /// Where not all find room the message says how many do not, and what one sees most of has its
+  /// name.
+  void tooManyAreLabelled() {
+    WindowFixture f;
+    constexpr int count = 80;
+    f.session.openMade(QStringLiteral("Many"), [](const auto&, const auto&) {
+      model::Scene scene;
+      model::Style style;
+      style.fill = model::Fill::paper;
+      for (int i = 0; i < count; ++i) {
+        const float size = i == count - 1 ? 12.0f : 2.0f;
+        scene.append({.name = "part " + std::to_string(i),
+                      .style = style,
+                      .mesh = moved(*sphere(size, 2), 1.0f,
+                                    {30.0f * float(i % 4), 0.0f, 5.0f * float(i / 4)})});
+      }
+      return Result<widgets::LoadedDocument>(
+          widgets::LoadedDocument{.scene = std::move(scene), .title = QStringLiteral("Many")});
+    });
+    QVERIFY(f.settled());
+    QTest::keyClick(&f.viewport(), Qt::Key_A);
+    QVERIFY(f.settled());
+    const widgets::NodeIds all = f.session.scene().structuresBelow(model::rootId);
+    f.session.select(all);
+    QTest::keyClick(&f.viewport(), Qt::Key_T, Qt::ControlModifier);
+    QTRY_COMPARE(f.session.scene().annotations().size(), std::size_t(count));
+    QTRY_VERIFY(f.window.statusBar()->currentMessage().contains("no room"));
+    const render::LabelLayout& layout = f.viewport().labels().layer().sheet()->plate.layout;
+    QVERIFY(!layout.leftOut.empty());
+    QVERIFY(f.window.statusBar()->currentMessage().contains(
+        QStringLiteral("; %1 ").arg(layout.leftOut.size())));
+    QVERIFY2(layout.find(f.session.scene().annotations().back().id),
+             "the largest part of all has no label");
+  }
+
   /// Points that a file has in space, and texts of all kinds, are listed.
   void pointsInSpaceAreListed() {
     LabelsPanelFixture f;

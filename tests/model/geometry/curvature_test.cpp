@@ -199,6 +199,33 @@ class CurvatureTest : public QObject {
     QCOMPARE(c.k[4], glm::vec2(0.0f));
   }
 
+  void facesTooLargeToMeasure() {
+    constexpr float s = 1e10f;
+    const auto mesh = model::Mesh::create(
+        {{0, 0, 0}, {s, 0, 0}, {-s, 0.3f * s, 0}, {0.2f * s, -0.3f * s, 0.4f * s}},
+        {{0, 1, 2}, {0, 3, 1}});
+    const model::Curvature c =
+        model::curvature(mesh.value(), model::vertexNormals(mesh.value()), {.smoothingSteps = 3});
+    for (std::size_t v = 0; v < 4; ++v)
+      QVERIFY(std::isfinite(c.k[v].x) && std::isfinite(c.k[v].y) &&
+              std::isfinite(c.derivative[v].x) && std::isfinite(c.derivative[v].w));
+  }
+
+  void aVertexIsNotItsOwnNeighbour() {
+    const auto ball = test::sphere(5.0f, 3);
+    std::vector<model::Triangle> triangles(ball->triangles().begin(), ball->triangles().end());
+    const std::uint32_t a = triangles[7][0];
+    triangles.push_back({a, a, a});
+    const auto more = model::Mesh::create({ball->positions().begin(), ball->positions().end()},
+                                          std::move(triangles));
+    const model::CurvatureOptions smooth{.smoothingSteps = 3};
+    const model::Curvature c = model::curvature(*ball, model::vertexNormals(*ball), smooth);
+    const model::Curvature d =
+        model::curvature(more.value(), model::vertexNormals(more.value()), smooth);
+    for (std::size_t v = 0; v < c.k.size(); ++v)
+      QCOMPARE(d.k[v], c.k[v]);
+  }
+
   void smoothingKeepsASphere() {
     const auto mesh = test::sphere(5.0f, 5);
     const auto normals = model::vertexNormals(*mesh);

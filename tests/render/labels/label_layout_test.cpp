@@ -126,6 +126,34 @@ class LabelLayoutTest : public QObject {
     QVERIFY2(broken(request, layout).isEmpty(), qPrintable(broken(request, layout)));
   }
 
+  void largeThingsKeepTheirNames() {
+    LabelRequest request = roomy();
+    request.space.size = {340.0f, 20.0f};
+    for (LabelItem& item : request.items) {
+      item.kind = model::AnnotationKind::label;
+      item.hidden = false;
+      item.places.front().y = 10.0f;
+      item.seen = 3.0f;
+    }
+    const LabelLayout alike = layOutLabels(request);
+    QVERIFY(!alike.leftOut.empty());
+    const model::AnnotationId left = alike.leftOut.back();
+    const auto named = [&request](model::AnnotationId id) {
+      return std::find_if(request.items.begin(), request.items.end(),
+                          [id](const LabelItem& item) { return item.id == id; });
+    };
+    named(left)->seen = 300.0f;
+    QVERIFY2(layOutLabels(request).find(left), "what one sees most of has no name");
+    // What stands stays, or names would come and go while the camera turns.
+    QVERIFY(!layOutLabels(request, &alike).find(left));
+    request.still = true;
+    request.widths = {60.0f, 60.0f};
+    named(left)->seen = 3.0f;
+    const LabelLayout film = layOutLabels(request);
+    named(left)->seen = 300.0f;
+    QVERIFY(layOutLabels(request) == film);
+  }
+
   void nothingMovesWithoutNeed() {
     const LabelRequest request = roomy();
     const LabelLayout first = layOutLabels(request);

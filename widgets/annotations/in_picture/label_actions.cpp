@@ -127,6 +127,7 @@ void LabelActions::makeTools() {
   });
   connect(&m_labels, &PictureLabels::made, this, [this](model::AnnotationId id) { m_made = id; });
   connect(&m_labels, &PictureLabels::sighted, this, &LabelActions::tellOfMade);
+  connect(&m_labels, &PictureLabels::sighted, this, &LabelActions::tellOfAdded);
   connect(&m_actions[QStringLiteral("labelSelected")], &QAction::triggered, this,
           &LabelActions::labelSelected);
   connect(&m_actions[QStringLiteral("labelEdit")], &QAction::triggered, this, [this] {
@@ -209,11 +210,34 @@ void LabelActions::take(const std::vector<model::Annotation>& found, int opening
   m_session.apply(tr("Add %n labels", nullptr, count), std::move(all));
   const QString apart = count > 0 ? notInAllViews() : QString();
   const QString added = tr("%n labels added", nullptr, count);
-  m_window.statusBar()->showMessage(
-      count == 0        ? tr("What is selected has labels already, or is not in the picture")
-      : apart.isEmpty() ? added
-                        : added + QStringLiteral("; ") + apart,
-      readable);
+  m_saidOfAdded = count == 0 ? tr("What is selected has labels already, or is not in the picture")
+                  : apart.isEmpty() ? added
+                                    : added + QStringLiteral("; ") + apart;
+  m_window.statusBar()->showMessage(m_saidOfAdded, readable);
+  const std::vector<model::Annotation>& annotations = m_session.scene().annotations();
+  m_added.clear();
+  for (auto it = annotations.end() - count; it != annotations.end(); ++it)
+    m_added.push_back(it->id);
+}
+
+void LabelActions::tellOfAdded() {
+  const LabelSheet* sheet = m_labels.layer().sheet();
+  if (m_added.empty() || !sheet)
+    return;
+  int without = 0;
+  for (const model::AnnotationId id : m_added) {
+    const auto sight = m_labels.sights().find(id.value);
+    const bool known = sight != m_labels.sights().end();
+    if (!known && !sheet->plate.layout.find(id))
+      return;  // its picture is still to come
+    without += known && sight->second == LabelSight::withoutRoom ? 1 : 0;
+  }
+  m_added.clear();
+  if (without > 0)
+    m_window.statusBar()->showMessage(
+        m_saidOfAdded + QStringLiteral("; ") +
+            tr("%n have no room in this picture: the panel Labels says which", nullptr, without),
+        readable);
 }
 
 void LabelActions::tellOfMade() {

@@ -52,6 +52,8 @@ class LabelActions : public QObject {
   QString notInAllViews() const;
   /// Says so where the label made last is not in the picture, or points at what is hidden.
   void tellOfMade();
+  /// Says how many of the labels that were added together found no room.
+  void tellOfAdded();
   void take(const std::vector<model::Annotation>& found, int opening);
 
   QMainWindow& m_window;
@@ -63,6 +65,9 @@ class LabelActions : public QObject {
   const WindowActions& m_actions;
   QString m_hint;                             ///< how to go on with the current tool
   std::optional<model::AnnotationId> m_made;  ///< whose picture is still to come
+  /// Labels added together whose picture is still to come, and what is said of them already.
+  std::vector<model::AnnotationId> m_added;
+  QString m_saidOfAdded;
   BackgroundQueue m_queue;
 };
 
