@@ -12,6 +12,7 @@
 namespace sline {
 
 using Lanes = float __attribute__((vector_size(16)));
+using WholeLanes = std::int32_t __attribute__((vector_size(16)));
 inline constexpr std::size_t laneCount = 4;
 
 inline Lanes squareRoot(Lanes x) {
@@ -38,8 +39,7 @@ using LaneMask = decltype(Lanes{} < Lanes{});
 
 /// Returns a bit for each lane, the lowest for the first one.
 inline unsigned bitsOf(LaneMask mask) {
-  using Words = std::int32_t __attribute__((vector_size(16)));
-  const Words bits = std::bit_cast<Words>(mask) & Words{1, 2, 4, 8};
+  const WholeLanes bits = std::bit_cast<WholeLanes>(mask) & WholeLanes{1, 2, 4, 8};
   return unsigned(bits[0] | bits[1] | bits[2] | bits[3]);
 }
 

@@ -139,12 +139,9 @@ Lanes coverageOf(Lanes halfWidth, Lanes distance, float edge) {
   return clamped((halfWidth - distance) / edge + 0.5f, 0.0f, 1.0f);
 }
 
-/// Four whole numbers.
-using Wholes = std::int32_t __attribute__((vector_size(16)));
-
 /// Returns the nearest whole numbers of numbers of 0 or more.
-Wholes wholesOf(Lanes numbers) {
-  return __builtin_convertvector(numbers + 0.5f, Wholes);
+WholeLanes wholesOf(Lanes numbers) {
+  return __builtin_convertvector(numbers + 0.5f, WholeLanes);
 }
 
 /// Calls body(lane) for each bit.
@@ -256,7 +253,7 @@ class CapsuleDrawer {
   LaneMask within(const Capsule& c, const FourSpots& spots, unsigned seen, Lanes apart2) const {
     const float step = float(m_pixels.step());
     const unsigned apart = bitsOf(apart2 > step * step);
-    Wholes result{};
+    WholeLanes result{};
     forEachBit(seen, [&](std::size_t lane) {
       const bool inner =
           (sightAt(c, spots.t[lane]) & 0x10000u) != 0 ||
@@ -294,7 +291,7 @@ class CapsuleDrawer {
     const Lanes coverage = grained(coverageOf(halfWidth, distance, 1.0f) * opacity, spots);
     const unsigned inked = seen & bitsOf(coverage > least);
     if (m_draw.kind == InkKind::hidden) {
-      const Wholes bytes = wholesOf(255.0f * clamped(hiddenCoverage * coverage, 0.0f, 1.0f));
+      const WholeLanes bytes = wholesOf(255.0f * clamped(hiddenCoverage * coverage, 0.0f, 1.0f));
       forEachBit(inked, [&](std::size_t lane) {
         raise(spots.at + lane, std::uint16_t(bytes[lane] << 8));
       });
@@ -347,7 +344,7 @@ class CapsuleDrawer {
   }
 
   void put(std::size_t at, unsigned bits, Lanes coverage, Lanes depth) const {
-    const Wholes bytes = wholesOf(255.0f * clamped(coverage, 0.0f, 1.0f));
+    const WholeLanes bytes = wholesOf(255.0f * clamped(coverage, 0.0f, 1.0f));
     const Lanes stored = clamped(depth, 0.0f, 1.0f);
     forEachBit(bits, [&](std::size_t lane) {
       raise(at + lane, std::uint16_t(bytes[lane]));

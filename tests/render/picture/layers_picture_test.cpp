@@ -43,6 +43,40 @@ namespace {
 
 const PictureSettings settings{.width = 640, .height = 480};
 
+/// Pixels of a driver's that pictures of these settings are drawn into.
+class TargetPixels {
+ public:
+  TargetPixels()
+      : m_pixels(render::gpu::TextureFormat::rgba8, size(), "pixels"),
+        m_target(render::gpu::Target::create({{&m_pixels}, nullptr}, "pixels")),
+        m_device(render::gpu::Device::create()) {}
+
+  bool ok() const { return m_target.ok() && m_device.ok(); }
+  const render::gpu::Target& target() const { return **m_target; }
+  void clear() { (*m_device)->clear(target(), {.colour = glm::vec4(0.5f)}); }
+  /// Returns what is there.
+  Image image() {
+    const std::size_t row = std::size_t(settings.width) * 4;
+    std::vector<std::byte> rows(row * std::size_t(settings.height));
+    (*m_device)->read(target(), {0, 0, settings.width, settings.height}, rows);
+    Image image{.width = settings.width, .height = settings.height, .rgba = {}};
+    image.rgba.reserve(rows.size());
+    for (std::size_t y = std::size_t(settings.height); y-- > 0;)
+      for (std::size_t x = 0; x < row; ++x)
+        image.rgba.push_back(std::uint8_t(rows[y * row + x]));
+    return image;
+  }
+
+ private:
+  static render::gpu::TextureSize size() {
+    return {.width = settings.width, .height = settings.height};
+  }
+
+  render::gpu::Texture m_pixels;
+  Result<std::unique_ptr<render::gpu::Target>> m_target;
+  Result<std::unique_ptr<render::gpu::Device>> m_device;
+};
+
 /// Returns a heap of shapes that overlap, in every stage of Γ.
 std::vector<model::Node> heap(bool linesOnly = false) {
   std::vector<model::Node> nodes;
@@ -303,28 +337,19 @@ void LayersPictureTest::targetsGetTheSamePicture() {
   const auto image = picture.render(scene, camera(), settings);
   QVERIFY(image.ok());
 
-  using namespace render::gpu;
-  const TextureSize size{.width = settings.width, .height = settings.height};
-  const Texture pixels(TextureFormat::rgba8, size, "pixels");
-  const auto target = Target::create({{&pixels}, nullptr}, "pixels");
-  const auto device = Device::create();
-  QVERIFY(target.ok() && device.ok());
-  (*device)->clear(**target, {.colour = glm::vec4(0.5f)});
+  TargetPixels pixels;
+  QVERIFY(pixels.ok());
+  pixels.clear();
   // The picture is given up before it is done, and then it is not.
   std::atomic<bool> unwanted = true;
   model::Camera other = camera();
   other.eye.x += 5.0f;
-  const auto none = picture.drawInto({**target, &unwanted}, scene, other, settings);
+  const auto none = picture.drawInto({pixels.target(), &unwanted}, scene, other, settings);
   QVERIFY(none.ok() && !*none);
   unwanted = false;
-  const auto done = picture.drawInto({**target, &unwanted}, scene, camera(), settings);
+  const auto done = picture.drawInto({pixels.target(), &unwanted}, scene, camera(), settings);
   QVERIFY(done.ok() && *done);
-  std::vector<std::byte> rows(std::size_t(size.width) * size.height * 4);
-  (*device)->read(**target, {0, 0, size.width, size.height}, rows);
-  for (int y = 0; y < size.height; ++y)
-    for (int x = 0; x < 4 * size.width; ++x)
-      QCOMPARE(int(rows[std::size_t(size.height - 1 - y) * 4 * size.width + x]),
-               int(image->rgba[std::size_t(y) * 4 * size.width + x]));
+  QCOMPARE(difference(pixels.image(), *image).largest, 0);
 }
 
 /// It is the picture of four samples a pixel, as exports have it, and what was kept stays.
@@ -337,24 +362,15 @@ void LayersPictureTest::refinedTargetsAreReduced() {
   const auto plain = picture.render(scene, camera(), settings);
   QVERIFY(expected.ok() && plain.ok());
 
-  using namespace render::gpu;
-  const TextureSize size{.width = settings.width, .height = settings.height};
-  const Texture pixels(TextureFormat::rgba8, size, "pixels");
-  const auto target = Target::create({{&pixels}, nullptr}, "pixels");
-  const auto device = Device::create();
-  QVERIFY(target.ok() && device.ok());
+  TargetPixels pixels;
+  QVERIFY(pixels.ok());
   std::atomic<bool> unwanted = true;
-  const auto none = picture.refineInto({**target, &unwanted}, scene, camera(), settings);
+  const auto none = picture.refineInto({pixels.target(), &unwanted}, scene, camera(), settings);
   QVERIFY(none.ok() && !*none);
   unwanted = false;
-  const auto done = picture.refineInto({**target, &unwanted}, scene, camera(), settings);
+  const auto done = picture.refineInto({pixels.target(), &unwanted}, scene, camera(), settings);
   QVERIFY(done.ok() && *done);
-  std::vector<std::byte> rows(std::size_t(size.width) * size.height * 4);
-  (*device)->read(**target, {0, 0, size.width, size.height}, rows);
-  render::Image refined{.width = size.width, .height = size.height, .rgba = {}};
-  for (int y = size.height; y-- > 0;)
-    for (int x = 0; x < 4 * size.width; ++x)
-      refined.rgba.push_back(std::uint8_t(rows[std::size_t(y) * 4 * size.width + x]));
+  const Image refined = pixels.image();
   QVERIFY(difference(refined, *expected).largest <= 1);
   QVERIFY(difference(refined, *plain).largest > 32);
   QVERIFY(picture.draw(scene, camera(), settings).ok());
