@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "model/scene/scene.h"
@@ -13,6 +14,7 @@
 #include "render/picture/tile_lists.h"
 #include "render/software/layer_pixels.h"
 #include "render/software/occlusion.h"
+#include "render/software/surface_values.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/picture_settings.h"
 #include "render/strokes/structure_lines.h"
@@ -28,10 +30,14 @@ struct PreparedStructure : DrawnStructure {
   bool printedHatching = false;           ///< hatched pixel by pixel
   std::shared_ptr<CappedSurface> capped;  ///< the same as `cut`, with the GPU's part
 
+  /// Tells whether both have one surface, cut alike, whose style and hatching may differ.
+  bool sharesSurface(const PreparedStructure& other) const {
+    return id == other.id && mesh == other.mesh && cached == other.cached &&
+           gammaOffsets == other.gammaOffsets && alike(sections, other.sections);
+  }
   bool operator==(const PreparedStructure& other) const {
-    return id == other.id && mesh == other.mesh && cached == other.cached && style == other.style &&
-           gammaOffsets == other.gammaOffsets && printedHatching == other.printedHatching &&
-           pattern == other.pattern && alike(sections, other.sections);
+    return sharesSurface(other) && style == other.style &&
+           printedHatching == other.printedHatching && pattern == other.pattern;
   }
 };
 
@@ -40,6 +46,9 @@ struct Layer {
       members;  ///< one structure, or by id all that are opaque and without lines
   /// Of each member: see `findTriangles`; of none where all are drawn.
   std::vector<std::vector<std::uint32_t>> triangles;
+  /// What is seen of its only member's surface, kept where few layers change: to be found while it
+  /// has no depths.
+  std::optional<SurfaceValues> values;
   LayerPixels pixels;        ///< what of it the processor drew instead: see `drawOnProcessor`
   bool onProcessor = false;  ///< that is all of it
   bool sampled = false;      ///< its surface's samples are in `pixels`: see `sampleSurface`

@@ -7,6 +7,7 @@
 
 #include "render/picture/layer_content.h"
 #include "render/picture/processor_drawing.h"
+#include "render/strokes/coverage.h"
 #include "render/strokes/surface_fill.h"
 
 namespace sline::render {
@@ -58,7 +59,49 @@ void LayerPainter::forget() {
   m_kept.clear();
 }
 
-std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const Key& key) {
+namespace {
+
+std::size_t areaOf(const PixelRect& rect) {
+  return std::size_t(rect.width) * std::size_t(rect.height);
+}
+
+/// Tells whether both layers show one surface in the same place.
+bool showsSameSurface(const Layer& layer, const Layer& other) {
+  return layer.area == other.area && layer.members.size() == 1 && other.members.size() == 1 &&
+         layer.members.front().sharesSurface(other.members.front());
+}
+
+/// Has changed layers keep what is seen of their surfaces, or take it over from the layers before
+/// them, as those that change a few at a time are likely to change again: while one drags a
+/// slider, say. Nobody else keeps any.
+void keepValues(std::vector<Layer>& layers, std::span<const std::size_t> changed,
+                std::vector<Layer>& before, const PictureView& view) {
+  constexpr std::size_t few = 3;
+  if (changed.empty())
+    return;
+  for (Layer& layer : layers)
+    layer.values.reset();
+  if (changed.size() > few)
+    return;
+  for (const std::size_t i : changed) {
+    Layer& layer = layers[i];
+    const auto same = std::find_if(before.begin(), before.end(),
+                                   [&](const Layer& old) { return showsSameSurface(layer, old); });
+    if (same == before.end())
+      continue;
+    const PreparedStructure& now = layer.members.front();
+    const PreparedStructure& then = same->members.front();
+    layer.values.emplace();
+    if (same->values && now.sampled == then.sampled &&
+        cullsBack(now, view) == cullsBack(then, view))
+      layer.values = std::move(same->values);
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const PictureView& view,
+                                             const Key& key) {
   std::vector<std::size_t> changed;
   if (key != m_key)
     forget();
@@ -88,6 +131,7 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
     if (before != m_kept.end())
       layer.slot = before->slot;
   }
+  keepValues(layers, changed, m_kept, view);
   m_freshAtlas = changed.size() == layers.size();
   m_left = TileMask(key.region);
   for (std::size_t i = 0; i < m_kept.size(); ++i)
@@ -134,14 +178,6 @@ class AlignedPlaces {
   int m_side;  ///< the places' corners are multiples of it
   int m_gap;
 };
-
-}  // namespace
-
-namespace {
-
-std::size_t areaOf(const PixelRect& rect) {
-  return std::size_t(rect.width) * std::size_t(rect.height);
-}
 
 }  // namespace
 
@@ -330,8 +366,9 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   for (Layer& layer : layers)
     layer.surfaceStep = input.surfaceStep;
   std::vector<std::size_t> changed =
-      reuse(layers, {input.view.camera(), input.view.bounds(), input.view.size(), input.background,
-                     input.light, input.keyLight, input.parts, input.surfaceStep, region});
+      reuse(layers, input.view,
+            {input.view.camera(), input.view.bounds(), input.view.size(), input.background,
+             input.light, input.keyLight, input.parts, input.surfaceStep, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
   takeSpares(layers, changed);

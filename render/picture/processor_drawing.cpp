@@ -29,6 +29,22 @@ std::vector<PixelRect> sampledSquares(const LayerPixels& pixels,
   return placed;
 }
 
+/// Draws a layer's only member from what is known of its surface, which is found first where it
+/// does not serve. Returns false where a driver must.
+bool drawKept(const RasterMember& member, const PixelRect& region, const RasterSight& sight,
+              Layer& layer, const RasterSurface& surface) {
+  SurfaceValues& values = *layer.values;
+  if (!values.serves(neededValues(member.fill))) {
+    // Another style's lines look at other squares.
+    TileMask whole(region, layer.area);
+    whole.markAll();
+    if (!findValues(member, {sight.view, whole, sight.samples, {}, sight.key}, values))
+      return false;
+  }
+  shadeValues(member.fill, sight, values, surface);
+  return true;
+}
+
 /// Draws the surfaces' depths and fills. Returns false where a driver must.
 bool drawSurface(const PictureInput& input, const PixelRect& region, Layer& layer,
                  std::span<const PixelRect> touched) {
@@ -46,14 +62,15 @@ bool drawSurface(const PictureInput& input, const PixelRect& region, Layer& laye
   pixels.filled = layer.filled;
   wipeSurface(pixels, touched);
   const std::vector<PixelRect> squares = sampledSquares(pixels, touched);
-  return rasterise(
-      members,
-      {.view = input.view,
-       .squares = layer.touched,
-       .samples = pixels.samples,
-       .rectangles = squares,
-       .key = input.view.toPatient(keyLight(input))},
-      {pixels.surfaceDepths, pixels.step() > 1 ? pixels.surfaceColours : pixels.colours});
+  const RasterSight sight{.view = input.view,
+                          .squares = layer.touched,
+                          .samples = pixels.samples,
+                          .rectangles = squares,
+                          .key = input.view.toPatient(keyLight(input))};
+  const RasterSurface surface{pixels.surfaceDepths,
+                              pixels.step() > 1 ? pixels.surfaceColours : pixels.colours};
+  return layer.values ? drawKept(members.front(), region, sight, layer, surface)
+                      : rasterise(members, sight, surface);
 }
 
 /// Returns the cut faces that are drawn of the layer.
@@ -127,6 +144,7 @@ bool drawOnProcessor(const PictureInput& input, const PixelRect& region, Layer& 
   if (!areBeforeTheEye(caps, input.view) ||
       (!layer.sampled && !drawSurface(input, region, layer, touched))) {
     layer.pixels = {};
+    layer.values.reset();
     return false;
   }
   layer.onProcessor = input.processor;

@@ -11,9 +11,8 @@
 #include "model/base/parallel.h"
 #include "render/lines/view_fields.h"
 #include "render/software/cluster_cuts.h"
-#include "render/strokes/coverage.h"
-#include "render/strokes/fill_shading.h"
-#include "render/strokes/section_caps.h"
+#include "render/software/placed_clusters.h"
+#include "render/software/surface_values.h"
 
 namespace sline::render {
 
@@ -25,64 +24,43 @@ struct SeenDepths {
   float most() const { return std::max(a, std::max(b, c)); }
 };
 
-/// What a fill's shading needs to know of a place.
-enum Value : std::size_t { normalX, normalY, normalZ, gradient, gammaOffset, valueCount };
-
-/// A member, ready to be drawn.
-struct Member {
-  const DrawnStructure* shown;
-  const model::Clusters* clusters;
-  SurfaceFill fill;
-  FillShading shading;
-  bool cull;
-  std::vector<glm::vec4> planes;  ///< sections: (normal, −offset), > 0 where they take away
-  std::array<bool, valueCount> needs{};
-
-  Member(const RasterMember& member, const RasterSight& sight)
-      : shown(&member.shown),
-        clusters(&member.clusters),
-        fill(member.fill),
-        shading(member.fill, sight.key),
-        cull(cullsBack(member.shown, sight.view)) {
-    if (member.shown.cut)
-      planes = sectionVectors(member.shown.cut->planes);
-    if (!shaded())
-      return;
-    needs = {true, true, true, fill.byForm, fill.gammaOffsets != nullptr};
-  }
-  bool shaded() const { return fill.kind == SurfaceFill::Kind::phong; }
-};
-
-/// A cluster of a member's, with the rows of samples that it may touch, the last one not included.
-struct PlacedCluster {
-  const model::Cluster* cluster;
-  std::uint16_t member;
-  int bottom, top;
+/// Where bands of rows put what they draw.
+struct BandOutput {
+  std::span<float> depths;
+  std::span<std::uint32_t> colours;
+  SurfaceValues* kept = nullptr;  ///< null: the values are forgotten once they are shaded
 };
 
 /// Draws rows of samples. Bands of rows can be drawn at the same time.
 class SurfaceBand {
  public:
-  SurfaceBand(std::span<const Member> members, const RasterSight& sight,
-              const RasterSurface& surface)
+  SurfaceBand(std::span<const ReadyMember> members, const RasterSight& sight,
+              const BandOutput& output)
       : m_members(members),
         m_view(sight.view),
         m_samples(sight.samples),
         m_rectangles(sight.rectangles),
-        m_depths(surface.depths.data()),
-        m_colours(surface.colours.empty() ? nullptr : surface.colours.data()) {
-    for (const Member& member : members)
-      for (std::size_t value = 0; value < valueCount; ++value)
-        m_needs[value] = m_needs[value] || member.needs[value];
+        m_depths(output.depths.data()),
+        m_colours(output.colours.empty() ? nullptr : output.colours.data()),
+        m_kept(output.kept) {
+    for (const ReadyMember& member : members)
+      for (std::size_t value = 0; value < sampleValueCount; ++value)
+        m_needs[value] = m_needs[value] || member.shading.needed()[value];
   }
 
   void setRows(int first, int end) {
     m_first = first;
     m_end = end;
-    const std::size_t samples = std::size_t(end - first) * std::size_t(m_samples.area.width);
-    for (std::size_t value = 0; value < valueCount; ++value)
-      if (m_needs[value])
-        m_values[value].resize(samples);
+    const auto width = std::size_t(m_samples.area.width);
+    const std::size_t samples = std::size_t(end - first) * width;
+    for (std::size_t value = 0; value < sampleValueCount; ++value) {
+      if (!m_needs[value])
+        continue;
+      if (!m_kept)
+        m_own[value].resize(samples);
+      m_values[value] =
+          m_kept ? m_kept->values[value].data() + std::size_t(first) * width : m_own[value].data();
+    }
     if (m_colours && m_members.size() > 1)
       m_owners.resize(samples);
   }
@@ -94,7 +72,7 @@ class SurfaceBand {
     const model::Cluster& cluster = *placed.cluster;
     const std::uint32_t* vertices = clusters.vertices.data() + cluster.firstVertex;
     const glm::vec3* positions = surface.mesh->positions().data();
-    const bool shaded = m_colours && m_members[placed.member].shaded();
+    const bool shaded = isShaded(m_members[placed.member]);
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
       __builtin_prefetch(positions + vertices[i]);
       if (shaded)
@@ -105,7 +83,7 @@ class SurfaceBand {
 
   /// Returns false where the cluster has to be clipped.
   bool add(const PlacedCluster& placed) {
-    const Member& member = m_members[placed.member];
+    const ReadyMember& member = m_members[placed.member];
     const model::Cluster& cluster = *placed.cluster;
     const ClusterPlaces places{*member.clusters, member.shown->surface().mesh->positions()};
     m_member = placed.member;
@@ -117,7 +95,7 @@ class SurfaceBand {
     const auto* triangles = member.clusters->localTriangles.data() + cluster.firstTriangle;
     m_seen.findBoxes({triangles, cluster.triangleCount});
     const bool mixed = member.cull && model::facing(cluster, m_view.eye()) != model::Facing::front;
-    const bool shaded = m_colours && member.shaded();
+    const bool shaded = isShaded(member);
     bool loaded = false;
     if (!m_cuts.empty())
       m_cuts.measure(cluster, places);
@@ -153,6 +131,9 @@ class SurfaceBand {
   std::size_t bandIndex(int column, int row) const {
     return std::size_t(row - m_first) * std::size_t(m_samples.area.width) + std::size_t(column);
   }
+  bool isShaded(const ReadyMember& member) const {
+    return (m_colours || m_kept) && member.shading.shaded();
+  }
   std::uint16_t ownerAt(int column, int row) const {
     return m_owners.empty() ? std::uint16_t(0) : m_owners[bandIndex(column, row)];
   }
@@ -181,44 +162,21 @@ class SurfaceBand {
       int next = column + 1;
       while (next < end && depths[next] < 1.0f && ownerAt(next, row) == owner)
         ++next;
-      shade(m_members[owner], row, column, next);
+      ValueSpans values{};
+      for (std::size_t value = 0; value < sampleValueCount; ++value)
+        values[value] = m_needs[value] ? m_values[value] + bandIndex(column, row) : nullptr;
+      m_members[owner].shading.shade(
+          m_view, m_samples, {row, column, next}, values,
+          m_colours + std::size_t(row) * std::size_t(m_samples.area.width) + column);
       column = next;
     }
-  }
-
-  void shade(const Member& member, int row, int column, int end) {
-    std::uint32_t* colours =
-        m_colours + std::size_t(row) * std::size_t(m_samples.area.width) + column;
-    if (!member.shaded()) {
-      std::fill(colours, colours + (end - column), packedColour(member.fill.wash));
-      return;
-    }
-    const std::size_t at = bandIndex(column, row);
-    const auto from = [&](Value value) {
-      return member.needs[value] ? m_values[value].data() + at : nullptr;
-    };
-    const PixelRect& area = m_samples.area;
-    const SampleGrid& grid = m_samples.grid;
-    const auto middle = [&](int x) {
-      return glm::vec2(grid.corner) +
-             float(grid.step) * (glm::vec2(float(x), float(area.y + row)) + 0.5f);
-    };
-    const glm::vec3 first = m_view.towardsEye(middle(0));
-    member.shading.shade({.normal = {from(normalX), from(normalY), from(normalZ)},
-                          .gradient = from(gradient),
-                          .gammaOffset = from(gammaOffset),
-                          .towardsEye = first,
-                          .step = m_view.towardsEye(middle(1)) - first,
-                          .column = area.x + column,
-                          .count = std::size_t(end - column)},
-                         colours);
   }
 
   /// Draws a cluster that is hardly larger than a sample as a disc (Rusinkiewicz and Levoy 2000,
   /// QSplat). It lies behind the cluster, so that it hides none of the surface's own lines. Returns
   /// false, with nothing drawn, where the cluster is larger, reaches out of the view or lies at an
   /// outline, which a disc would reach beyond.
-  bool splat(const model::Cluster& cluster, const Member& member) {
+  bool splat(const model::Cluster& cluster, const ReadyMember& member) {
     constexpr float largest = 0.75f;  // radius, in samples
     if (model::facing(cluster, m_view.eye()) != model::Facing::front)
       return false;
@@ -262,26 +220,27 @@ class SurfaceBand {
   }
 
   /// Writes the values of a cluster as a whole.
-  void putDisc(std::size_t at, const model::Cluster& cluster, const Member& member) {
+  void putDisc(std::size_t at, const model::Cluster& cluster, const ReadyMember& member) {
     if (!m_owners.empty())
       m_owners[at] = m_member;
-    if (!m_colours || !member.shaded())
+    if (!isShaded(member))
       return;
     const model::Surface& surface = member.shown->surface();
     const std::uint32_t vertex = member.clusters->vertices[cluster.firstVertex];
     m_values[normalX][at] = cluster.cone.axis.x;
     m_values[normalY][at] = cluster.cone.axis.y;
     m_values[normalZ][at] = cluster.cone.axis.z;
-    if (member.needs[gradient])
-      m_values[gradient][at] =
-          gradientAt(surface, vertex, surface.mesh->positions()[vertex], member.fill);
-    if (member.needs[gammaOffset])
-      m_values[gammaOffset][at] = (*member.fill.gammaOffsets)[vertex];
+    const SurfaceFill& fill = member.shading.fill();
+    if (fill.byForm)
+      m_values[gradient][at] = gradientAt(surface, vertex, surface.mesh->positions()[vertex], fill);
+    if (fill.gammaOffsets)
+      m_values[gammaOffset][at] = (*fill.gammaOffsets)[vertex];
   }
 
   /// Takes the values of the cluster's vertices.
-  void load(const model::Cluster& cluster, const Member& member) {
+  void load(const model::Cluster& cluster, const ReadyMember& member) {
     const model::Surface& surface = member.shown->surface();
+    const SurfaceFill& fill = member.shading.fill();
     const std::uint32_t* vertices = member.clusters->vertices.data() + cluster.firstVertex;
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
       const model::SurfaceVertex& vertex = surface.vertices[vertices[i]];
@@ -289,10 +248,10 @@ class SurfaceBand {
       m_corner[normalX][i] = normal.x;
       m_corner[normalY][i] = normal.y;
       m_corner[normalZ][i] = normal.z;
-      if (member.needs[gradient])
-        m_corner[gradient][i] = gradientAt(surface, vertices[i], vertex.position, member.fill);
-      if (member.needs[gammaOffset])
-        m_corner[gammaOffset][i] = (*member.fill.gammaOffsets)[vertices[i]];
+      if (fill.byForm)
+        m_corner[gradient][i] = gradientAt(surface, vertices[i], vertex.position, fill);
+      if (fill.gammaOffsets)
+        m_corner[gammaOffset][i] = (*fill.gammaOffsets)[vertices[i]];
     }
   }
 
@@ -373,9 +332,9 @@ class SurfaceBand {
 
   /// Writes the values of a place that has these shares of the second corner and of the third.
   void put(std::size_t at, const std::array<std::uint8_t, 3>& corners, const glm::vec2& share) {
-    const Member& member = m_members[m_member];
-    for (std::size_t value = 0; value < valueCount; ++value) {
-      if (!member.needs[value])
+    const NeededValues& needed = m_members[m_member].shading.needed();
+    for (std::size_t value = 0; value < sampleValueCount; ++value) {
+      if (!needed[value])
         continue;
       const auto& corner = m_corner[value];
       const float a = corner[corners[0]];
@@ -401,13 +360,14 @@ class SurfaceBand {
                 y * (float(m_seen.bottom[i]) + 0.5f - ay[i])};
   }
 
-  std::span<const Member> m_members;
+  std::span<const ReadyMember> m_members;
   const PictureView& m_view;
   const SampleArea& m_samples;
   std::span<const PixelRect> m_rectangles;
   float* m_depths;
-  std::uint32_t* m_colours;  ///< null: only depths are wanted
-  std::array<bool, valueCount> m_needs{};
+  std::uint32_t* m_colours;  ///< null: none are wanted
+  SurfaceValues* m_kept;
+  NeededValues m_needs{};
   int m_first = 0;
   int m_end = 0;
   std::uint16_t m_member = 0;  ///< that is being drawn
@@ -415,47 +375,19 @@ class SurfaceBand {
   ClusterCuts m_cuts;
   SeenCluster m_seen;
   std::array<std::uint8_t, model::Clusters::maximumTriangles> m_holders{};
-  std::array<SeenCluster::Vertices, valueCount> m_corner;
-  std::array<std::vector<float>, valueCount> m_values;  ///< at the band's samples
-  std::vector<std::uint16_t> m_owners;                  ///< who is seen there, of several
+  std::array<SeenCluster::Vertices, sampleValueCount> m_corner;
+  std::array<float*, sampleValueCount> m_values{};           ///< from the band's first row on
+  std::array<std::vector<float>, sampleValueCount> m_own{};  ///< they lie there, if not kept
+  std::vector<std::uint16_t> m_owners;                       ///< who is seen there, of several
 };
 
-/// Returns the clusters that may be seen, in the members' order.
-std::vector<PlacedCluster> placedClusters(std::span<const Member> members,
-                                          const RasterSight& sight) {
-  const SampleArea& samples = sight.samples;
-  std::vector<PlacedCluster> clusters;
-  for (std::size_t m = 0; m < members.size(); ++m)
-    for (const model::Cluster& cluster : members[m].clusters->items) {
-      if (members[m].cull && model::facing(cluster, sight.view.eye()) == model::Facing::back)
-        continue;
-      if (isCutAway(*members[m].shown, cluster.bounds))
-        continue;
-      const PixelRect bounds = sight.view.bounds(cluster.bounds);
-      if (!sight.squares.marksAny(bounds))
-        continue;
-      // One more on each side: drivers and the bounds round.
-      const PixelRect rows =
-          coarser({bounds.x - samples.grid.corner.x, bounds.y - samples.grid.corner.y, bounds.width,
-                   bounds.height},
-                  samples.grid.step);
-      clusters.push_back({&cluster, std::uint16_t(m), std::max(rows.y - 1 - samples.area.y, 0),
-                          std::min(rows.top() + 1 - samples.area.y, samples.area.height)});
-    }
-  return clusters;
-}
+constexpr int bandRows = 32;
 
-}  // namespace
-
-bool rasterise(std::span<const RasterMember> members, const RasterSight& sight,
-               const RasterSurface& surface) {
+/// Draws members band by band. Returns false where a cluster has to be clipped.
+bool drawBands(std::span<const ReadyMember> ready, const RasterSight& sight,
+               const BandOutput& output) {
   const PixelRect& area = sight.samples.area;
-  std::vector<Member> ready;
-  ready.reserve(members.size());
-  for (const RasterMember& member : members)
-    ready.emplace_back(member, sight);
   const std::vector<PlacedCluster> clusters = placedClusters(ready, sight);
-  constexpr int bandRows = 32;
   const auto bands = std::size_t((area.height + bandRows - 1) / bandRows);
   std::vector<std::vector<const PlacedCluster*>> lists(bands);
   for (const PlacedCluster& placed : clusters)
@@ -463,7 +395,7 @@ bool rasterise(std::span<const RasterMember> members, const RasterSight& sight,
       lists[std::size_t(band)].push_back(&placed);
   std::atomic<bool> whole = true;
   parallelChunks(bands, 1, [&](std::size_t begin, std::size_t end) {
-    const auto band = std::make_unique<SurfaceBand>(ready, sight, surface);
+    const auto band = std::make_unique<SurfaceBand>(ready, sight, output);
     for (std::size_t i = begin; i < end && whole; ++i) {
       if (lists[i].empty())
         continue;
@@ -483,6 +415,57 @@ bool rasterise(std::span<const RasterMember> members, const RasterSight& sight,
     }
   });
   return whole;
+}
+
+}  // namespace
+
+bool rasterise(std::span<const RasterMember> members, const RasterSight& sight,
+               const RasterSurface& surface) {
+  std::vector<ReadyMember> ready;
+  ready.reserve(members.size());
+  for (const RasterMember& member : members)
+    ready.emplace_back(member, sight);
+  return drawBands(ready, sight, {surface.depths, surface.colours});
+}
+
+bool findValues(const RasterMember& member, const RasterSight& sight, SurfaceValues& found) {
+  const ReadyMember ready(member, sight);
+  const PixelRect& area = sight.samples.area;
+  const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
+  found.depths.assign(count, 1.0f);
+  for (std::size_t value = 0; value < sampleValueCount; ++value)
+    found.values[value].resize(ready.shading.needed()[value] ? count : 0);
+  return drawBands({&ready, 1}, sight, {found.depths, {}, &found});
+}
+
+void shadeValues(const SurfaceFill& fill, const RasterSight& sight, const SurfaceValues& known,
+                 const RasterSurface& surface) {
+  const SampleShading shading(fill, sight.key);
+  const PixelRect& area = sight.samples.area;
+  const auto shadeRow = [&](int row, int first, int end) {
+    const std::size_t begin = std::size_t(row) * std::size_t(area.width);
+    const float* depths = known.depths.data() + begin;
+    std::copy(depths + first, depths + end, surface.depths.data() + begin + first);
+    for (int column = first; column < end && !surface.colours.empty(); ++column) {
+      const int from = column;
+      while (column < end && depths[column] < 1.0f)
+        ++column;
+      if (column == from)
+        continue;
+      ValueSpans values{};
+      for (std::size_t value = 0; value < sampleValueCount; ++value)
+        if (shading.needed()[value])
+          values[value] = known.values[value].data() + begin + from;
+      shading.shade(sight.view, sight.samples, {row, from, column}, values,
+                    surface.colours.data() + begin + from);
+    }
+  };
+  parallelFor(std::size_t((area.height + bandRows - 1) / bandRows), 1, [&](std::size_t band) {
+    const int bottom = int(band) * bandRows;
+    for (const PixelRect& rect : sight.rectangles)
+      for (int row = std::max(rect.y, bottom); row < std::min(rect.top(), bottom + bandRows); ++row)
+        shadeRow(row, rect.x, rect.right());
+  });
 }
 
 }  // namespace sline::render

@@ -11,6 +11,7 @@
 #include "render/raster/tile_mask.h"
 #include "render/software/layer_pixels.h"
 #include "render/software/seen_cluster.h"
+#include "render/software/surface_values.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/surface_fill.h"
 
@@ -48,5 +49,13 @@ struct RasterSurface {
 /// it drawn, where one reaches behind the eye or beyond the view's depths, and has to be clipped.
 bool rasterise(std::span<const RasterMember> members, const RasterSight& sight,
                const RasterSurface& surface);
+
+/// Finds what the shading of one surface needs, wherever the sight's squares are. Returns false,
+/// with part of it found, as above.
+bool findValues(const RasterMember& member, const RasterSight& sight, SurfaceValues& found);
+/// Shades within the sight's rectangles what `findValues` found in the same sight, which has to
+/// serve the fill: depths and colours are then those that `rasterise` finds.
+void shadeValues(const SurfaceFill& fill, const RasterSight& sight, const SurfaceValues& known,
+                 const RasterSurface& surface);
 
 }  // namespace sline::render

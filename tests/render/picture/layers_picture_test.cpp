@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "render/gpu/device.h"
@@ -23,6 +24,8 @@ class LayersPictureTest : public QObject {
   void keptLayersGiveTheSamePicture();
   void dragOfGammaDrawsOneLayer_data();
   void dragOfGammaDrawsOneLayer();
+  void keptSurfacesGiveTheSamePicture_data();
+  void keptSurfacesGiveTheSamePicture();
   void whatLeavesIsGoneFromThePicture();
   void partsAlone_data();
   void partsAlone();
@@ -222,6 +225,69 @@ void LayersPictureTest::dragOfGammaDrawsOneLayer() {
     const auto anew = (*fresh)->render(sceneOf(nodes), camera(), settings);
     QVERIFY(anew.ok());
     QVERIFY(difference(*kept, *anew).largest <= 2);
+  }
+}
+
+void LayersPictureTest::keptSurfacesGiveTheSamePicture_data() {
+  QTest::addColumn<int>("surfaceStep");
+  QTest::addColumn<bool>("cut");
+  QTest::addColumn<bool>("varies");
+  QTest::newRow("whole") << 1 << false << false;
+  QTest::newRow("coarse samples") << 3 << false << false;
+  QTest::newRow("cut") << 1 << true << false;
+  QTest::newRow("Γ varies") << 1 << false << true;
+}
+
+/// One changes a structure step by step: each picture is as if there had been none before.
+void LayersPictureTest::keptSurfacesGiveTheSamePicture() {
+  QFETCH(int, surfaceStep);
+  QFETCH(bool, cut);
+  QFETCH(bool, varies);
+  model::Scene scene = sceneOf(heap());
+  if (cut)
+    scene.setSections(
+        {{.id = {1}, .plane = model::anatomicalPlane(model::AnatomicalView::posterior, 4.0f)}});
+  PictureSettings asked = settings;
+  asked.surfaceStep = surfaceStep;
+  constexpr std::size_t own = 5;
+  model::Style style = scene.nodes()[own].style;
+  if (varies)
+    style.gammaMap = {.scalar = model::GammaScalar::occlusion,
+                      .curve = {{0.0f, -1.5f}, {1.0f, 1.5f}}};
+  const std::vector<std::function<void(model::Style&)>> steps = {
+      [](model::Style& s) { s.gamma = Gamma::clamped(2.0f); },
+      [](model::Style& s) { s.gamma = Gamma::clamped(1.0f); },
+      [](model::Style& s) { s.gamma = Gamma::clamped(4.9f); },
+      [](model::Style& s) { s.gamma = Gamma::clamped(3.4f); },
+      [](model::Style& s) { s.gamma = Gamma::clamped(4.2f); },
+      [](model::Style& s) {
+        s.colour = Colour{20, 200, 90};
+      },
+      [](model::Style& s) { s.opacity = Opacity::clamped(0.4f); },
+      [](model::Style& s) { s.fill = model::Fill::paper; },
+      [](model::Style& s) { s.gamma = Gamma::clamped(2.5f); },
+      [](model::Style& s) { s.penWeight = 2.0f; },
+      [](model::Style& s) { s.gamma = Gamma::clamped(3.9f); },
+      [](model::Style& s) { s.gamma = Gamma::clamped(5.0f); },
+      [](model::Style& s) { s.gamma = Gamma::clamped(4.0f); },
+  };
+  render::Picture& picture = *m_studio.picture;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    std::vector<model::Node> nodes = scene.nodes();
+    steps[i](style);
+    nodes[own].style = style;
+    // Another one is changed in between.
+    if (i % 4 == 3)
+      nodes[8].style.gamma = Gamma::clamped(3.0f + 0.1f * float(i));
+    scene.setNodes(std::move(nodes));
+    const auto kept = picture.render(scene, camera(), asked);
+    const auto fresh = render::Picture::create();
+    QVERIFY(fresh.ok());
+    const auto anew = (*fresh)->render(scene, camera(), asked);
+    QVERIFY(kept.ok() && anew.ok());
+    const Difference d = difference(*kept, *anew);
+    QVERIFY2(d.largest == 0,
+             qPrintable(QString("step %1: %2, %3 of pixels").arg(i).arg(d.largest).arg(d.share)));
   }
 }
 

@@ -139,6 +139,91 @@ class SurfaceRasterTest : public QObject {
     QVERIFY(sure > 500 && covered > 200);
   }
 
+  void keptValuesAreShadedAlike_data() {
+    QTest::addColumn<int>("step");
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<bool>("byForm");
+    QTest::addColumn<bool>("varies");
+    using Kind = SurfaceFill::Kind;
+    QTest::newRow("depths alone") << 1 << int(Kind::depthOnly) << false << false;
+    QTest::newRow("flat") << 1 << int(Kind::flat) << false << false;
+    QTest::newRow("shaded") << 1 << int(Kind::phong) << false << false;
+    QTest::newRow("by form") << 1 << int(Kind::phong) << true << false;
+    QTest::newRow("Γ varies") << 1 << int(Kind::phong) << true << true;
+    QTest::newRow("coarse") << 3 << int(Kind::phong) << true << true;
+  }
+
+  /// What is found once serves fills that differ in all but what they need to know.
+  void keptValuesAreShadedAlike() {
+    QFETCH(int, step);
+    QFETCH(int, kind);
+    QFETCH(bool, byForm);
+    QFETCH(bool, varies);
+    const Ball ball(5);
+    const PictureView view({.eye = {0.0f, -200.0f, 0.0f}}, ball.shown.mesh->bounds(), 300, 300);
+    TileMask squares(view.whole());
+    squares.markAll();
+    const SampleArea samples{{{0, 0}, step}, {0, 0, 300 / step, 300 / step}};
+    const PixelRect rect{10, 20, 260 / step, 190 / step};
+    const RasterSight sight{view, squares, samples, {&rect, 1}, {0.6f, -0.8f, 0.0f}};
+    SurfaceFill fill{.kind = SurfaceFill::Kind(kind),
+                     .wash = {0.2f, 0.1f, 0.3f, 0.4f},
+                     .colour = {0.9f, 0.4f, 0.1f},
+                     .shading = 0.3f,
+                     .byForm = byForm};
+    if (varies) {
+      GammaOffsets offsets(ball.shown.mesh->positions().size());
+      for (std::size_t i = 0; i < offsets.size(); ++i)
+        offsets[i] = float(i % 5) - 1.0f;
+      fill.gammaOffsets = std::make_shared<const GammaOffsets>(std::move(offsets));
+    }
+    const auto count = std::size_t(samples.area.width) * std::size_t(samples.area.height);
+    SurfaceValues found;
+    QVERIFY(!found.serves(neededValues(fill)));
+    QVERIFY(findValues({ball.shown, fill, ball.shown.surface().clusters}, sight, found));
+    QVERIFY(found.serves(neededValues(fill)));
+    for (const float shading : {0.3f, 0.8f}) {
+      fill.shading = shading;
+      fill.colour.g += 0.3f;
+      std::vector<float> depths(count, 1.0f);
+      std::vector<float> drawnDepths(count, 1.0f);
+      std::vector<std::uint32_t> colours(count, 0);
+      std::vector<std::uint32_t> drawnColours(count, 0);
+      const RasterMember member{ball.shown, fill, ball.shown.surface().clusters};
+      QVERIFY(rasterise({&member, 1}, sight, {drawnDepths, drawnColours}));
+      shadeValues(fill, sight, found, {depths, colours});
+      const auto inked =
+          std::count_if(colours.begin(), colours.end(), [](auto c) { return c > 0; });
+      QVERIFY(kind == int(SurfaceFill::Kind::depthOnly) || inked > 1000);
+      for (int row = rect.y; row < rect.top(); ++row)
+        for (int column = rect.x; column < rect.right(); ++column) {
+          const std::size_t at = std::size_t(row * samples.area.width + column);
+          QCOMPARE(depths[at], drawnDepths[at]);
+          QCOMPARE(colours[at], drawnColours[at]);
+        }
+    }
+  }
+
+  /// A fill that sets in by the form needs what one that is complete does not.
+  void valuesServeOnlyFillsThatNeedNoOthers() {
+    const Ball ball(3);
+    const PictureView view({.eye = {0.0f, -200.0f, 0.0f}}, ball.shown.mesh->bounds(), 100, 100);
+    TileMask squares(view.whole());
+    squares.markAll();
+    SurfaceFill fill{.kind = SurfaceFill::Kind::flat};
+    SurfaceValues found;
+    QVERIFY(findValues({ball.shown, fill, ball.shown.surface().clusters},
+                       {view, squares, {{}, view.whole()}, {}}, found));
+    QVERIFY(found.serves(neededValues(fill)));
+    fill.kind = SurfaceFill::Kind::phong;
+    QVERIFY(!found.serves(neededValues(fill)));
+    QVERIFY(findValues({ball.shown, fill, ball.shown.surface().clusters},
+                       {view, squares, {{}, view.whole()}, {}}, found));
+    QVERIFY(found.serves(neededValues(fill)));
+    fill.byForm = true;
+    QVERIFY(!found.serves(neededValues(fill)));
+  }
+
   void clustersOutsideTheSquaresAreLeftOut() {
     const Ball ball(5);
     const PictureView view({.eye = {0.0f, -200.0f, 0.0f}}, ball.shown.mesh->bounds(), 320, 320);
