@@ -3,6 +3,7 @@
 // §10).
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>
@@ -49,14 +50,15 @@ struct Layer {
   /// What is seen of its only member's surface, kept where few layers change: to be found while it
   /// has no depths.
   std::optional<SurfaceValues> values;
-  LayerPixels pixels;        ///< what of it the processor drew instead: see `drawOnProcessor`
-  bool onProcessor = false;  ///< that is all of it
-  bool sampled = false;      ///< its surface's samples are in `pixels`: see `sampleSurface`
-  bool covered = false;      ///< sampled layers hide all of it, and nothing was drawn
-  bool partial = false;      ///< or some of it, which was left out
-  bool uploaded = false;     ///< and the atlas has it, too
-  PixelRect area;            ///< in pixels of the whole picture
-  PixelRect slot;            ///< in the atlas
+  std::uint64_t drawing = 0;  ///< tells what was drawn of it from all other layers
+  LayerPixels pixels;         ///< what of it the processor drew instead: see `drawOnProcessor`
+  bool onProcessor = false;   ///< that is all of it
+  bool sampled = false;       ///< its surface's samples are in `pixels`: see `sampleSurface`
+  bool covered = false;       ///< sampled layers hide all of it, and nothing was drawn
+  bool partial = false;       ///< or some of it, which was left out
+  bool uploaded = false;      ///< and the atlas has it, too
+  PixelRect area;             ///< in pixels of the whole picture
+  PixelRect slot;             ///< in the atlas
   PictureContent parts;
   int surfaceStep = 1;  ///< see PictureSettings
   TileMask mask;        ///< where it shows, of the region's grid and within its area

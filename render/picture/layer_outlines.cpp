@@ -2,29 +2,16 @@
 // Draws lines around structures over a picture that is done, without drawing any layer anew.
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <numeric>
 
 #include "model/base/parallel.h"
 #include "render/picture/layer_content.h"
 #include "render/picture/layer_painter.h"
-#include "render/software/surface_raster.h"
 #include "render/strokes/section_caps.h"
 
 namespace sline::render {
 
 namespace {
-
-/// Returns the number, 1 … 255, of the structure at that place of the list.
-int numberAt(std::size_t place) {
-  return int(place % 255) + 1;
-}
-
-/// Returns the fill that marks a surface with its number.
-SurfaceFill numberFill(std::size_t place) {
-  return {.kind = SurfaceFill::Kind::flat,
-          .wash = glm::vec4(float(numberAt(place)) / 255.0f, 0.0f, 0.0f, 1.0f)};
-}
 
 std::vector<PreparedStructure> outlined(const PictureInput& input, const Outline& outline) {
   std::vector<PreparedStructure> structures;
@@ -34,63 +21,23 @@ std::vector<PreparedStructure> outlined(const PictureInput& input, const Outline
   return structures;
 }
 
-/// Returns the layers that may hide what is outlined. In place of its ink each has the number of
-/// the only structure in it, which does not hide itself, or 0.
-std::vector<ListedLayer> hidingLayers(std::span<const Layer> kept, std::span<const Layer> outlined,
+/// Returns the layers that may hide what is outlined, with their numbers in place of their ink.
+std::vector<ListedLayer> hidingLayers(std::span<const Layer> kept, const OutlinedNumbers& numbers,
                                       const PixelRect& region, Background background) {
-  std::map<model::NodeId, int> numbers;
-  for (const Layer& layer : outlined)
-    for (const PreparedStructure& member : layer.members)
-      numbers.emplace(member.id, numberAt(numbers.size()));
   std::vector<ListedLayer> hiding;
   for (const Layer& layer : kept)
     for (ListedLayer& listed : listedLayers({&layer, 1}, region, background)) {
-      const auto own = numbers.find(layer.members.front().id);
-      const bool known = layer.members.size() == 1 && own != numbers.end();
-      listed.layer.ink = {0, 0, std::uint8_t(known ? own->second : 0)};
+      listed.layer.ink = {0, 0, std::uint8_t(numbers.of(layer))};
       hiding.push_back(listed);
     }
   return hiding;
 }
 
-/// Draws the numbers on the processor. Returns false where a driver must.
-bool rasteriseNumbers(const PictureInput& input, std::span<const Layer> layers,
-                      const PixelRect& region, const PictureCanvas& numbers) {
-  std::vector<RasterMember> members;
-  std::vector<PixelRect> rectangles;
-  for (const Layer& layer : layers) {
-    for (const PreparedStructure& shown : layer.members) {
-      if (shown.cut)
-        return false;
-      members.push_back({shown, numberFill(members.size()), shown.surface().clusters});
-    }
-    PixelRect seen = intersection(layer.area, region);
-    seen.x -= region.x;
-    seen.y -= region.y;
-    rectangles.push_back(seen);
-  }
-  TileMask squares(region);
-  squares.markAll();
-  const std::size_t count = std::size_t(region.width) * std::size_t(region.height);
-  std::vector<float> depths(count, 1.0f);
-  std::vector<std::uint32_t> colours(count);
-  if (!rasterise(members,
-                 {.view = input.view,
-                  .squares = squares,
-                  .samples = {{}, region},
-                  .rectangles = rectangles},
-                 {depths, colours}))
-    return false;
-  const PixelRect all{0, 0, region.width, region.height};
-  numbers.colour->upload(std::as_bytes(std::span(colours)), all);
-  numbers.depth->upload(std::as_bytes(std::span(depths)), all);
-  return true;
-}
-
 }  // namespace
 
 void LayerPainter::drawNumbers(gpu::Device& device, const PictureInput& input,
-                               std::span<Layer> layers, const PixelRect& region) const {
+                               std::span<Layer> layers, const OutlinedNumbers& numbers,
+                               const PixelRect& region) const {
   const passes::SurfaceView view{.viewProjection = input.view.viewProjection(),
                                  .eye = input.view.eyeVector(),
                                  .pictureSize = input.view.size()};
@@ -102,11 +49,10 @@ void LayerPainter::drawNumbers(gpu::Device& device, const PictureInput& input,
   const gpu::Target& target = *m_numbers.target;
   device.clear(target, {.colour = glm::vec4(0.0f), .depth = 1.0f});
   gpu::DrawQueue queue(device.software());
-  std::size_t place = 0;
   for (const Layer& layer : layers)
-    for (std::size_t i = 0; i < layer.members.size(); ++i, ++place) {
+    for (std::size_t i = 0; i < layer.members.size(); ++i) {
       const PreparedStructure& shown = layer.members[i];
-      const SurfaceFill fill = numberFill(place);
+      const SurfaceFill fill = numberFill(numbers.of(shown.id));
       const PixelRect slot{layer.area.x - region.x, layer.area.y - region.y, layer.area.width,
                            layer.area.height};
       drawMember(device, {target, layer, i, {layer.area, slot}, fill}, view, queue);
@@ -121,13 +67,35 @@ void LayerPainter::drawNumbers(gpu::Device& device, const PictureInput& input,
     }
 }
 
+Result<bool> LayerPainter::outlineOnProcessor(gpu::Device& device, const PictureInput& input,
+                                              std::span<const PreparedStructure> structures,
+                                              const OutlinePlace& place, const OutlineLook& look) {
+  const auto drawn = m_outlines.draw(input, structures, m_kept, place.region, look);
+  if (!drawn.ink)
+    return false;
+  const PixelRect& area = drawn.area;
+  if (Status s = m_numbers.resize({area.width, area.height}, false); !s)
+    return s.error();
+  m_numbers.colour->upload(std::as_bytes(std::span(drawn.ink->colours)),
+                           {0, 0, area.width, area.height});
+  m_overlayPass->draw(device, place.target,
+                      {*m_numbers.colour, {area.x, area.y}, drawn.ink->rectangles});
+  return true;
+}
+
 Status LayerPainter::outline(gpu::Device& device, const PictureInput& input,
-                             const PixelRect& region, const gpu::Target& target,
-                             const Outline& outline) {
+                             const OutlinePlace& place, const Outline& outline) {
+  const PixelRect& region = place.region;
   const std::vector<PreparedStructure> structures = outlined(input, outline);
   std::vector<Layer> layers = planLayers(structures, input.view, region, input.parts);
   if (layers.empty())
     return Unit{};
+  const OutlineLook look = lookOf(outline);
+  if (m_blended) {
+    const Result<bool> drawn = outlineOnProcessor(device, input, structures, place, look);
+    if (!drawn.ok() || *drawn)
+      return drawn.ok() ? Status(Unit{}) : Status(drawn.error());
+  }
   std::vector<std::size_t> all(layers.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
   completeSurfaces(input, layers, all);
@@ -135,28 +103,22 @@ Status LayerPainter::outline(gpu::Device& device, const PictureInput& input,
     return s;
   if (Status s = m_numbers.resize({region.width, region.height}, true); !s)
     return s;
-  if (!input.processor || !rasteriseNumbers(input, layers, region, m_numbers))
-    drawNumbers(device, input, layers, region);
+  const OutlinedNumbers numbers(structures);
+  drawNumbers(device, input, layers, numbers, region);
 
-  const float half = 0.5f * outline.width;
-  const float casing = half + outline.casingWidth;
   TileMask wanted(region);
   for (const Layer& layer : layers)
-    wanted.mark(grown(layer.area, passes::ResolvePass::outlineReach(casing)));
-  const TileLists lists = tileLists(hidingLayers(m_kept, layers, region, input.background), wanted);
+    wanted.mark(grown(layer.area, look.reach()));
+  const TileLists lists =
+      tileLists(hidingLayers(m_kept, numbers, region, input.background), wanted);
   m_resolvePass->upload(lists.tiles, lists.entries);
-  m_resolvePass->drawOutlines(device, target,
+  m_resolvePass->drawOutlines(device, place.target,
                               {.numbers = *m_numbers.colour,
                                .numberDepths = *m_numbers.depth,
                                .colours = m_atlas.colours(),
                                .depths = m_atlas.layerDepths(),
                                .region = region,
-                               .ink = rgb(outline.ink),
-                               .casing = rgb(outline.casing),
-                               .halfWidth = half,
-                               .casingHalfWidth = casing,
-                               .strength = outline.strength,
-                               .hiddenStrength = 0.35f * outline.strength});
+                               .look = look});
   return Unit{};
 }
 

@@ -33,12 +33,16 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   auto resolve = passes::ResolvePass::create(device.dialect());
   if (!resolve)
     return resolve.error();
+  auto overlay = passes::OverlayPass::create(device.dialect());
+  if (!overlay)
+    return overlay.error();
   painter->m_surfacePass = std::move(*surface);
   painter->m_wipePass = std::move(*wipe);
   painter->m_enlargePass = std::move(*enlarge);
   painter->m_capPass = std::move(*cap);
   painter->m_inkPass = std::move(*ink);
   painter->m_resolvePass = std::move(*resolve);
+  painter->m_overlayPass = std::move(*overlay);
   return painter;
 }
 
@@ -50,6 +54,7 @@ std::unique_ptr<LayerPainter> LayerPainter::another(const AtlasLimits& limits) c
   painter->m_capPass = m_capPass;
   painter->m_inkPass = m_inkPass;
   painter->m_resolvePass = m_resolvePass;
+  painter->m_overlayPass = m_overlayPass;
   return painter;
 }
 
@@ -57,6 +62,7 @@ void LayerPainter::forget() {
   for (Layer& old : m_kept)
     m_spares.push_back(std::move(old.pixels));
   m_kept.clear();
+  m_outlines.forget();
 }
 
 namespace {
@@ -399,7 +405,10 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   stopwatch.pass(device, "resolve");
   m_layersDrawn = int(std::count_if(changed.begin(), changed.end(),
                                     [&](std::size_t i) { return !layers[i].covered; }));
+  for (const std::size_t i : changed)
+    layers[i].drawing = ++m_drawings;
   m_kept = std::move(layers);
+  m_outlines.next();
   return Outcome::painted;
 }
 

@@ -9,6 +9,7 @@
 #include "render/gpu/draw_queue.h"
 #include "render/passes/cap/cap_pass.h"
 #include "render/passes/ink/ink_pass.h"
+#include "render/passes/resolve/overlay_pass.h"
 #include "render/passes/resolve/resolve_pass.h"
 #include "render/passes/surface/enlarge_pass.h"
 #include "render/passes/surface/surface_pass.h"
@@ -17,6 +18,7 @@
 #include "render/picture/layer.h"
 #include "render/picture/picture_canvas.h"
 #include "render/picture/printed_hatching.h"
+#include "render/picture/processor_outlines.h"
 #include "render/picture/stopwatch.h"
 
 namespace sline::render {
@@ -57,10 +59,15 @@ class LayerPainter {
   /// then undefined.
   Result<Outcome> paint(gpu::Device& device, const PictureInput& input, const PixelRect& region,
                         const PictureCanvas& canvas, Stopwatch& stopwatch);
-  /// Draws lines around structures, seen or not, over the region's place in the target of the whole
-  /// picture. The region is the one of the last `paint`, whose layers hide what lies behind them.
-  Status outline(gpu::Device& device, const PictureInput& input, const PixelRect& region,
-                 const gpu::Target& target, const Outline& outline);
+  /// A region of the picture in the target of all of it.
+  struct OutlinePlace {
+    PixelRect region;
+    const gpu::Target& target;
+  };
+  /// Draws lines around structures, seen or not, over the region's place in the target. The region
+  /// is the one of the last `paint`, whose layers hide what lies behind them.
+  Status outline(gpu::Device& device, const PictureInput& input, const OutlinePlace& place,
+                 const Outline& outline);
   /// Returns how many layers the last `paint` drew anew.
   int layersDrawn() const { return m_layersDrawn; }
   /// Has the next `paint` draw all layers anew.
@@ -131,8 +138,12 @@ class LayerPainter {
   Result<Outcome> drive(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
                         std::span<const std::size_t> driven, Stopwatch& stopwatch);
   void takeSpares(std::vector<Layer>& layers, std::span<const std::size_t> changed);
+  /// Does so where the processor blended the layers. Returns false where a driver must.
+  Result<bool> outlineOnProcessor(gpu::Device& device, const PictureInput& input,
+                                  std::span<const PreparedStructure> structures,
+                                  const OutlinePlace& place, const OutlineLook& look);
   void drawNumbers(gpu::Device& device, const PictureInput& input, std::span<Layer> layers,
-                   const PixelRect& region) const;
+                   const OutlinedNumbers& numbers, const PixelRect& region) const;
 
   Atlas m_atlas;
   std::shared_ptr<passes::SurfacePass> m_surfacePass;
@@ -141,13 +152,16 @@ class LayerPainter {
   std::shared_ptr<passes::CapPass> m_capPass;
   std::shared_ptr<passes::InkPass> m_inkPass;
   std::shared_ptr<passes::ResolvePass> m_resolvePass;
+  std::shared_ptr<passes::OverlayPass> m_overlayPass;
   PrintedHatching m_printedHatching;
   Key m_key;
   std::vector<Layer> m_kept;
   TileMask m_left;                    ///< squares touched by layers that have since changed or gone
   std::vector<LayerPixels> m_spares;  ///< of layers that have changed or gone
-  std::vector<std::uint32_t> m_picture;   ///< the region's pixels, where the processor blends
-  PictureCanvas m_numbers;                ///< which marked structure is where, as deep as it is
+  std::vector<std::uint32_t> m_picture;  ///< the region's pixels, where the processor blends
+  ProcessorOutlines m_outlines;
+  std::uint64_t m_drawings = 0;  ///< how many layers were drawn
+  PictureCanvas m_numbers;       ///< which marked structure is where, or the line around it
   const gpu::Target* m_target = nullptr;  ///< that of the last `paint`
   bool m_blended = false;                 ///< by the processor, in the last `paint`
   bool m_freshAtlas = true;

@@ -227,7 +227,7 @@ Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
                        {region.x / n, region.y / n, region.width / n, region.height / n});
   }
   for (const Outline& outline : output.outlines)
-    if (Status s = used.painter->outline(*device, input, region, *output.target, outline); !s)
+    if (Status s = used.painter->outline(*device, input, {region, *output.target}, outline); !s)
       return s;
   if (output.image) {
     std::vector<std::byte> pixels(std::size_t(region.width) * region.height * 4);

@@ -203,6 +203,11 @@ int main(int argc, char** argv) {
     return 1;
   std::cout << "viewport " << f.viewport().width() << "x" << f.viewport().height() << '\n';
   dragInPicture(f, "turn", {600, 400}, {1.5f, 0.5f});
+  f.session.select(f.session.scene().named(argv[2]));
+  f.settled();
+  dragInPicture(f, "turn with a selection", {600, 400}, {1.5f, 0.5f});
+  f.session.select({});
+  f.settled();
   QTest::keyClick(&f.window, Qt::Key_L);
   f.settled();
   dragSection(f, "axial section", Qt::Key_3);

@@ -59,12 +59,6 @@ gpu::ProgramRecipe outlineRecipe() {
                        {"reach", UniformType::integer}}};
 }
 
-/// Returns the standard deviation, in pixels, that tells distances up to the casing's rim: the
-/// share of like pixels is of no use beyond 1.25 of it.
-float outlineScale(float casingHalfWidth) {
-  return std::max(1.0f, (casingHalfWidth + 0.5f) / 1.2f);
-}
-
 }  // namespace
 
 ResolveEntry resolveEntry(const ResolveLayer& layer) {
@@ -189,10 +183,6 @@ void ResolvePass::drawTiles(gpu::Device& device, const gpu::Target& target,
   }
 }
 
-int ResolvePass::outlineReach(float casingHalfWidth) {
-  return std::min(12, int(std::ceil(2.0f * outlineScale(casingHalfWidth))));
-}
-
 void ResolvePass::drawOutlines(gpu::Device& device, const gpu::Target& target,
                                const OutlineInputs& inputs) {
   if (m_batches.empty())
@@ -207,12 +197,13 @@ void ResolvePass::drawOutlines(gpu::Device& device, const gpu::Target& target,
   m_outline->set("looks", *m_looks);
   m_outline->set("rowBits", rowBits);
   m_outline->set("corner", glm::ivec2(region.x, region.y));
-  m_outline->set("ink", inputs.ink);
-  m_outline->set("casing", inputs.casing);
-  m_outline->set("pen", glm::vec4(inputs.halfWidth, inputs.casingHalfWidth, inputs.strength,
-                                  inputs.hiddenStrength));
-  m_outline->set("scale", outlineScale(inputs.casingHalfWidth));
-  m_outline->set("reach", outlineReach(inputs.casingHalfWidth));
+  const OutlineLook& look = inputs.look;
+  m_outline->set("ink", look.ink);
+  m_outline->set("casing", look.casing);
+  m_outline->set(
+      "pen", glm::vec4(look.halfWidth, look.casingHalfWidth, look.strength, look.hiddenStrength));
+  m_outline->set("scale", look.scale());
+  m_outline->set("reach", look.reach());
   drawTiles(device, target, {*m_outline, *m_outline},
             {.viewport = region, .scissor = region, .blend = gpu::Blend::over});
 }

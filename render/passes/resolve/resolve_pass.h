@@ -10,6 +10,7 @@
 
 #include "model/base/units.h"
 #include "render/gpu/device.h"
+#include "render/raster/outline_look.h"
 #include "render/raster/tile_mask.h"
 
 namespace sline::render::passes {
@@ -54,19 +55,14 @@ struct ResolveInputs {
   bool keepOthers = false;     ///< pixels outside all tiles stay as they are
 };
 
-/// Describes a line around marked structures; lengths in pixels.
+/// Describes a line around marked structures.
 struct OutlineInputs {
   const gpu::Texture& numbers;  ///< of the region; red: which marked structure, 0 for none
   const gpu::Texture& numberDepths;
   const gpu::Texture& colours;  ///< as in ResolveInputs
   const gpu::Texture& depths;
   PixelRect region;  ///< its place in the target
-  glm::vec3 ink{0.0f};
-  glm::vec3 casing{1.0f};  ///< beside the ink
-  float halfWidth = 1.0f;
-  float casingHalfWidth = 2.0f;
-  float strength = 1.0f;  ///< 0 … 1
-  float hiddenStrength = 0.3f;
+  OutlineLook look;
 };
 
 class ResolvePass {
@@ -81,8 +77,6 @@ class ResolvePass {
   /// Draws the line over what the target has, in the tiles that were uploaded; their layers hide
   /// it.
   void drawOutlines(gpu::Device& device, const gpu::Target& target, const OutlineInputs& inputs);
-  /// Returns how many pixels beside a structure its line can touch.
-  static int outlineReach(float casingHalfWidth);
 
  private:
   ResolvePass();

@@ -6,8 +6,8 @@
 #include <functional>
 #include <random>
 
-#include "render/gpu/device.h"
 #include "tests/render/picture/scenes.h"
+#include "tests/render/picture/target_pixels.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -45,40 +45,6 @@ class LayersPictureTest : public QObject {
 namespace {
 
 const PictureSettings settings{.width = 640, .height = 480};
-
-/// Pixels of a driver's that pictures of these settings are drawn into.
-class TargetPixels {
- public:
-  TargetPixels()
-      : m_pixels(render::gpu::TextureFormat::rgba8, size(), "pixels"),
-        m_target(render::gpu::Target::create({{&m_pixels}, nullptr}, "pixels")),
-        m_device(render::gpu::Device::create()) {}
-
-  bool ok() const { return m_target.ok() && m_device.ok(); }
-  const render::gpu::Target& target() const { return **m_target; }
-  void clear() { (*m_device)->clear(target(), {.colour = glm::vec4(0.5f)}); }
-  /// Returns what is there.
-  Image image() {
-    const std::size_t row = std::size_t(settings.width) * 4;
-    std::vector<std::byte> rows(row * std::size_t(settings.height));
-    (*m_device)->read(target(), {0, 0, settings.width, settings.height}, rows);
-    Image image{.width = settings.width, .height = settings.height, .rgba = {}};
-    image.rgba.reserve(rows.size());
-    for (std::size_t y = std::size_t(settings.height); y-- > 0;)
-      for (std::size_t x = 0; x < row; ++x)
-        image.rgba.push_back(std::uint8_t(rows[y * row + x]));
-    return image;
-  }
-
- private:
-  static render::gpu::TextureSize size() {
-    return {.width = settings.width, .height = settings.height};
-  }
-
-  render::gpu::Texture m_pixels;
-  Result<std::unique_ptr<render::gpu::Target>> m_target;
-  Result<std::unique_ptr<render::gpu::Device>> m_device;
-};
 
 /// Returns a heap of shapes that overlap, in every stage of Γ.
 std::vector<model::Node> heap(bool linesOnly = false) {
@@ -403,7 +369,7 @@ void LayersPictureTest::targetsGetTheSamePicture() {
   const auto image = picture.render(scene, camera(), settings);
   QVERIFY(image.ok());
 
-  TargetPixels pixels;
+  TargetPixels pixels(settings);
   QVERIFY(pixels.ok());
   pixels.clear();
   // The picture is given up before it is done, and then it is not.
@@ -428,7 +394,7 @@ void LayersPictureTest::refinedTargetsAreReduced() {
   const auto plain = picture.render(scene, camera(), settings);
   QVERIFY(expected.ok() && plain.ok());
 
-  TargetPixels pixels;
+  TargetPixels pixels(settings);
   QVERIFY(pixels.ok());
   std::atomic<bool> unwanted = true;
   const auto none = picture.refineInto({pixels.target(), &unwanted}, scene, camera(), settings);
