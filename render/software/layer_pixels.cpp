@@ -53,29 +53,45 @@ class Enlarger {
     for (int x = pixels.area.x; x < pixels.area.right(); ++x)
       m_columns.push_back(between(x, samples.grid.corner.x + pixels.step() * samples.area.x,
                                   pixels.step(), samples.area.width));
+    m_ends.resize(m_columns.size());
+    for (std::size_t i = m_columns.size(); i-- > 0;) {
+      const bool last = i + 1 == m_columns.size() || m_columns[i + 1].low != m_columns[i].low ||
+                        m_columns[i + 1].high != m_columns[i].high;
+      m_ends[i] = last ? i + 1 : m_ends[i + 1];
+    }
   }
 
-  void row(std::size_t first, std::size_t end, int y) const {
+  /// What lies between two rows of samples, at each of their columns.
+  struct Line {
+    std::vector<Channels> colours;
+    std::vector<float> depths;
+    std::vector<std::uint8_t> covered;  ///< how many of the two samples have the surface
+  };
+
+  void row(std::size_t first, std::size_t end, int y, Line& line) const {
     const SampleArea& samples = m_pixels.samples;
     const Between row = between(y, samples.grid.corner.y + m_pixels.step() * samples.area.y,
                                 m_pixels.step(), samples.area.height);
     const std::size_t low = std::size_t(row.low) * std::size_t(samples.area.width);
     const std::size_t high = std::size_t(row.high) * std::size_t(samples.area.width);
     const std::size_t begin = m_pixels.at(m_pixels.area.x, y);
+    const auto from = std::size_t(m_columns[first - begin].low);
+    mixRows({low + from, high + from}, row.t, std::size_t(m_columns[end - 1 - begin].high) - from,
+            line);
     for (std::size_t i = first; i < end;) {
       const Between& column = m_columns[i - begin];
-      std::size_t next = i + 1;
-      while (next < end && m_columns[next - begin].low == column.low &&
-             m_columns[next - begin].high == column.high)
-        ++next;
-      const Corners corners{low + std::size_t(column.low), low + std::size_t(column.high),
-                            high + std::size_t(column.low), high + std::size_t(column.high)};
-      const std::size_t covered = coveredOf(corners);
-      if (covered == corners.size())
-        mix(i, next, corners, row.t);
+      const std::size_t next = std::min(begin + m_ends[i - begin], end);
+      const std::size_t left = std::size_t(column.low) - from;
+      const std::size_t right = std::size_t(column.high) - from;
+      const int covered = line.covered[left] + line.covered[right];
+      if (covered == 4)
+        mix(i, next, line, left, right);
       else if (covered > 0)
-        for (; i < next; ++i)
-          put(i, corners, {m_columns[i - begin].t, row.t});
+        for (std::size_t at = i; at < next; ++at)
+          put(at,
+              {low + std::size_t(column.low), low + std::size_t(column.high),
+               high + std::size_t(column.low), high + std::size_t(column.high)},
+              {m_columns[at - begin].t, row.t});
       i = next;
     }
   }
@@ -83,29 +99,39 @@ class Enlarger {
  private:
   using Corners = std::array<std::size_t, 4>;  ///< samples around a place
 
-  std::size_t coveredOf(const Corners& corners) const {
-    return std::size_t(std::count_if(corners.begin(), corners.end(), [this](std::size_t corner) {
-      return m_pixels.surfaceDepths[corner] < 1.0f;
-    }));
-  }
-
   Channels colourOf(std::size_t sample) const {
     return channelsOf(m_pixels.surfaceColours[sample]);
   }
   static Channels mixed(const Channels& a, const Channels& b, float t) { return a + t * (b - a); }
 
-  /// Mixes pixels between four samples that all have the surface.
-  void mix(std::size_t first, std::size_t end, const Corners& at, float t) const {
-    const std::vector<float>& depths = m_pixels.surfaceDepths;
-    const Channels left = mixed(colourOf(at[0]), colourOf(at[2]), t);
-    const Channels right = mixed(colourOf(at[1]), colourOf(at[3]), t);
-    const float leftDepth = glm::mix(depths[at[0]], depths[at[2]], t);
-    const float rightDepth = glm::mix(depths[at[1]], depths[at[3]], t);
+  /// Mixes two rows of samples, from these samples on and to the last column.
+  void mixRows(const std::array<std::size_t, 2>& at, float t, std::size_t last, Line& line) const {
+    line.colours.resize(last + 1);
+    line.depths.resize(last + 1);
+    line.covered.resize(last + 1);
+    const float* low = m_pixels.surfaceDepths.data() + at[0];
+    const float* high = m_pixels.surfaceDepths.data() + at[1];
+    for (std::size_t i = 0; i <= last; ++i) {
+      line.covered[i] = std::uint8_t(int(low[i] < 1.0f) + int(high[i] < 1.0f));
+      if (line.covered[i] < 2)
+        continue;
+      line.depths[i] = low[i] + t * (high[i] - low[i]);
+      line.colours[i] = mixed(colourOf(at[0] + i), colourOf(at[1] + i), t);
+    }
+  }
+
+  /// Mixes pixels between two columns where all four samples have the surface.
+  void mix(std::size_t first, std::size_t end, const Line& line, std::size_t left,
+           std::size_t right) const {
+    const Channels colour = line.colours[left];
+    const Channels colourRise = line.colours[right] - colour;
+    const float depth = line.depths[left];
+    const float depthRise = line.depths[right] - depth;
     const std::size_t begin = first - (first % std::size_t(m_pixels.area.width));
     for (std::size_t i = first; i < end; ++i) {
       const float across = m_columns[i - begin].t;
-      m_pixels.colours[i] = wordOf(mixed(left, right, across));
-      m_pixels.depths[i] = leftDepth + across * (rightDepth - leftDepth);
+      m_pixels.colours[i] = wordOf(colour + across * colourRise);
+      m_pixels.depths[i] = depth + across * depthRise;
     }
   }
 
@@ -134,7 +160,8 @@ class Enlarger {
   }
 
   LayerPixels& m_pixels;
-  std::vector<Between> m_columns;
+  std::vector<Between> m_columns;   ///< of the area
+  std::vector<std::size_t> m_ends;  ///< of each column, the first after it that has other samples
 };
 
 }  // namespace
@@ -188,8 +215,10 @@ void takeSurface(LayerPixels& pixels, std::span<const PixelRect> rectangles) {
   }
   const Enlarger enlarger(pixels);
   parallelFor(rectangles.size(), 4, [&](std::size_t i) {
-    forEachRow(pixels, rectangles.subspan(i, 1),
-               [&](std::size_t first, std::size_t end, int y) { enlarger.row(first, end, y); });
+    Enlarger::Line line;
+    forEachRow(pixels, rectangles.subspan(i, 1), [&](std::size_t first, std::size_t end, int y) {
+      enlarger.row(first, end, y, line);
+    });
   });
 }
 
