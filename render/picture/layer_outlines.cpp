@@ -73,6 +73,8 @@ Result<bool> LayerPainter::outlineOnProcessor(gpu::Device& device, const Picture
   const auto drawn = m_outlines.draw(input, structures, m_kept, place.region, look);
   if (!drawn.ink)
     return false;
+  if (drawn.ink->rectangles.empty())
+    return true;
   const PixelRect& area = drawn.area;
   if (Status s = m_numbers.resize({area.width, area.height}, false); !s)
     return s.error();

@@ -7,7 +7,6 @@
 
 #include "render/picture/layer_content.h"
 #include "render/picture/processor_drawing.h"
-#include "render/strokes/coverage.h"
 #include "render/strokes/surface_fill.h"
 
 namespace sline::render {
@@ -81,13 +80,16 @@ bool showsSameSurface(const Layer& layer, const Layer& other) {
 /// them, as those that change a few at a time are likely to change again: while one drags a
 /// slider, say. Nobody else keeps any.
 void keepValues(std::vector<Layer>& layers, std::span<const std::size_t> changed,
-                std::vector<Layer>& before, const PictureView& view) {
-  constexpr std::size_t few = 3;
+                std::vector<Layer>& before) {
+  constexpr std::size_t most = 6'000'000;  // samples, up to 24 bytes each
   if (changed.empty())
     return;
   for (Layer& layer : layers)
     layer.values.reset();
-  if (changed.size() > few)
+  std::size_t samples = 0;
+  for (const std::size_t i : changed)
+    samples += areaOf(layers[i].area) / std::size_t(layers[i].surfaceStep * layers[i].surfaceStep);
+  if (samples > most)
     return;
   for (const std::size_t i : changed) {
     Layer& layer = layers[i];
@@ -98,16 +100,14 @@ void keepValues(std::vector<Layer>& layers, std::span<const std::size_t> changed
     const PreparedStructure& now = layer.members.front();
     const PreparedStructure& then = same->members.front();
     layer.values.emplace();
-    if (same->values && now.sampled == then.sampled &&
-        cullsBack(now, view) == cullsBack(then, view))
+    if (same->values && now.sampled == then.sampled)
       layer.values = std::move(same->values);
   }
 }
 
 }  // namespace
 
-std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const PictureView& view,
-                                             const Key& key) {
+std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const Key& key) {
   std::vector<std::size_t> changed;
   if (key != m_key)
     forget();
@@ -137,7 +137,7 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const P
     if (before != m_kept.end())
       layer.slot = before->slot;
   }
-  keepValues(layers, changed, m_kept, view);
+  keepValues(layers, changed, m_kept);
   m_freshAtlas = changed.size() == layers.size();
   m_left = TileMask(key.region);
   for (std::size_t i = 0; i < m_kept.size(); ++i)
@@ -372,9 +372,8 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   for (Layer& layer : layers)
     layer.surfaceStep = input.surfaceStep;
   std::vector<std::size_t> changed =
-      reuse(layers, input.view,
-            {input.view.camera(), input.view.bounds(), input.view.size(), input.background,
-             input.light, input.keyLight, input.parts, input.surfaceStep, region});
+      reuse(layers, {input.view.camera(), input.view.bounds(), input.view.size(), input.background,
+                     input.light, input.keyLight, input.parts, input.surfaceStep, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
   takeSpares(layers, changed);

@@ -89,8 +89,7 @@ class LayerPainter {
   };
 
   explicit LayerPainter(const AtlasLimits& limits) : m_atlas(limits) {}
-  std::vector<std::size_t> reuse(std::vector<Layer>& layers, const PictureView& view,
-                                 const Key& key);
+  std::vector<std::size_t> reuse(std::vector<Layer>& layers, const Key& key);
   Status makeRoom(gpu::Device& device);
   bool place(std::vector<Layer>& layers, std::vector<std::size_t>& changed);
   void letGo(gpu::Device& device);

@@ -99,12 +99,12 @@ ProcessorOutlines::Kept& ProcessorOutlines::marked(const PictureInput& input,
                                                    std::span<const PreparedStructure> structures,
                                                    const PixelRect& region,
                                                    const OutlineLook& look) {
-  const auto sharesSurface = [](const PreparedStructure& a, const PreparedStructure& b) {
-    return a.sharesSurface(b);
+  const auto liesAlike = [](const PreparedStructure& a, const PreparedStructure& b) {
+    return a.sharesSurface(b) && hasCaps(a) == hasCaps(b);
   };
   const auto same = std::find_if(m_kept.begin(), m_kept.end(), [&](const Kept& kept) {
     return kept.look == look && std::equal(kept.structures.begin(), kept.structures.end(),
-                                           structures.begin(), structures.end(), sharesSurface);
+                                           structures.begin(), structures.end(), liesAlike);
   });
   if (same != m_kept.end())
     return *same;

@@ -43,7 +43,7 @@ class ProcessorOutlines {
     const OutlineInk* ink = nullptr;  ///< null: a driver must, as something reaches behind the eye
   };
   /// Draws the line around the structures. Layers are those of the picture, in the region that was
-  /// drawn; what is returned stays until `next` or `forget`.
+  /// drawn; what is returned stays until the next line is drawn.
   Drawn draw(const PictureInput& input, std::span<const PreparedStructure> structures,
              std::span<const Layer> layers, const PixelRect& region, const OutlineLook& look);
   /// Tells that another picture from the same place follows: lines of the one before the last are

@@ -253,6 +253,8 @@ class SquareDrawer {
 
 PixelRect markedArea(const PixelRect& structures, const PixelRect& region,
                      const OutlineLook& look) {
+  if (structures.empty())
+    return {};
   const PixelRect reached = intersection(grown(structures, look.reach() + 1), region);
   const auto floored = [](int pixels) { return pixels / squareSide * squareSide; };
   const int left = floored(reached.x - region.x);

@@ -435,7 +435,10 @@ bool findValues(const RasterMember& member, const RasterSight& sight, SurfaceVal
   found.depths.assign(count, 1.0f);
   for (std::size_t value = 0; value < sampleValueCount; ++value)
     found.values[value].resize(ready.shading.needed()[value] ? count : 0);
-  return drawBands({&ready, 1}, sight, {found.depths, {}, &found});
+  const bool whole = drawBands({&ready, 1}, sight, {found.depths, {}, &found});
+  if (!whole)
+    found = {};
+  return whole;
 }
 
 void shadeValues(const SurfaceFill& fill, const RasterSight& sight, const SurfaceValues& known,

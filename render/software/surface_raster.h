@@ -51,7 +51,7 @@ bool rasterise(std::span<const RasterMember> members, const RasterSight& sight,
                const RasterSurface& surface);
 
 /// Finds what the shading of one surface needs, wherever the sight's squares are. Returns false,
-/// with part of it found, as above.
+/// with nothing found, where a cluster has to be clipped.
 bool findValues(const RasterMember& member, const RasterSight& sight, SurfaceValues& found);
 /// Shades within the sight's rectangles what `findValues` found in the same sight, which has to
 /// serve the fill: depths and colours are then those that `rasterise` finds.

@@ -249,6 +249,12 @@ class SurfaceRasterTest : public QObject {
     squares.markAll();
     DrawnStructure shown = ball.shown;
     QVERIFY(!depthsOf(shown, view, squares, {{}, view.whole()}));
+    // And what was found of it until then serves nobody.
+    const SurfaceFill fill{.kind = SurfaceFill::Kind::phong};
+    SurfaceValues found;
+    QVERIFY(!findValues({shown, fill, shown.surface().clusters},
+                        {view, squares, {{}, view.whole()}, {}}, found));
+    QVERIFY(!found.serves(neededValues(fill)));
   }
 };
 
