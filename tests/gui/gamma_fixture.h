@@ -52,7 +52,7 @@ struct GammaPanelFixture : WindowFixture {
   bool pictured() {
     return QTest::qWaitFor(
         [this] {
-          for (const int gamma : {0, 1, 2, 3, 5})
+          for (int gamma = 0; gamma <= 5; ++gamma)
             if (stage(gamma).picture().isNull())
               return false;
           return true;

@@ -101,6 +101,7 @@ void GammaPanelTest::stagesAreLive() {
   // Each stage shows more than the one before, and the last has most, the surface's colour.
   QVERIFY(ink(f.stage(0).picture()) > 1.0);
   QVERIFY(ink(f.stage(3).picture()) > 1.02 * ink(f.stage(2).picture()));
+  QVERIFY(ink(f.stage(4).picture()) > 1.1 * ink(f.stage(3).picture()));
   QVERIFY(ink(f.stage(5).picture()) > 1.5 * ink(f.stage(3).picture()));
   // A structure that is no longer selected leaves no picture.
   f.session.select({f.named("bladder")});

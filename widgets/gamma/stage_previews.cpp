@@ -192,7 +192,7 @@ void drawStages(Session& session, Viewport& viewport, StageStrip& stages) {
   auto* previews = new StagePreviews(session, viewport, &stages);
   QObject::connect(&stages, &StageStrip::picturesWanted, previews,
                    [previews, &stages](QSize size, double ratio) {
-                     previews->want(stages.pictured(), size, ratio);
+                     previews->want(stages.stages(), size, ratio);
                    });
   QObject::connect(previews, &StagePreviews::made, &stages, &StageStrip::showPicture);
   QObject::connect(previews, &StagePreviews::cleared, &stages, &StageStrip::clearPictures);

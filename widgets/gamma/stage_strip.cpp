@@ -51,8 +51,7 @@ void StageButton::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
   const QRectF box(1.0, 0.5 * (height() - m_size.height()), m_size.width(), m_size.height());
-  if (m_stage.pictured)
-    paintPicture(painter, box);
+  paintPicture(painter, box);
   QFont bold = font();
   bold.setBold(m_current && isEnabled());
   painter.setFont(bold);
@@ -99,18 +98,16 @@ StageStrip::StageStrip(GammaSlider& slider, QWidget* parent) : QWidget(parent), 
     setTabOrder(m_buttons[i - 1], m_buttons[i]);
 }
 
-std::vector<Gamma> StageStrip::pictured() const {
+std::vector<Gamma> StageStrip::stages() const {
   std::vector<Gamma> gammas;
+  gammas.reserve(m_buttons.size());
   for (const StageButton* button : m_buttons)
-    if (button->hasPicture())
-      gammas.push_back(button->gamma());
+    gammas.push_back(button->gamma());
   return gammas;
 }
 
 void StageStrip::showPicture(int index, const QImage& image) {
-  for (StageButton* button : m_buttons)
-    if (button->hasPicture() && index-- == 0)
-      button->showPicture(image);
+  m_buttons.at(std::size_t(index))->showPicture(image);
 }
 
 void StageStrip::clearPictures() {

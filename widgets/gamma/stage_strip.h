@@ -20,7 +20,6 @@ class StageButton : public QAbstractButton {
   StageButton(const Stage& stage, QWidget* parent);
 
   Gamma gamma() const { return Gamma::clamped(m_stage.gamma); }
-  bool hasPicture() const { return m_stage.pictured; }
   const QImage& picture() const { return m_picture; }
   /// Shows the picture; a null image means none yet.
   void showPicture(const QImage& picture);
@@ -47,8 +46,8 @@ class StageStrip : public QWidget {
   /// Places the strip beside the slider, as high as it.
   explicit StageStrip(GammaSlider& slider, QWidget* parent = nullptr);
 
-  /// Returns the Γ of the stages with pictures, in the order in which `showPicture` counts them.
-  std::vector<Gamma> pictured() const;
+  /// Returns the Γ of the stages, in the order in which `showPicture` counts them.
+  std::vector<Gamma> stages() const;
   void showPicture(int index, const QImage& image);
   void clearPictures();
   void setCurrent(std::optional<Gamma> gamma);

@@ -12,7 +12,7 @@ std::vector<Stage> gammaStages() {
           {1.0f, tr("Contours"), tr("Every edge that faces away")},
           {2.0f, tr("Suggestive contours"), tr("Lines along folds as well")},
           {3.0f, tr("Hatching"), tr("Tone by strokes")},
-          {4.0f, tr("Shading"), tr("Colour behind lines and strokes"), false},
+          {4.0f, tr("Shading"), tr("Colour behind lines and strokes")},
           {5.0f, tr("Surface"), tr("The shaded surface alone")}};
 }
 

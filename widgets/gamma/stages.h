@@ -13,7 +13,6 @@ struct Stage {
   float gamma;
   QString name;
   QString explanation;
-  bool pictured = true;  ///< stands out from its neighbours enough for a small picture
 };
 
 /// Returns the stages from 0 to 5, one at each whole number.
