@@ -58,7 +58,9 @@ Scene withGroupsOpened(Scene scene, NodeId id) {
       others.clear();
     }
   }
-  return hidden ? withVisible(scene, groups, true) : scene;
+  if (hidden)
+    scene = withVisible(scene, groups, true);
+  return scene;
 }
 
 Scene revealed(Scene scene, NodeId id) {
@@ -84,7 +86,9 @@ Scene revealed(Scene scene, NodeId id) {
     if (!node.style.visible.value_or(true))
       hidden.push_back(node.id);
   }
-  return hidden.empty() ? scene : withVisible(scene, hidden, true);
+  if (!hidden.empty())
+    scene = withVisible(scene, hidden, true);
+  return scene;
 }
 
 /// Tells whether the node is a group that is hidden by itself but by no group above it.
