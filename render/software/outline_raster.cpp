@@ -79,6 +79,12 @@ class Squares {
   std::vector<int> m_numbers;
 };
 
+/// Returns where the window holds what lies so far from the square's first row or column.
+constexpr std::size_t inWindow(int away) {
+  const int place = away + widest;
+  return std::size_t(place);
+}
+
 using SquareWeights = std::array<float, 2 * widest + 1>;
 using SquareNumbers = std::array<std::array<std::uint8_t, windowSide>, windowSide>;
 using SquareShares = std::array<std::array<float, squareSide>, windowSide>;
@@ -89,9 +95,9 @@ SLINE_WIDE_LOOPS void spreadNumber(const SquareNumbers& numbers, std::uint8_t nu
                                    const SquareWeights& weights, int reach, SquareShares& shares) {
   SquareShares across{};
   for (int y = -reach; y < squareSide + reach; ++y) {
-    float* row = across[std::size_t(y + widest)].data();
+    float* row = across[inWindow(y)].data();
     for (int i = 0; i <= 2 * reach; ++i) {
-      const std::uint8_t* there = numbers[std::size_t(y + widest)].data() + (i - reach + widest);
+      const std::uint8_t* there = numbers[inWindow(y)].data() + inWindow(i - reach);
       const float weight = weights[std::size_t(i)];
       for (int x = 0; x < squareSide; ++x)
         row[x] += there[x] == number ? weight : 0.0f;
@@ -102,7 +108,7 @@ SLINE_WIDE_LOOPS void spreadNumber(const SquareNumbers& numbers, std::uint8_t nu
     for (int x = 0; x < squareSide; ++x)
       row[x] = 0.0f;
     for (int i = 0; i <= 2 * reach; ++i) {
-      const float* there = across[std::size_t(y + i - reach + widest)].data();
+      const float* there = across[inWindow(y + i - reach)].data();
       const float weight = weights[std::size_t(i)];
       for (int x = 0; x < squareSide; ++x)
         row[x] += weight * there[x];
@@ -122,9 +128,10 @@ class SquareDrawer {
         m_scale(look.scale()),
         m_reach(look.reach()) {
     float sum = 0.0f;
-    for (int i = -m_reach; i <= m_reach; ++i)
-      sum += m_weights[std::size_t(i + m_reach)] =
-          std::exp(-0.5f * float(i * i) / (m_scale * m_scale));
+    for (int i = 0; i <= 2 * m_reach; ++i) {
+      const auto away = float(i - m_reach);
+      sum += m_weights[std::size_t(i)] = std::exp(-0.5f * away * away / (m_scale * m_scale));
+    }
     for (float& weight : m_weights)
       weight /= sum;
     for (int y = -m_reach; y <= m_reach; ++y)
@@ -154,9 +161,7 @@ class SquareDrawer {
   }
 
  private:
-  std::uint8_t numberAt(int x, int y) const {
-    return m_numbers[std::size_t(y + widest)][std::size_t(x + widest)];
-  }
+  std::uint8_t numberAt(int x, int y) const { return m_numbers[inWindow(y)][inWindow(x)]; }
 
   /// Takes the numbers in and around the square; what lies beside the area is as at its rim.
   void look(const PixelRect& square) {
@@ -165,8 +170,7 @@ class SquareDrawer {
       const int row = std::clamp(square.y + y, area.y, area.top() - 1);
       for (int x = -m_reach; x < squareSide + m_reach; ++x) {
         const int column = std::clamp(square.x + x, area.x, area.right() - 1);
-        m_numbers[std::size_t(y + widest)][std::size_t(x + widest)] =
-            m_marks.numbers[placeIn(area, column, row)];
+        m_numbers[inWindow(y)][inWindow(x)] = m_marks.numbers[placeIn(area, column, row)];
       }
     }
   }
