@@ -75,8 +75,9 @@ Result<bool> LayerPainter::outlineOnProcessor(gpu::Device& device, const Picture
     return false;
   if (drawn.ink->rectangles.empty())
     return true;
+  // As large as the region, so that it serves the next area as well.
   const PixelRect& area = drawn.area;
-  if (Status s = m_numbers.resize({area.width, area.height}, false); !s)
+  if (Status s = m_numbers.resize({place.region.width, place.region.height}, false); !s)
     return s.error();
   m_numbers.colour->upload(std::as_bytes(std::span(drawn.ink->colours)),
                            {0, 0, area.width, area.height});
