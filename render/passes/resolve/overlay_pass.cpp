@@ -5,14 +5,6 @@
 
 namespace sline::render::passes {
 
-OverlayPass::OverlayPass()
-    : m_rectangles(gpu::BufferKind::vertices, "overlaid rectangles"),
-      m_geometry({{.buffer = &m_rectangles,
-                   .stride = sizeof(PixelRect),
-                   .attributes = {{0, 4, gpu::AttributeType::integer32, 0}},
-                   .perInstance = true}},
-                 nullptr, "overlaid rectangles") {}
-
 Result<std::unique_ptr<OverlayPass>> OverlayPass::create(gpu::Dialect dialect) {
   using gpu::UniformType;
   auto program = gpu::Program::create(shaderFiles(), dialect,
@@ -32,16 +24,9 @@ Result<std::unique_ptr<OverlayPass>> OverlayPass::create(gpu::Dialect dialect) {
 void OverlayPass::draw(gpu::Device& device, const gpu::Target& target, const Overlay& overlay) {
   if (overlay.rectangles.empty())
     return;
-  const gpu::TextureSize size = target.size();
-  m_rectangles.stream(std::as_bytes(overlay.rectangles));
-  m_program->set("targetSize", glm::vec2(float(size.width), float(size.height)));
   m_program->set("colours", overlay.colours);
   m_program->set("corner", overlay.corner);
-  device.quads({target,
-                *m_program,
-                m_geometry,
-                {.viewport = {0, 0, size.width, size.height}, .blend = gpu::Blend::over}},
-               overlay.rectangles.size());
+  m_rectangles.draw(device, target, *m_program, overlay.rectangles, {.blend = gpu::Blend::over});
 }
 
 }  // namespace sline::render::passes

@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "render/gpu/device.h"
+#include "render/passes/target_rectangles.h"
 
 namespace sline::render::passes {
 
@@ -22,10 +22,9 @@ class OverlayPass {
   void draw(gpu::Device& device, const gpu::Target& target, const Overlay& overlay);
 
  private:
-  OverlayPass();
+  OverlayPass() = default;
   std::unique_ptr<gpu::Program> m_program;
-  gpu::Buffer m_rectangles;
-  gpu::Geometry m_geometry;
+  TargetRectangles m_rectangles{"overlaid rectangles"};
 };
 
 }  // namespace sline::render::passes

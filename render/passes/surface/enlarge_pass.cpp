@@ -5,14 +5,6 @@
 
 namespace sline::render::passes {
 
-EnlargePass::EnlargePass()
-    : m_rectangles(gpu::BufferKind::vertices, "enlarged rectangles"),
-      m_geometry({{.buffer = &m_rectangles,
-                   .stride = sizeof(PixelRect),
-                   .attributes = {{0, 4, gpu::AttributeType::integer32, 0}},
-                   .perInstance = true}},
-                 nullptr, "enlarged rectangles") {}
-
 Result<std::unique_ptr<EnlargePass>> EnlargePass::create(gpu::Dialect dialect) {
   using gpu::UniformType;
   auto program = gpu::Program::create(shaderFiles(), dialect,
@@ -34,19 +26,11 @@ void EnlargePass::draw(gpu::Device& device, const gpu::Target& target,
                        const Enlargement& enlargement) {
   if (enlargement.rectangles.empty())
     return;
-  const gpu::TextureSize size = target.size();
-  m_rectangles.stream(std::as_bytes(enlargement.rectangles));
-  m_program->set("targetSize", glm::vec2(float(size.width), float(size.height)));
   m_program->set("colours", enlargement.colours);
   m_program->set("depths", enlargement.depths);
   m_program->set("pixelStep", float(enlargement.step));
-  device.quads({target,
-                *m_program,
-                m_geometry,
-                {.viewport = {0, 0, size.width, size.height},
-                 .depth = gpu::DepthTest::always,
-                 .writeDepth = true}},
-               enlargement.rectangles.size());
+  m_rectangles.draw(device, target, *m_program, enlargement.rectangles,
+                    {.depth = gpu::DepthTest::always, .writeDepth = true});
 }
 
 }  // namespace sline::render::passes

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "render/passes/surface_draw.h"
+#include "render/passes/target_rectangles.h"
 
 namespace sline::render::passes {
 
@@ -23,10 +23,9 @@ class EnlargePass {
   void draw(gpu::Device& device, const gpu::Target& target, const Enlargement& enlargement);
 
  private:
-  EnlargePass();
+  EnlargePass() = default;
   std::unique_ptr<gpu::Program> m_program;
-  gpu::Buffer m_rectangles;
-  gpu::Geometry m_geometry;
+  TargetRectangles m_rectangles{"enlarged rectangles"};
 };
 
 }  // namespace sline::render::passes

@@ -5,16 +5,6 @@
 
 namespace sline::render::passes {
 
-static_assert(sizeof(PixelRect) == 4 * sizeof(std::int32_t));
-
-WipePass::WipePass()
-    : m_rectangles(gpu::BufferKind::vertices, "wiped rectangles"),
-      m_geometry({{.buffer = &m_rectangles,
-                   .stride = sizeof(PixelRect),
-                   .attributes = {{0, 4, gpu::AttributeType::integer32, 0}},
-                   .perInstance = true}},
-                 nullptr, "wiped rectangles") {}
-
 Result<std::unique_ptr<WipePass>> WipePass::create(gpu::Dialect dialect) {
   auto program = gpu::Program::create(shaderFiles(), dialect,
                                       {.name = "wipe",
@@ -31,14 +21,10 @@ Result<std::unique_ptr<WipePass>> WipePass::create(gpu::Dialect dialect) {
 void WipePass::draw(gpu::Device& device, const gpu::Target& target, const Wipe& wipe) {
   if (wipe.rectangles.empty() || !(wipe.colour || wipe.depth))
     return;
-  const gpu::TextureSize size = target.size();
-  m_rectangles.stream(std::as_bytes(wipe.rectangles));
-  m_program->set("targetSize", glm::vec2(float(size.width), float(size.height)));
-  const gpu::DrawState state{.viewport = {0, 0, size.width, size.height},
-                             .depth = wipe.depth ? gpu::DepthTest::always : gpu::DepthTest::off,
-                             .writeDepth = wipe.depth,
-                             .writeColour = wipe.colour};
-  device.quads({target, *m_program, m_geometry, state}, wipe.rectangles.size());
+  m_rectangles.draw(device, target, *m_program, wipe.rectangles,
+                    {.depth = wipe.depth ? gpu::DepthTest::always : gpu::DepthTest::off,
+                     .writeDepth = wipe.depth,
+                     .writeColour = wipe.colour});
 }
 
 }  // namespace sline::render::passes
