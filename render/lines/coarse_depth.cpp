@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,24 +41,32 @@ SLINE_WIDE_LOOPS
 void findCells(std::span<const glm::vec3> places, const CellGrid& grid, bool atInfinity,
                CellBlock& out) {
   const ViewScale::Frame frame = grid.frame;
-  const float columns = float(grid.columns);
-  const float rows = float(grid.rows);
+  const int rowLength = grid.columns;
+  const float lastColumn = std::nextafter(float(grid.columns), 0.0f);
+  const float lastRow = std::nextafter(float(grid.rows), 0.0f);
+  const glm::vec2 low = grid.low;
+  const float perSide = grid.perSide;
   const glm::vec3* in = places.data();
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  const float least = atInfinity ? frame.unit : 0.0f;
+  const float perDistance = atInfinity ? 0.0f : frame.unit;
+  const std::size_t count = places.size();
+  SLINE_INDEPENDENT_ROUNDS
+  for (std::size_t i = 0; i < count; ++i) {
     const float dx = in[i].x - frame.origin.x;
     const float dy = in[i].y - frame.origin.y;
     const float dz = in[i].z - frame.origin.z;
     const float distance = -(dx * frame.back.x + dy * frame.back.y + dz * frame.back.z);
-    const float mm = atInfinity ? frame.unit : distance * frame.unit;
+    const float mm = least + distance * perDistance;
     const float perMm = mm > 0.0f ? 1.0f / mm : 0.0f;
     const float x = perMm * (dx * frame.right.x + dy * frame.right.y + dz * frame.right.z);
     const float y = perMm * (dx * frame.up.x + dy * frame.up.y + dz * frame.up.z);
-    const float column = (x - grid.low.x) * grid.perSide;
-    const float row = (y - grid.low.y) * grid.perSide;
-    const bool within =
-        (perMm > 0.0f) & (column >= 0.0f) & (row >= 0.0f) & (column < columns) & (row < rows);
-    const int cell = int(within ? row : 0.0f) * grid.columns + int(within ? column : 0.0f);
-    out.cell[i] = within ? cell : -1;
+    const float column = (x - low.x) * perSide;
+    const float row = (y - low.y) * perSide;
+    const float seenColumn = std::min(std::max(column, 0.0f), lastColumn);
+    const float seenRow = std::min(std::max(row, 0.0f), lastRow);
+    const float beyond = std::abs(column - seenColumn) + std::abs(row - seenRow);
+    const int cell = int(seenRow) * rowLength + int(seenColumn);
+    out.cell[i] = (mm > 0.0f ? beyond : 1.0f) > 0.0f ? -1 : cell;
     out.distance[i] = distance;
   }
 }

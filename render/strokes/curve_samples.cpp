@@ -81,6 +81,8 @@ void findDirections(const InRows& places, const InRows& normals, std::size_t cou
   const float *nx = normals.x, *ny = normals.y, *nz = normals.z;
   float *outX = out.x, *outY = out.y;
   const CameraRows c = camera;
+  const float parallel = c.atInfinity ? 1.0f : 0.0f, perspective = 1.0f - parallel;
+  SLINE_INDEPENDENT_ROUNDS
   for (std::size_t i = 0; i < count; ++i) {
     const float right = c.right.x * nx[i] + c.right.y * ny[i] + c.right.z * nz[i];
     const float up = c.up.x * nx[i] + c.up.y * ny[i] + c.up.z * nz[i];
@@ -88,8 +90,8 @@ void findDirections(const InRows& places, const InRows& normals, std::size_t cou
     const float qx = applied(c.right, px[i], py[i], pz[i]);
     const float qy = applied(c.up, px[i], py[i], pz[i]);
     const float qz = applied(c.back, px[i], py[i], pz[i]);
-    const float x = c.atInfinity ? right : right * -qz + qx * back;
-    const float y = c.atInfinity ? up : up * -qz + qy * back;
+    const float x = right * (parallel - perspective * qz) + perspective * (qx * back);
+    const float y = up * (parallel - perspective * qz) + perspective * (qy * back);
     const float length = std::sqrt(x * x + y * y);
     const float perLength = length > 1e-20f ? 1.0f / length : 0.0f;
     outX[i] = x * perLength;
@@ -119,9 +121,10 @@ void fillPressures(const PressureRows& rows, std::size_t count, const PressureRu
   const float perReach = rows.reach > 0.0f ? 1.0f / rows.reach : 0.0f;
   const float whole = rows.reach > 0.0f ? 0.0f : 1.0f;
   const float variation = rule.variation;
-  const bool outline = rule.outline;
+  const float outlined = rule.outline ? 1.0f : 0.0f;
   const float step = rows.step;
   const int last = int(count) - 1;
+  SLINE_INDEPENDENT_ROUNDS
   for (int i = 0; i <= last; ++i) {
     const float along = -(px[i] * back.x + py[i] * back.y + pz[i] * back.z);
     const float depth = std::min(std::max((along - low) * perDepth, 0.0f), 1.0f);
@@ -131,7 +134,8 @@ void fillPressures(const PressureRows& rows, std::size_t count, const PressureRu
     const float fromEnd = step * float(std::min(i, last - i));
     const float t = std::min(std::max(fromEnd * perReach + whole, 0.0f), 1.0f);
     const float tip = leastTip + t * t * (3.0f - 2.0f * t) * (1.0f - leastTip);
-    const float full = byDepth * (outline ? byLight : byOpacity) * tip;
+    const float byKind = outlined * byLight + (1.0f - outlined) * byOpacity;
+    const float full = byDepth * byKind * tip;
     pressure[i] = 1.0f + variation * (full - 1.0f);
   }
 }

@@ -59,29 +59,52 @@ struct Lit {
   float highlight;  ///< is added
 };
 
+/// What a fill's rules come to, in numbers: compilers work on one sample at a time where a loop
+/// asks the same question at each.
+struct FillNumbers {
+  float start;      ///< the angle from which shading enters
+  float direction;  ///< 1: it grows from there as the surface turns away, −1: it falls
+  float turned;     ///< what turns away by more than this is seen from behind
+  glm::vec3 glaze;  ///< what a thin fill shows at least
+
+  explicit FillNumbers(const SurfaceFill& fill)
+      : start(fill.darkGround ? quarterTurn : 0.0f),
+        direction(fill.darkGround ? -1.0f : 1.0f),
+        turned(fill.twoSided ? 0.0f : -most),
+        glaze(fill.darkGround ? glm::vec3(-most) : fill.colour) {}
+
+ private:
+  static constexpr float most = 1e30f;
+};
+
 /// S eq. 11 with the last term's sign as METHOD §7 reads it; θ_c = π/2 at T_P = 0 means w_a = 0.
 /// Paper is light by itself and shading enters from the dark rim; on a dark ground light enters,
 /// from the parts that face the eye.
-inline float enteredAt(const SurfaceFill& fill, float facing, float gradient, float shading,
+inline float enteredAt(const FillNumbers& fill, float facing, float gradient, float shading,
                        float complete) {
-  const float turned = arcCosine(facing);
-  const float angle = fill.darkGround ? quarterTurn - turned : turned;
+  const float angle = fill.start + fill.direction * arcCosine(facing);
   const float threshold = quarterTurn * (1.0f - shading);
   const float byAngle = clamp01((angle - threshold) / std::max(quarterTurn - threshold, 1e-4f));
   const float byLight = clamp01(gradient) * (1.0f - shading) + shading;
-  const float entered = shading > 0.0f ? byAngle * byLight : 0.0f;
+  const float entered = byAngle * byLight;
   return entered * (1.0f - complete) + complete;
 }
 
+/// The colours that one channel of a fill is mixed from.
+struct ChannelColours {
+  float shadow;
+  float colour;
+  float glaze;
+  float wash;
+};
+
 /// Mixes one channel. A thin glaze shows the colour itself; its shadows, which would grey the
 /// paper, deepen as it closes.
-inline float channel(const SurfaceFill& fill, const Lit& lit, float shadow, float colour,
-                     float wash) {
-  float shaded = shadow * (1.0f - lit.light) + 1.02f * colour * lit.light + lit.highlight;
-  const float glazed = shaded * lit.entered + std::max(shaded, colour) * (1.0f - lit.entered);
-  shaded = std::min(fill.darkGround ? shaded : glazed, 1.0f);
-  const float opacity = lit.entered * fill.opacity;
-  return shaded * opacity + wash * (1.0f - opacity);
+inline float channel(const ChannelColours& of, const Lit& lit, float opacity) {
+  const float shaded =
+      of.shadow * (1.0f - lit.light) + 1.02f * of.colour * lit.light + lit.highlight;
+  const float glazed = shaded * lit.entered + std::max(shaded, of.glaze) * (1.0f - lit.entered);
+  return std::min(glazed, 1.0f) * opacity + of.wash * (1.0f - opacity);
 }
 
 inline std::uint32_t byte(float value) {
@@ -115,12 +138,13 @@ FillShading::Stages FillShading::stagesAt(float offset) const {
 
 glm::vec4 FillShading::colourAt(const glm::vec3& normal, const glm::vec3& towardsEye,
                                 float gradient, float offset) const {
+  const FillNumbers numbers(m_fill);
   const float turned = glm::dot(normal, towardsEye);
-  const float side = m_fill.twoSided && turned < 0.0f ? -1.0f : 1.0f;
+  const float side = turned < numbers.turned ? -1.0f : 1.0f;
   const float facing = clamp01(turned * side);
   const Stages stages =
       m_fill.gammaOffsets ? stagesAt(offset) : Stages{m_fill.shading, m_fill.complete};
-  Lit lit{.entered = enteredAt(m_fill, facing, gradient * side, stages.shading, stages.complete),
+  Lit lit{.entered = enteredAt(numbers, facing, gradient * side, stages.shading, stages.complete),
           .light = headlight(facing),
           .highlight = highlight(facing)};
   if (m_key != glm::vec3(0.0f)) {
@@ -129,9 +153,10 @@ glm::vec4 FillShading::colourAt(const glm::vec3& normal, const glm::vec3& toward
     lit.highlight = highlight(std::max(side * glm::dot(normal, half), 0.0f));
   }
   glm::vec4 colour(0.0f);
-  for (int c = 0; c < 3; ++c)
-    colour[c] = channel(m_fill, lit, m_shadow[c], m_fill.colour[c], m_fill.wash[c]);
   const float opacity = lit.entered * m_fill.opacity;
+  for (int c = 0; c < 3; ++c)
+    colour[c] =
+        channel({m_shadow[c], m_fill.colour[c], numbers.glaze[c], m_fill.wash[c]}, lit, opacity);
   colour.a = opacity + m_fill.wash.a * (1.0f - opacity);
   return colour;
 }
@@ -147,42 +172,49 @@ template <bool keyed, bool varies, bool byForm>
       shading[i] = stages.shading;
       complete[i] = stages.complete;
     }
-  const SurfaceFill& fill = m_fill;
-  const float* nx = row.normal[0];
-  const float* ny = row.normal[1];
-  const float* nz = row.normal[2];
-  for (std::size_t i = 0; i < row.count; ++i) {
+  const FillNumbers numbers(m_fill);
+  const auto coloursOf = [&](int c) {
+    return ChannelColours{m_shadow[c], m_fill.colour[c], numbers.glaze[c], m_fill.wash[c]};
+  };
+  const ChannelColours reds = coloursOf(0), greens = coloursOf(1), blues = coloursOf(2);
+  const float fillShading = m_fill.shading, fillComplete = m_fill.complete;
+  const float fillOpacity = m_fill.opacity, washOpacity = m_fill.wash.a;
+  const glm::vec3 key = m_key, towardsEye = row.towardsEye, step = row.step;
+  const int first = row.column, count = int(row.count);
+  const float *nx = row.normal[0], *ny = row.normal[1], *nz = row.normal[2];
+  const float* gradient = row.gradient;
+  SLINE_INDEPENDENT_ROUNDS
+  for (int i = 0; i < count; ++i) {
     // From the same column wherever a row begins, so that pieces of a picture fit together.
-    const auto column = float(row.column + int(i));
-    const float vx = row.towardsEye.x + column * row.step.x;
-    const float vy = row.towardsEye.y + column * row.step.y;
-    const float vz = row.towardsEye.z + column * row.step.z;
+    const auto column = float(first + i);
+    const float vx = towardsEye.x + column * step.x;
+    const float vy = towardsEye.y + column * step.y;
+    const float vz = towardsEye.z + column * step.z;
     const float away = 1.0f / std::sqrt(vx * vx + vy * vy + vz * vz);
     const float unit =
         1.0f / std::sqrt(std::max(nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i], 1e-20f));
     const float turned = (nx[i] * vx + ny[i] * vy + nz[i] * vz) * unit * away;
-    const float side = fill.twoSided && turned < 0.0f ? -1.0f : 1.0f;
+    const float side = turned < numbers.turned ? -1.0f : 1.0f;
     const float facing = clamp01(turned * side);
-    Lit lit{.entered =
-                enteredAt(fill, facing, byForm ? row.gradient[i] * side : 0.0f,
-                          varies ? shading[i] : fill.shading, varies ? complete[i] : fill.complete),
+    Lit lit{.entered = enteredAt(numbers, facing, byForm ? gradient[i] * side : 0.0f,
+                                 varies ? shading[std::size_t(i)] : fillShading,
+                                 varies ? complete[std::size_t(i)] : fillComplete),
             .light = headlight(facing),
             .highlight = highlight(facing)};
     if (keyed) {
-      const float hx = m_key.x + vx * away;
-      const float hy = m_key.y + vy * away;
-      const float hz = m_key.z + vz * away;
+      const float hx = key.x + vx * away;
+      const float hy = key.y + vy * away;
+      const float hz = key.z + vz * away;
       const float half = 1.0f / std::sqrt(std::max(hx * hx + hy * hy + hz * hz, 1e-20f));
-      lit.light =
-          keyLight(facing, side * unit * (nx[i] * m_key.x + ny[i] * m_key.y + nz[i] * m_key.z));
+      lit.light = keyLight(facing, side * unit * (nx[i] * key.x + ny[i] * key.y + nz[i] * key.z));
       lit.highlight =
           highlight(std::max(side * unit * half * (nx[i] * hx + ny[i] * hy + nz[i] * hz), 0.0f));
     }
-    const float opacity = lit.entered * fill.opacity;
-    const std::uint32_t red = byte(channel(fill, lit, m_shadow.r, fill.colour.r, fill.wash.r));
-    const std::uint32_t green = byte(channel(fill, lit, m_shadow.g, fill.colour.g, fill.wash.g));
-    const std::uint32_t blue = byte(channel(fill, lit, m_shadow.b, fill.colour.b, fill.wash.b));
-    const std::uint32_t alpha = byte(opacity + fill.wash.a * (1.0f - opacity));
+    const float opacity = lit.entered * fillOpacity;
+    const std::uint32_t red = byte(channel(reds, lit, opacity));
+    const std::uint32_t green = byte(channel(greens, lit, opacity));
+    const std::uint32_t blue = byte(channel(blues, lit, opacity));
+    const std::uint32_t alpha = byte(opacity + washOpacity * (1.0f - opacity));
     colours[i] = red | green << 8 | blue << 16 | alpha << 24;
   }
 }
