@@ -17,6 +17,9 @@ using TaskFunction = void (*)(const void* context);
 void isolatedErased(TaskFunction function, const void* context);
 }  // namespace detail
 
+/// Returns how many threads share a loop's work at most.
+int threadCount();
+
 /// Calls body(begin, end) for disjoint ranges that together cover [0, count); ranges hold about
 /// `grain` items or more. Ranges may run at the same time and in any order; returns when all ran.
 template <class Body>

@@ -2,7 +2,13 @@
 // Runs the loops of parallel_tbb.cpp in order, for the web.
 #include "model/base/parallel.h"
 
-namespace sline::detail {
+namespace sline {
+
+int threadCount() {
+  return 1;
+}
+
+namespace detail {
 
 void parallelChunksErased(std::size_t count, std::size_t /*grain*/, ChunkFunction function,
                           const void* context) {
@@ -14,4 +20,6 @@ void isolatedErased(TaskFunction function, const void* context) {
   function(context);
 }
 
-}  // namespace sline::detail
+}  // namespace detail
+
+}  // namespace sline

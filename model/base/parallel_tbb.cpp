@@ -5,7 +5,13 @@
 
 #include "model/base/parallel.h"
 
-namespace sline::detail {
+namespace sline {
+
+int threadCount() {
+  return oneapi::tbb::this_task_arena::max_concurrency();
+}
+
+namespace detail {
 
 void parallelChunksErased(std::size_t count, std::size_t grain, ChunkFunction function,
                           const void* context) {
@@ -24,4 +30,6 @@ void isolatedErased(TaskFunction function, const void* context) {
   oneapi::tbb::this_task_arena::isolate([=] { function(context); });
 }
 
-}  // namespace sline::detail
+}  // namespace detail
+
+}  // namespace sline

@@ -65,6 +65,16 @@ struct Clusters {
   /// rows for each of its candidate vertices, from which signs of κr are found: how S differs from
   /// the middle, in steps of the tensor bounds. All are rounded to the nearest step.
   std::vector<std::uint8_t> samples;
+  static constexpr std::size_t cornerRows = 6;
+  /// For each cluster six rows of a number for each of its vertices: positions and normals, so that
+  /// nobody has to look for them all over the mesh. Only coarser forms have them.
+  std::vector<float> corners;
+  /// Returns a row of the cluster's `corners`; null: there are none.
+  const float* cornerRow(const Cluster& cluster, std::size_t row) const {
+    return corners.empty()
+               ? nullptr
+               : corners.data() + cornerRows * cluster.firstVertex + row * cluster.vertexCount;
+  }
 
   /// For so many items in a row, what bounds all of them, so that a view can skip them together.
   static constexpr std::size_t itemsOfGroup = 64;

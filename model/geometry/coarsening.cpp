@@ -388,12 +388,34 @@ Mesh meshBetween(const Surface& surface, std::vector<Triangle> triangles) {
   return std::move(*made);
 }
 
+namespace {
+
+std::vector<float> cornersOf(const Clusters& clusters, const Surface& surface) {
+  std::vector<float> corners(Clusters::cornerRows * clusters.vertices.size());
+  for (const Cluster& cluster : clusters.items) {
+    float* rows = corners.data() + Clusters::cornerRows * cluster.firstVertex;
+    for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
+      const std::uint32_t vertex = clusters.vertices[cluster.firstVertex + i];
+      const glm::vec3 position = surface.mesh->positions()[vertex];
+      const glm::vec3 normal = surface.normals[vertex];
+      for (int axis = 0; axis < 3; ++axis) {
+        rows[std::size_t(axis) * cluster.vertexCount + i] = position[axis];
+        rows[std::size_t(axis + 3) * cluster.vertexCount + i] = normal[axis];
+      }
+    }
+  }
+  return corners;
+}
+
+}  // namespace
+
 Clusters clustersBetween(const Surface& surface, std::vector<Triangle> triangles) {
   const Mesh mesh = meshBetween(surface, std::move(triangles));
   Clusters clusters = buildClusters(mesh, clusterOrder(mesh), surface.vertices.all());
   clusters.triangles = {};
   clusters.samples = {};
   clusters.groups = {};
+  clusters.corners = cornersOf(clusters, surface);
   return clusters;
 }
 

@@ -39,8 +39,10 @@ class TriangleFinder {
     const bool mixed = m_cull && model::facing(cluster, m_view.eye()) != model::Facing::front;
     const bool known =
         m_seen.project(cluster, {clusters, m_shown.surface().mesh->positions()}, m_view, m_grid);
-    if (known)
+    if (known) {
       m_seen.findBoxes({triangles, cluster.triangleCount});
+      m_seen.findSlopes(cluster.triangleCount, SeenCluster::Corners::rounded);
+    }
     std::array<std::uint32_t, 3 * std::size_t(Clusters::maximumTriangles)> kept;
     auto end = kept.begin();
     for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
@@ -64,10 +66,9 @@ class TriangleFinder {
 
   /// Tells whether the triangle may hold one of the middles in its box.
   bool holdsMiddle(std::size_t i) const {
-    const TriangleEdges edges(m_seen, i, TriangleEdges::Corners::rounded);
     for (int row = 0; row < m_seen.rows[i]; ++row)
       for (int column = 0; column < m_seen.columns[i]; ++column)
-        if (edges.hold(column, row))
+        if (m_seen.holds(i, column, row))
           return true;
     return false;
   }

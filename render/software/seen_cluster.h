@@ -3,10 +3,10 @@
 // rasteriser does (METHOD §10).
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
@@ -30,7 +30,7 @@ struct ClusterPlaces {
 };
 
 /// Holds a cluster's vertices as they lie in the picture, counted in steps of the grid, which are
-/// pixels below, and its triangles' boxes.
+/// pixels below, and its triangles' boxes and edges.
 struct SeenCluster {
   using Vertices = std::array<float, model::Clusters::maximumVertices>;
   using Triangles = std::array<float, model::Clusters::maximumTriangles>;
@@ -38,7 +38,6 @@ struct SeenCluster {
   /// By how much a driver's vertices may lie beside ours, in pixels: it rounds them to 1/256.
   static constexpr float slack = 1.0f / 256.0f;
 
-  std::array<Vertices, 3> position;
   Vertices x;
   Vertices y;
   Vertices depth;     ///< of the window: 0 … 1
@@ -46,58 +45,40 @@ struct SeenCluster {
   bool withinDepths;  ///< all of them lie within the view's depths
   std::array<Triangles, 3> cornerX;
   std::array<Triangles, 3> cornerY;
+  std::array<Triangles, 3> cornerDepth;
   Triangles area;  ///< doubled; positive: turned to the eye
   /// The first middle of a pixel in each triangle's box and how many there are.
   Counts left;
   Counts bottom;
   Counts columns;
   Counts rows;
+  /// A number that changes evenly across a triangle: at the first middle, and its rise per column
+  /// and per row.
+  struct Slopes {
+    Triangles first, perColumn, perRow;
+  };
+  std::array<Slopes, 3> inside;  ///< of each edge; below 0: beyond it
+  Slopes steepness;              ///< of the depth
+  Triangles least, most;         ///< of the corners' depths
 
   /// Projects the vertices. Returns false where some lie behind the eye or too far away to tell.
   bool project(const model::Cluster& cluster, const ClusterPlaces& places, const PictureView& view,
                const SampleGrid& grid);
   /// Finds the triangles' areas and which middles of pixels their boxes hold.
   void findBoxes(std::span<const std::array<std::uint8_t, 3>> triangles);
-};
-
-/// Tells which of the middles in its box a triangle holds.
-class TriangleEdges {
- public:
-  /// `rounded`: wherever a driver may round the corners to; `exact`: as they are, and a hair more,
-  /// so that no gap is left between neighbours.
+  /// Says which middles a triangle holds. `rounded`: wherever a driver may round the corners to;
+  /// `exact`: as they are, and a hair more, so that no gap is left between neighbours.
   enum class Corners { exact, rounded };
-  TriangleEdges(const SeenCluster& seen, std::size_t triangle, Corners corners) {
-    const float turn = seen.area[triangle] < 0.0f ? -1.0f : 1.0f;
-    const glm::vec2 first(float(seen.left[triangle]) + 0.5f, float(seen.bottom[triangle]) + 0.5f);
-    float around = 0.0f;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::size_t next = (c + 1) % 3;
-      const float dx = turn * (seen.cornerX[next][triangle] - seen.cornerX[c][triangle]);
-      const float dy = turn * (seen.cornerY[next][triangle] - seen.cornerY[c][triangle]);
-      m_inside[c] = {
-          -dy, dx,
-          dx * (first.y - seen.cornerY[c][triangle]) - dy * (first.x - seen.cornerX[c][triangle])};
-      around += std::abs(dx) + std::abs(dy);
-    }
-    // By no more than this do moves of corners within the slack change what lies within the box.
-    constexpr float slack = SeenCluster::slack;
-    const float moves = corners == Corners::rounded ? slack * around : 0.0f;
-    for (glm::vec3& edge : m_inside)
-      edge.z += slack * (std::abs(edge.x) + std::abs(edge.y)) + moves;
+  /// Finds the slopes of the first so many triangles, whose boxes are known.
+  void findSlopes(std::size_t count, Corners corners);
+  /// Tells by the slopes whether a triangle holds one of the middles in its box.
+  bool holds(std::size_t triangle, int column, int row) const {
+    return std::all_of(inside.begin(), inside.end(), [&](const Slopes& edge) {
+      return edge.perColumn[triangle] * float(column) + edge.perRow[triangle] * float(row) +
+                 edge.first[triangle] >=
+             0.0f;
+    });
   }
-
-  /// Takes a middle's place in the box.
-  bool hold(int column, int row) const {
-    const glm::vec3 at(float(column), float(row), 1.0f);
-    return glm::dot(m_inside[0], at) >= 0.0f && glm::dot(m_inside[1], at) >= 0.0f &&
-           glm::dot(m_inside[2], at) >= 0.0f;
-  }
-  /// Returns an edge as what its side towards the triangle has above zero: per column, per row, and
-  /// at the first middle.
-  const glm::vec3& inside(std::size_t edge) const { return m_inside[edge]; }
-
- private:
-  std::array<glm::vec3, 3> m_inside{};
 };
 
 }  // namespace sline::render

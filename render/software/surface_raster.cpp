@@ -18,12 +18,6 @@ namespace sline::render {
 
 namespace {
 
-struct SeenDepths {
-  float a, b, c;
-  float least() const { return std::min(a, std::min(b, c)); }
-  float most() const { return std::max(a, std::max(b, c)); }
-};
-
 /// Where bands of rows put what they draw.
 struct BandOutput {
   std::span<float> depths;
@@ -67,18 +61,30 @@ class SurfaceBand {
 
   /// Has the memory fetch what will be looked at soon.
   void fetch(const PlacedCluster& placed) const {
-    const model::Surface& surface = m_members[placed.member].shown->surface();
-    const model::Clusters& clusters = *m_members[placed.member].clusters;
+    const ReadyMember& member = m_members[placed.member];
+    const model::Surface& surface = member.shown->surface();
+    const model::Clusters& clusters = *member.clusters;
     const model::Cluster& cluster = *placed.cluster;
     const std::uint32_t* vertices = clusters.vertices.data() + cluster.firstVertex;
-    const glm::vec3* positions = surface.mesh->positions().data();
-    const bool shaded = isShaded(m_members[placed.member]);
-    for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
-      __builtin_prefetch(positions + vertices[i]);
-      if (shaded)
+    const bool shaded = isShaded(member);
+    const auto fetchVertices = [&] {
+      for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)
         __builtin_prefetch(&surface.vertices[vertices[i]]);
-    }
+    };
     __builtin_prefetch(clusters.localTriangles.data() + cluster.firstTriangle);
+    if (const float* row = clusters.cornerRow(cluster, 0)) {
+      constexpr std::size_t together = 16;  // in a line of a processor's cache
+      for (std::size_t i = 0; i < model::Clusters::cornerRows * cluster.vertexCount; i += together)
+        __builtin_prefetch(row + i);
+      if (shaded && member.shading.fill().byForm)
+        fetchVertices();
+      return;
+    }
+    const glm::vec3* positions = surface.mesh->positions().data();
+    for (std::uint32_t i = 0; i < cluster.vertexCount; ++i)
+      __builtin_prefetch(positions + vertices[i]);
+    if (shaded)
+      fetchVertices();
   }
 
   /// Returns false where the cluster has to be clipped.
@@ -96,24 +102,23 @@ class SurfaceBand {
     m_seen.findBoxes({triangles, cluster.triangleCount});
     const bool mixed = member.cull && model::facing(cluster, m_view.eye()) != model::Facing::front;
     const bool shaded = isShaded(member);
-    bool loaded = false;
     if (!m_cuts.empty())
       m_cuts.measure(cluster, places);
     // Across little depth values are as good as linear in the picture.
     m_even = isEven(cluster);
-    for (const std::uint8_t i : holders(cluster, mixed)) {
-      const auto [a, b, c] = triangles[i];
-      const SeenDepths depths{m_seen.depth[a], m_seen.depth[b], m_seen.depth[c]};
-      if (!m_seen.withinDepths && !(depths.least() >= 0.0f && depths.most() <= 1.0f))
+    const std::span<const std::uint8_t> drawn = holders(cluster, mixed);
+    if (drawn.empty())
+      return true;
+    m_seen.findSlopes(cluster.triangleCount, SeenCluster::Corners::exact);
+    if (shaded)
+      load(cluster, member);
+    for (const std::uint8_t i : drawn) {
+      if (!m_seen.withinDepths && !(m_seen.least[i] >= 0.0f && m_seen.most[i] <= 1.0f))
         return false;
-      if (!shaded) {
-        draw<false>(i, triangles[i], depths);
-        continue;
-      }
-      if (!loaded)
-        load(cluster, member);
-      loaded = true;
-      draw<true>(i, triangles[i], depths);
+      if (shaded)
+        draw<true>(i, triangles[i]);
+      else
+        draw<false>(i, triangles[i]);
     }
     return true;
   }
@@ -138,15 +143,21 @@ class SurfaceBand {
     return m_owners.empty() ? std::uint16_t(0) : m_owners[bandIndex(column, row)];
   }
 
-  /// Lists those of the cluster's triangles that may hold the middle of a sample; of a mixed
-  /// cluster those that turn to the eye.
+  /// Lists those of the cluster's triangles that may hold the middle of one of the band's samples;
+  /// of a mixed cluster those that turn to the eye.
   std::span<const std::uint8_t> holders(const model::Cluster& cluster, bool mixed) {
+    const PixelRect& area = m_samples.area;
+    const int left = area.x, right = area.right();
+    const int bottom = area.y + m_first, top = area.y + m_end;
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
       m_holders[count] = std::uint8_t(i);
-      const int holds = int(m_seen.columns[i] > 0) & int(m_seen.rows[i] > 0);
+      const int columns =
+          std::min(m_seen.left[i] + m_seen.columns[i], right) - std::max(m_seen.left[i], left);
+      const int rows =
+          std::min(m_seen.bottom[i] + m_seen.rows[i], top) - std::max(m_seen.bottom[i], bottom);
       const int turns = int(!mixed) | int(m_seen.area[i] > 0.0f);
-      count += std::size_t(holds & turns);
+      count += std::size_t(int(columns > 0) & int(rows > 0) & turns);
     }
     return {m_holders.data(), count};
   }
@@ -242,17 +253,23 @@ class SurfaceBand {
     const model::Surface& surface = member.shown->surface();
     const SurfaceFill& fill = member.shading.fill();
     const std::uint32_t* vertices = member.clusters->vertices.data() + cluster.firstVertex;
-    for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
-      const model::SurfaceVertex& vertex = surface.vertices[vertices[i]];
+    for (std::size_t value = 0; value < sampleValueCount; ++value)
+      m_corner[value] = m_loaded[value].data();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (const float* row = member.clusters->cornerRow(cluster, 3 + axis))
+        m_corner[normalX + axis] = row;
+    const bool lookUp = member.clusters->corners.empty();
+    for (std::uint32_t i = 0; lookUp && i < cluster.vertexCount; ++i) {
       const glm::vec3 normal = surface.normals[vertices[i]];
-      m_corner[normalX][i] = normal.x;
-      m_corner[normalY][i] = normal.y;
-      m_corner[normalZ][i] = normal.z;
-      if (fill.byForm)
-        m_corner[gradient][i] = gradientAt(surface, vertices[i], vertex.position, fill);
-      if (fill.gammaOffsets)
-        m_corner[gammaOffset][i] = (*fill.gammaOffsets)[vertices[i]];
+      m_loaded[normalX][i] = normal.x;
+      m_loaded[normalY][i] = normal.y;
+      m_loaded[normalZ][i] = normal.z;
     }
+    for (std::uint32_t i = 0; fill.byForm && i < cluster.vertexCount; ++i)
+      m_loaded[gradient][i] =
+          gradientAt(surface, vertices[i], surface.vertices[vertices[i]].position, fill);
+    for (std::uint32_t i = 0; fill.gammaOffsets && i < cluster.vertexCount; ++i)
+      m_loaded[gammaOffset][i] = (*fill.gammaOffsets)[vertices[i]];
   }
 
   bool isEven(const model::Cluster& cluster) const {
@@ -283,7 +300,7 @@ class SurfaceBand {
   }
 
   template <bool shaded>
-  void draw(std::size_t i, const std::array<std::uint8_t, 3>& corners, const SeenDepths& seen) {
+  void draw(std::size_t i, const std::array<std::uint8_t, 3>& corners) {
     const PixelRect& area = m_samples.area;
     const int left = std::max(m_seen.left[i], area.x) - m_seen.left[i];
     const int right = std::min(m_seen.left[i] + m_seen.columns[i], area.right()) - m_seen.left[i];
@@ -291,14 +308,16 @@ class SurfaceBand {
     const int top = std::min(m_seen.bottom[i] + m_seen.rows[i], area.y + m_end) - m_seen.bottom[i];
     if (left >= right || bottom >= top)
       return;
-    const TriangleEdges edges(m_seen, i, TriangleEdges::Corners::exact);
-    const glm::vec3& e0 = edges.inside(0);
-    const glm::vec3& e1 = edges.inside(1);
-    const glm::vec3& e2 = edges.inside(2);
-    const glm::vec3 slope = depthSlope(i, seen);
+    const auto slopeOf = [i](const SeenCluster::Slopes& slopes) {
+      return glm::vec3(slopes.perColumn[i], slopes.perRow[i], slopes.first[i]);
+    };
+    const glm::vec3 e0 = slopeOf(m_seen.inside[0]);
+    const glm::vec3 e1 = slopeOf(m_seen.inside[1]);
+    const glm::vec3 e2 = slopeOf(m_seen.inside[2]);
+    const glm::vec3 slope = slopeOf(m_seen.steepness);
     // A sliver's slope is steep, and samples may lie beside it by the slack.
-    const float least = seen.least();
-    const float most = seen.most();
+    const float least = m_seen.least[i];
+    const float most = m_seen.most[i];
     const float perArea = 1.0f / std::max(std::abs(m_seen.area[i]), 1e-20f);
     for (int row = bottom; row < top; ++row) {
       const auto y = float(row);
@@ -336,28 +355,11 @@ class SurfaceBand {
     for (std::size_t value = 0; value < sampleValueCount; ++value) {
       if (!needed[value])
         continue;
-      const auto& corner = m_corner[value];
+      const float* corner = m_corner[value];
       const float a = corner[corners[0]];
       m_values[value][at] =
           a + share.x * (corner[corners[1]] - a) + share.y * (corner[corners[2]] - a);
     }
-  }
-
-  /// Returns the depth's rise per column and per row, and its value at the first middle.
-  glm::vec3 depthSlope(std::size_t i, const SeenDepths& corners) const {
-    const auto& [ax, bx, cx] = m_seen.cornerX;
-    const auto& [ay, by, cy] = m_seen.cornerY;
-    const float area = m_seen.area[i];
-    if (area == 0.0f)
-      return {0.0f, 0.0f, corners.least()};
-    const float ab = corners.b - corners.a;
-    const float ac = corners.c - corners.a;
-    const float perArea = 1.0f / area;
-    const float x = (ab * (cy[i] - ay[i]) - ac * (by[i] - ay[i])) * perArea;
-    const float y = (ac * (bx[i] - ax[i]) - ab * (cx[i] - ax[i])) * perArea;
-    return {x, y,
-            corners.a + x * (float(m_seen.left[i]) + 0.5f - ax[i]) +
-                y * (float(m_seen.bottom[i]) + 0.5f - ay[i])};
   }
 
   std::span<const ReadyMember> m_members;
@@ -375,19 +377,28 @@ class SurfaceBand {
   ClusterCuts m_cuts;
   SeenCluster m_seen;
   std::array<std::uint8_t, model::Clusters::maximumTriangles> m_holders{};
-  std::array<SeenCluster::Vertices, sampleValueCount> m_corner;
+  std::array<SeenCluster::Vertices, sampleValueCount> m_loaded;
+  std::array<const float*, sampleValueCount> m_corner{};     ///< of the cluster's vertices
   std::array<float*, sampleValueCount> m_values{};           ///< from the band's first row on
   std::array<std::vector<float>, sampleValueCount> m_own{};  ///< they lie there, if not kept
   std::vector<std::uint16_t> m_owners;                       ///< who is seen there, of several
 };
 
-constexpr int bandRows = 32;
+/// Returns how many rows are drawn together. The fewer bands there are, the fewer clusters lie in
+/// two of them, but all threads need some.
+int rowsOfBand(const PixelRect& area) {
+  constexpr int least = 32;
+  constexpr int bandsOfThread = 2;
+  const int bands = bandsOfThread * threadCount();
+  return std::max(least, (area.height + bands - 1) / bands);
+}
 
 /// Draws members band by band. Returns false where a cluster has to be clipped.
 bool drawBands(std::span<const ReadyMember> ready, const RasterSight& sight,
                const BandOutput& output) {
   const PixelRect& area = sight.samples.area;
   const std::vector<PlacedCluster> clusters = placedClusters(ready, sight);
+  const int bandRows = rowsOfBand(area);
   const auto bands = std::size_t((area.height + bandRows - 1) / bandRows);
   std::vector<std::vector<const PlacedCluster*>> lists(bands);
   for (const PlacedCluster& placed : clusters)
@@ -463,6 +474,7 @@ void shadeValues(const SurfaceFill& fill, const RasterSight& sight, const Surfac
                     surface.colours.data() + begin + from);
     }
   };
+  constexpr int bandRows = 32;
   parallelFor(std::size_t((area.height + bandRows - 1) / bandRows), 1, [&](std::size_t band) {
     const int bottom = int(band) * bandRows;
     for (const PixelRect& rect : sight.rectangles)
