@@ -37,7 +37,7 @@ class ClusterLines {
       : m_walk(walk),
         m_twoSided(request.twoSided),
         m_leastDerivative(request.thresholds.of(LineKind::suggestive, leastDerivative)),
-        m_leastAngle(request.thresholds.of(LineKind::suggestive, leastAngle)) {}
+        m_mostNv(std::cos(request.thresholds.of(LineKind::suggestive, leastAngle))) {}
 
   void extract(std::vector<Segment>& out) {
     if (!m_signs.find(m_walk))
@@ -89,11 +89,10 @@ class ClusterLines {
   /// 1 seen from outside, −1 from within (n and the derivative change sign).
   void addClipped(const std::array<End, 2>& c, float side, std::uint32_t triangle,
                   std::vector<Segment>& out) const {
-    const float cosine = std::cos(m_leastAngle);
     const auto excess = [&](const End& x) { return side * x.derivative - m_leastDerivative; };
     std::array<float, 2> range{0.0f, 1.0f};
     keepWherePositive(side * c[0].nv, side * c[1].nv, range);
-    keepWherePositive(cosine - side * c[0].nv, cosine - side * c[1].nv, range);
+    keepWherePositive(m_mostNv - side * c[0].nv, m_mostNv - side * c[1].nv, range);
     keepWherePositive(excess(c[0]), excess(c[1]), range);
     const auto [low, high] = range;
     if (!(low < high))
@@ -123,7 +122,7 @@ class ClusterLines {
   const ClusterWalk& m_walk;
   bool m_twoSided;
   float m_leastDerivative;
-  float m_leastAngle;
+  float m_mostNv;
   BendingSigns m_signs;
   RadialValues m_values;
 };

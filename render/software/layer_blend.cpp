@@ -20,9 +20,10 @@ constexpr float hiddenStrength = 0.5f;
 /// A layer within a square.
 struct Here {
   const BlendLayer* layer;
-  Channels ink;      ///< opaque
-  float nearest;     ///< its least depth there; 1 where it has nothing
-  std::size_t rank;  ///< of layers that lie equally deep the least is in front
+  Channels ink;          ///< opaque
+  float nearest = 1.0f;  ///< its least depth there; 1 where it has nothing
+  std::size_t rank = 0;  ///< of layers that lie equally deep the least is in front
+  std::array<float, TileMask::side> rows;  ///< its least depth in each row of the square
 };
 
 /// A layer at a pixel.
@@ -32,13 +33,16 @@ struct Found {
   std::size_t at;
 };
 
-/// Returns the least of these depths, which are not negative, row by row.
-SLINE_WIDE_LOOPS float leastDepth(const float* depths, std::size_t stride, int columns, int rows) {
-  std::int32_t least = std::bit_cast<std::int32_t>(1.0f);
-  for (int row = 0; row < rows; ++row, depths += stride)
+/// Finds the least of the depths, which are not negative, in each of some rows.
+SLINE_WIDE_LOOPS void leastDepths(const float* depths, std::size_t stride, const glm::ivec2& size,
+                                  float* rows) {
+  const int columns = size.x;
+  for (int row = 0; row < size.y; ++row, depths += stride) {
+    std::int32_t least = std::bit_cast<std::int32_t>(1.0f);
     for (int i = 0; i < columns; ++i)
       least = std::min(least, std::bit_cast<std::int32_t>(depths[i]));
-  return std::bit_cast<float>(least);
+    rows[row] = std::bit_cast<float>(least);
+  }
 }
 
 /// Blends squares one by one.
@@ -79,12 +83,15 @@ class SquareBlender {
       const PixelRect shared = intersection(layer.pixels->area, pixels);
       if (shared.empty())
         continue;
-      const Here here{
-          &layer,
-          Channels{float(layer.ink.red), float(layer.ink.green), float(layer.ink.blue), 255.0f},
-          leastDepth(layer.pixels->depths.data() + layer.pixels->at(shared.x, shared.y),
-                     std::size_t(layer.pixels->area.width), shared.width, shared.height),
-          rank};
+      Here here{.layer = &layer,
+                .ink = Channels{float(layer.ink.red), float(layer.ink.green), float(layer.ink.blue),
+                                255.0f},
+                .rank = rank};
+      here.rows.fill(1.0f);
+      leastDepths(layer.pixels->depths.data() + layer.pixels->at(shared.x, shared.y),
+                  std::size_t(layer.pixels->area.width), {shared.width, shared.height},
+                  here.rows.data() + (shared.y - pixels.y));
+      here.nearest = *std::min_element(here.rows.begin(), here.rows.end());
       if (here.nearest < 1.0f)
         m_here.push_back(here);
       if (layer.hiddenInk)
@@ -106,7 +113,7 @@ class SquareBlender {
       const LayerPixels& pixels = *layer.pixels;
       const int first = std::max(square.x, pixels.area.x);
       const int end = std::min(square.right(), pixels.area.right());
-      if (y < pixels.area.y || y >= pixels.area.top() || first >= end)
+      if (!(here.rows[std::size_t(y - square.y)] < 1.0f))
         continue;
       const std::size_t at = pixels.at(first, y);
       if (!m_row.lay({.first = std::size_t(first - square.x),

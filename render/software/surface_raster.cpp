@@ -351,15 +351,18 @@ class SurfaceBand {
 
   /// Writes the values of a place that has these shares of the second corner and of the third.
   void put(std::size_t at, const std::array<std::uint8_t, 3>& corners, const glm::vec2& share) {
-    const NeededValues& needed = m_members[m_member].shading.needed();
-    for (std::size_t value = 0; value < sampleValueCount; ++value) {
-      if (!needed[value])
-        continue;
+    const auto mix = [&](std::size_t value) {
       const float* corner = m_corner[value];
       const float a = corner[corners[0]];
       m_values[value][at] =
           a + share.x * (corner[corners[1]] - a) + share.y * (corner[corners[2]] - a);
-    }
+    };
+    for (const std::size_t value : {normalX, normalY, normalZ})
+      mix(value);
+    const NeededValues& needed = m_members[m_member].shading.needed();
+    for (const std::size_t value : {gradient, gammaOffset})
+      if (needed[value])
+        mix(value);
   }
 
   std::span<const ReadyMember> m_members;

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <glm/common.hpp>
 
+#include "model/base/lanes.h"
 #include "render/software/channels.h"
 
 namespace sline::render {
@@ -56,20 +59,26 @@ class Trimmer {
     if (left >= right)
       return;
     for (int y = std::max(bounded(low.y), first); y < std::min(bounded(high.y), end); ++y) {
-      const std::uint32_t* colours = m_pixels.colours.data() + m_pixels.at(left, y);
-      for (int x = left; x < right; ++x) {
-        // Most of the box lies beyond the fill.
-        if (colours[x - left] == 0)
-          continue;
-        const glm::vec2 at = glm::vec2(float(x) + 0.5f, float(y) + 0.5f) - a.at;
-        const float toB = (at.x * ac.y - at.y * ac.x) * perArea;
-        const float toC = (ab.x * at.y - ab.y * at.x) * perArea;
-        const float toA = 1.0f - toB - toC;
+      const std::size_t row = m_pixels.at(left, y);
+      const float atY = float(y) + 0.5f - a.at.y;
+      for (int x = left; x < right; x += int(laneCount)) {
+        const Lanes columns = float(x) + Lanes{0.0f, 1.0f, 2.0f, 3.0f};
+        const Lanes atX = columns + 0.5f - a.at.x;
+        const Lanes toB = (atX * ac.y - atY * ac.x) * perArea;
+        const Lanes toC = (ab.x * atY - ab.y * atX) * perArea;
+        const Lanes toA = 1.0f - toB - toC;
         // Of two triangles that share an edge one has the pixels on it.
-        if (toA > 0.0f && toB >= 0.0f && toC >= 0.0f)
-          trim(toA * a.end + toB * b.end + toC * c.end,
-               toA * a.outward + toB * b.outward + toC * c.outward,
-               toA * a.away + toB * b.away + toC * c.away, m_pixels.at(x, y));
+        unsigned inside =
+            bitsOf((toA > 0.0f) & (toB >= 0.0f) & (toC >= 0.0f) & (columns < float(right)));
+        for (; inside != 0; inside &= inside - 1) {
+          const auto lane = std::size_t(std::countr_zero(inside));
+          const std::size_t at = row + std::size_t(x - left) + lane;
+          // Most of the strip lies beyond the fill.
+          if (m_pixels.colours[at] != 0)
+            trim(toA[lane] * a.end + toB[lane] * b.end + toC[lane] * c.end,
+                 toA[lane] * a.outward + toB[lane] * b.outward + toC[lane] * c.outward,
+                 toA[lane] * a.away + toB[lane] * b.away + toC[lane] * c.away, at);
+        }
       }
     }
   }
