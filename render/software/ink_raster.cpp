@@ -67,7 +67,7 @@ Capsule capsuleOf(const InkDraw& draw, const Stroke& s, std::uint32_t sight) {
   c.lift = draw.kind == InkKind::contours
                ? depthLift(0.5f * (s.depthA + s.depthB), 2.0f * s.tolerance, draw.projection)
                : 0.0f;
-  c.steps = inkSteps(s, draw.surfaceStep);
+  c.steps = inkSteps(s);
   c.sight = sight;
   c.outwardA = s.outwardA, c.outwardB = s.outwardB;
   const float rise = std::abs(c.along.y);
@@ -366,10 +366,10 @@ std::vector<Capsule> capsulesOf(const LayerPixels& pixels, const InkDraw& draw) 
   parallelFor(parts.size(), 1, [&](std::size_t part) {
     parts[part].reserve(grain);
     for (std::size_t i = part * grain; i < std::min(strokes.size(), (part + 1) * grain); ++i) {
-      const int pieces = inkPieces(strokes[i], draw.surfaceStep);
+      const int pieces = inkPieces(strokes[i]);
       for (int piece = 0; piece < pieces; ++piece) {
         const Stroke s = pieces == 1 ? strokes[i] : inkPiece(strokes[i], piece, pieces);
-        const std::uint32_t sight = lineSight(pixels, draw, s, inkSteps(s, draw.surfaceStep));
+        const std::uint32_t sight = lineSight(pixels, draw, s, inkSteps(s));
         if ((sight & 0xffffu) != 0)
           parts[part].push_back(capsuleOf(draw, s, sight));
       }

@@ -9,7 +9,7 @@
 
 namespace sline::render {
 
-/// For a piece of a stroke: bit i tells whether place i of `inkSteps` + 1 is in
+/// For a stroke no longer than `mostInkSteps`: bit i tells whether place i of `inkSteps` + 1 is in
 /// sight, bit 16 + i whether a contour's surface goes on there outside the pen.
 std::uint32_t lineSight(const LayerPixels& pixels, const InkDraw& draw, const Stroke& stroke,
                         int steps);

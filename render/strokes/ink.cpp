@@ -44,9 +44,9 @@ struct Cut {
 
 }  // namespace
 
-int inkPieces(const Stroke& stroke, int surfaceStep) {
+int inkPieces(const Stroke& stroke) {
   const float length = std::min(glm::distance(stroke.a, stroke.b), 1e6f);
-  return std::max(1, int(std::ceil(length / float(mostInkSteps * surfaceStep))));
+  return std::max(1, int(std::ceil(length / float(mostInkSteps))));
 }
 
 Stroke inkPiece(const Stroke& stroke, int piece, int pieces) {
@@ -58,9 +58,8 @@ Stroke inkPiece(const Stroke& stroke, int piece, int pieces) {
   return result;
 }
 
-int inkSteps(const Stroke& stroke, int surfaceStep) {
-  const float steps = glm::distance(stroke.a, stroke.b) / float(surfaceStep);
-  return int(std::ceil(std::min(steps, float(mostInkSteps))));
+int inkSteps(const Stroke& stroke) {
+  return int(std::ceil(std::min(glm::distance(stroke.a, stroke.b), float(mostInkSteps))));
 }
 
 }  // namespace sline::render

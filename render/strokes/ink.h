@@ -35,14 +35,14 @@ struct InkDraw {
   float sheet = 0.0f;  ///< mm in front of a contour within which its own sheet may lie (see .glsl)
 };
 
-/// Sight is looked for at so many places of a stroke, less one, as far apart as its surface's
-/// samples; longer strokes become several.
+/// Sight is looked for at so many places of a stroke, less one; longer strokes, in pixels, become
+/// several.
 inline constexpr int mostInkSteps = 15;
 
 /// Returns the number of such pieces, and one of them; together they draw what the stroke draws.
-int inkPieces(const Stroke& stroke, int surfaceStep);
+int inkPieces(const Stroke& stroke);
 Stroke inkPiece(const Stroke& stroke, int piece, int pieces);
 /// Returns at how many places of a piece it is looked for, less one.
-int inkSteps(const Stroke& stroke, int surfaceStep);
+int inkSteps(const Stroke& stroke);
 
 }  // namespace sline::render

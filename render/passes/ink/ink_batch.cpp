@@ -44,7 +44,7 @@ void InkBatch::add(const InkDraw& draw, const Stroke& s) {
     m_looks.emplace_back(draw.probe, draw.sheet, isOutside(draw.kind) ? 1.0f : 0.0f, 0.0f);
   }
   ++m_runs.back().count;
-  const int steps = inkSteps(s, draw.surfaceStep);
+  const int steps = inkSteps(s);
   m_vertices.push_back({s.a, s.b, s.depthA, s.depthB, s.tolerance, kindOf(s), s.outwardA,
                         s.outwardB, s.moveA, s.moveB, s.halfWidthA, s.halfWidthB, s.opacityA,
                         s.opacityB, s.capA, s.capB, float(steps)});

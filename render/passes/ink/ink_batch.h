@@ -54,7 +54,7 @@ class InkBatch {
   bool empty() const { return m_runs.empty(); }
   bool full() const { return m_vertices.size() >= std::size_t(perRow) * mostRows; }
   void clear();
-  /// Adds a piece of a stroke of a draw, which must outlive the batch.
+  /// Adds a stroke no longer than `mostInkSteps` of a draw, which must outlive the batch.
   void add(const InkDraw& draw, const Stroke& stroke);
 
   std::span<const InkVertex> vertices() const { return m_vertices; }

@@ -149,7 +149,7 @@ Status InkPass::draw(gpu::Device& device, const InkTargets& targets,
   m_batch.clear();
   for (const InkDraw& draw : draws)
     for (const Stroke& stroke : draw.strokes) {
-      const int pieces = inkPieces(stroke, draw.surfaceStep);
+      const int pieces = inkPieces(stroke);
       for (int piece = 0; piece < pieces; ++piece) {
         if (m_batch.full()) {
           if (Status s = drawBatch(device, targets, surfaceDepth, queue); !s)

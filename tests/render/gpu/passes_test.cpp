@@ -371,7 +371,7 @@ void PassesTest::longStrokesAreOneCapsule() {
                  .halfWidthB = 4.0f,
                  .opacityA = 0.9f,
                  .opacityB = 0.4f};
-  QVERIFY(inkPieces(s, 1) > 3);
+  QVERIFY(inkPieces(s) > 3);
   const std::vector<int> coverage = inked({&s, 1}, InkKind::contours);
   const glm::vec2 a = s.a + s.moveA + (s.halfWidthA - 0.5f) * s.outwardA;
   const glm::vec2 b = s.b + s.moveB + (s.halfWidthB - 0.5f) * s.outwardB;
