@@ -14,8 +14,9 @@
 #define SLINE_WIDE_LOOPS
 #endif
 
-/// Stands before a loop whose rounds neither read nor write what another round writes. Compilers
-/// find that out by themselves for a few rows of numbers, not for many.
+/// Stands before a loop whose rounds neither read nor write memory that another round writes; they
+/// may add to variables of the function. Compilers find that out by themselves for a few rows of
+/// numbers, not for many.
 #if defined(__clang__)
 #define SLINE_INDEPENDENT_ROUNDS _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)

@@ -35,7 +35,7 @@ std::vector<Triangle> coarsenedTriangles(const Mesh& mesh, float edge);
 /// Returns a mesh of all the surface's vertices with these triangles between them.
 Mesh meshBetween(const Surface& surface, std::vector<Triangle> triangles);
 /// Returns the clusters of that mesh as far as drawing needs them: without samples, groups and the
-/// triangles' numbers.
+/// triangles' numbers, but with the places and normals of their corners side by side.
 Clusters clustersBetween(const Surface& surface, std::vector<Triangle> triangles);
 
 }  // namespace sline::model

@@ -62,11 +62,12 @@ void findCells(std::span<const glm::vec3> places, const CellGrid& grid, bool atI
     const float y = perMm * (dx * frame.up.x + dy * frame.up.y + dz * frame.up.z);
     const float column = (x - low.x) * perSide;
     const float row = (y - low.y) * perSide;
-    const float seenColumn = std::min(std::max(column, 0.0f), lastColumn);
-    const float seenRow = std::min(std::max(row, 0.0f), lastRow);
+    // In this order of arguments what is no number is 0.
+    const float seenColumn = std::min(std::max(0.0f, column), lastColumn);
+    const float seenRow = std::min(std::max(0.0f, row), lastRow);
     const float beyond = std::abs(column - seenColumn) + std::abs(row - seenRow);
     const int cell = int(seenRow) * rowLength + int(seenColumn);
-    out.cell[i] = (mm > 0.0f ? beyond : 1.0f) > 0.0f ? -1 : cell;
+    out.cell[i] = (mm > 0.0f ? beyond : 1.0f) <= 0.0f ? cell : -1;
     out.distance[i] = distance;
   }
 }
