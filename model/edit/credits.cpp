@@ -38,10 +38,8 @@ SourceCredit tidied(const SourceCredit& credit) {
 }
 
 Edited withCredit(const Scene& scene, std::span<const NodeId> ids, const CreditChange& change) {
-  std::set<NodeId> named;
-  for (const NodeId id : ids)
-    for (const NodeId structure : scene.structuresBelow(id))
-      named.insert(structure);
+  const std::vector<NodeId> below = scene.structuresBelow(ids);
+  const std::set<NodeId> named(below.begin(), below.end());
   std::vector<Node> nodes = scene.nodes();
   bool changed = false;
   for (Node& node : nodes) {

@@ -146,11 +146,10 @@ Edited withOthersHidden(const Scene& scene, std::span<const NodeId> ids) {
 
 Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids) {
   std::unordered_set<std::uint64_t> shown;  // the structures and all groups above them
-  for (const NodeId id : ids)
-    for (const NodeId structure : scene.structuresBelow(id))
-      for (const Node* node = scene.find(structure); node && shown.insert(node->id.value).second;
-           node = scene.find(node->parent)) {
-      }
+  for (const NodeId structure : scene.structuresBelow(ids))
+    for (const Node* node = scene.find(structure); node && shown.insert(node->id.value).second;
+         node = scene.find(node->parent)) {
+    }
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes) {
     const bool show = shown.contains(node.id.value);

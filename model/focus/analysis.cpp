@@ -13,27 +13,10 @@
 
 namespace sline::model {
 
-namespace {
-
-std::vector<NodeId> structuresOf(const Scene& scene, std::span<const NodeId> ids) {
-  std::vector<NodeId> structures;
-  for (const NodeId id : ids) {
-    const std::vector<NodeId> some = scene.structuresBelow(id);
-    structures.insert(structures.end(), some.begin(), some.end());
-  }
-  std::vector<NodeId> ordered;  // in tree order, each once
-  for (const Node& node : scene.nodes())
-    if (std::find(structures.begin(), structures.end(), node.id) != structures.end())
-      ordered.push_back(node.id);
-  return ordered;
-}
-
-}  // namespace
-
 std::optional<FocusAnalysis> analysed(const Scene& scene, const FocusQuestion& question,
                                       FormIndex& forms, const std::stop_token& stop) {
   FocusAnalysis analysis;
-  analysis.targets = structuresOf(scene, question.targets);
+  analysis.targets = scene.structuresBelow(question.targets);
   analysis.asked.assign(question.targets.begin(), question.targets.end());
   analysis.camera = question.camera;
   std::vector<Party> parties;

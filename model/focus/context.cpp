@@ -281,9 +281,8 @@ std::unordered_map<std::uint64_t, Standing> standings(const Scene& scene) {
 /// wants it as a target, whatever she made of it while it was context.
 std::unordered_set<std::uint64_t> keptByHand(const Scene& scene, const FocusAnalysis& analysis) {
   std::unordered_set<std::uint64_t> kept = setOf(setByHand(scene));
-  std::unordered_set<std::uint64_t> before;
-  for (const NodeId id : scene.focus().targets)
-    before.merge(setOf(scene.structuresBelow(id)));
+  const std::unordered_set<std::uint64_t> before =
+      setOf(scene.structuresBelow(scene.focus().targets));
   for (const NodeId id : analysis.targets) {
     const Node* node = scene.find(id);
     if (!before.contains(id.value) || !node || node->style.visible == false)

@@ -31,10 +31,8 @@ constexpr std::size_t mostSamples = 64;
 /// Returns the structures at or below the targets.
 NodeSet nearTargets(const Scene& scene, std::span<const NodeId> targets) {
   NodeSet all;
-  for (const NodeId target : targets)
-    if (scene.find(target))
-      for (const NodeId id : scene.structuresBelow(target))
-        all.insert(id.value);
+  for (const NodeId id : scene.structuresBelow(targets))
+    all.insert(id.value);
   return all;
 }
 

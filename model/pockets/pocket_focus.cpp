@@ -177,10 +177,7 @@ Edited withPocketInFocus(const Scene& scene, const ScenePockets& found, std::siz
     return {scene, false};
   Scene edited = scene;
   const NodeId room = withRoom(edited, molecule, pocket, body);
-  std::vector<NodeId> guests;
-  for (const NodeId guest : pocket.guests)
-    for (const NodeId id : edited.structuresBelow(guest))
-      guests.push_back(id);
+  const std::vector<NodeId> guests = edited.structuresBelow(pocket.guests);
   std::vector<NodeId> linings;
   std::vector<NodeId> others;
   for (const NodeId id : edited.structuresBelow(rootId)) {

@@ -14,17 +14,19 @@ namespace {
 
 using IdSet = std::unordered_set<std::uint64_t>;
 
-/// Calls visit(index, node) for the node and everything below it, in tree order; the root is above
-/// every node. One pass is enough because a parent stands before its children.
+/// Calls visit(index, node) for the nodes and everything below them, in tree order; the root is
+/// above every node. One pass is enough because a parent stands before its children.
 template <class Visit>
-void forEachBelow(const std::vector<Node>& nodes, NodeId id, const Visit& visit) {
-  IdSet inside{id.value};
+void forEachBelow(const std::vector<Node>& nodes, std::span<const NodeId> ids, const Visit& visit) {
+  IdSet inside;
+  for (const NodeId id : ids)
+    inside.insert(id.value);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node& node = nodes[i];
-    if (node.id != id && !inside.contains(node.parent.value))
-      continue;
-    inside.insert(node.id.value);
-    visit(i, node);
+    if (inside.contains(node.parent.value))
+      inside.insert(node.id.value);
+    if (inside.contains(node.id.value))
+      visit(i, node);
   }
 }
 
@@ -67,13 +69,17 @@ std::vector<NodeId> Scene::children(NodeId parent) const {
   return ids;
 }
 
-std::vector<NodeId> Scene::structuresBelow(NodeId id) const {
-  std::vector<NodeId> ids;
-  forEachBelow(m_nodes, id, [&ids](std::size_t, const Node& node) {
+std::vector<NodeId> Scene::structuresBelow(std::span<const NodeId> ids) const {
+  std::vector<NodeId> structures;
+  forEachBelow(m_nodes, ids, [&structures](std::size_t, const Node& node) {
     if (!node.isGroup())
-      ids.push_back(node.id);
+      structures.push_back(node.id);
   });
-  return ids;
+  return structures;
+}
+
+std::vector<NodeId> Scene::structuresBelow(NodeId id) const {
+  return structuresBelow(std::span(&id, 1));
 }
 
 bool Scene::isBelow(NodeId id, NodeId ancestor) const {
@@ -124,7 +130,7 @@ std::vector<NodeId> Scene::named(std::string_view name) const {
 
 Box Scene::visibleBounds(NodeId id) const {
   Box bounds;
-  forEachBelow(m_nodes, id, [&](std::size_t, const Node& node) {
+  forEachBelow(m_nodes, std::span(&id, 1), [&](std::size_t, const Node& node) {
     if (!node.isGroup() && !node.mesh->bounds().empty() && resolve(node.id).visible)
       bounds.add(node.mesh->bounds());
   });
@@ -144,7 +150,7 @@ NodeId Scene::append(Node node) {
   // Building a tree appends mostly below the last node.
   std::size_t position = m_nodes.size();
   if (node.parent != rootId && !isBelow(m_nodes.back().id, node.parent))
-    forEachBelow(m_nodes, node.parent,
+    forEachBelow(m_nodes, std::span(&node.parent, 1),
                  [&position](std::size_t index, const Node&) { position = index + 1; });
   node.id = NodeId{++m_lastId};
   const NodeId id = node.id;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -132,6 +133,8 @@ class Scene {
   std::vector<NodeId> children(NodeId parent) const;
   /// Returns every structure at or below the node, in tree order; the root means all.
   std::vector<NodeId> structuresBelow(NodeId id) const;
+  /// Returns every structure at or below any of the nodes, each once, in tree order.
+  std::vector<NodeId> structuresBelow(std::span<const NodeId> ids) const;
   /// Tells whether the node is the ancestor itself or stands below it.
   bool isBelow(NodeId id, NodeId ancestor) const;
   /// Returns "Group / Subgroup" above the node; empty at the top.

@@ -18,13 +18,19 @@ QString number(std::size_t value) {
   return QLocale().toString(qulonglong(value));
 }
 
-/// Returns "LPS (vote: 20 of 22 left/right names)", or how many different answers there are.
-template <class Decide>
-QString decisions(const model::ImportPlan& plan, const Decide& decide) {
-  std::map<QString, std::size_t> answers;
+/// Returns "LPS (vote: 20 of 22 left/right names)", or how many different answers there are. The
+/// fields of the provenance are what was decided and why; each different pair is told once, however
+/// many structures have it.
+template <class Decided, class Decide>
+QString decisions(const model::ImportPlan& plan, Decided model::Provenance::*field,
+                  std::string model::Provenance::*reason, const Decide& decide) {
+  std::map<std::pair<Decided, std::string>, std::size_t> counts;
   for (const model::Node& node : plan.scene.nodes())
     if (plan.parts.contains(node.id))
-      ++answers[decide(node.provenance)];
+      ++counts[{node.provenance.*field, node.provenance.*reason}];
+  std::map<QString, std::size_t> answers;
+  for (const auto& [decided, count] : counts)
+    answers[decide(decided.first, decided.second)] += count;
   if (answers.empty())
     return ImportDraft::tr("as the scene file has it");
   if (answers.size() == 1)
@@ -44,15 +50,15 @@ QString because(const QString& answer, const std::string& reason) {
   return reason.empty() ? answer : ImportDraft::tr("%1 – %2").arg(answer, told(reason));
 }
 
-QString frameDecision(const model::Provenance& from) {
-  return because(from.frame == model::Provenance().frame ? ImportDraft::tr("unknown")
-                 : from.frame == "file"                  ? ImportDraft::tr("as in the file")
-                                                         : QString::fromStdString(from.frame),
-                 from.frameReason);
+QString frameDecision(const std::string& frame, const std::string& reason) {
+  return because(frame == model::Provenance().frame ? ImportDraft::tr("unknown")
+                 : frame == "file"                  ? ImportDraft::tr("as in the file")
+                                                    : QString::fromStdString(frame),
+                 reason);
 }
 
-QString unitDecision(const model::Provenance& from) {
-  return because(unitText(from.mmPerUnit), from.unitReason);
+QString unitDecision(float millimetres, const std::string& reason) {
+  return because(unitText(millimetres), reason);
 }
 
 /// Returns the names of a few of them.
@@ -156,11 +162,12 @@ QString sideDoubt(const model::ImportPlan& plan, const PlanFigures& figures) {
 }
 
 QString frameText(const model::ImportPlan& plan) {
-  return decisions(plan, frameDecision);
+  return decisions(plan, &model::Provenance::frame, &model::Provenance::frameReason, frameDecision);
 }
 
 QString unitReasonText(const model::ImportPlan& plan) {
-  return decisions(plan, unitDecision);
+  return decisions(plan, &model::Provenance::mmPerUnit, &model::Provenance::unitReason,
+                   unitDecision);
 }
 
 QString detailsText(const model::ImportPlan& plan, const PlanFigures& figures, model::NodeId id) {
@@ -182,8 +189,8 @@ QString detailsText(const model::ImportPlan& plan, const PlanFigures& figures, m
   if (!plan.parts.contains(id))
     return (lines << ImportDraft::tr("From a scene file: it keeps its place, size and triangles."))
         .join('\n');
-  lines << ImportDraft::tr("Frame: %1").arg(frameDecision(from))
-        << ImportDraft::tr("Unit: %1").arg(unitDecision(from));
+  lines << ImportDraft::tr("Frame: %1").arg(frameDecision(from.frame, from.frameReason))
+        << ImportDraft::tr("Unit: %1").arg(unitDecision(from.mmPerUnit, from.unitReason));
   if (from.repairedFaces > 0)
     lines << ImportDraft::tr("%n faces mended", nullptr, from.repairedFaces);
   if (of.otherSide)

@@ -56,8 +56,10 @@ PlanTree::PlanTree(ImportDraft& draft, QWidget* parent)
   for (int column = 1; column < PlanTreeModel::columns; ++column)
     setColumnWidth(column, widths[column] * letter);
   connect(m_model, &QAbstractItemModel::modelReset, this, &PlanTree::showAll);
-  connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
-          &PlanTree::selectedNodesChanged);
+  connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    if (!m_filtering)
+      emit selectedNodesChanged();
+  });
 }
 
 void PlanTree::showAll() {
@@ -65,15 +67,54 @@ void PlanTree::showAll() {
 }
 
 void PlanTree::setFilter(const QString& text) {
+  // Rows come and go one range after another, each of which a selection looks at; so it is put down
+  // for so long, and taken up again once.
+  const NodeIds before = selectedNodes();
+  m_filtering = true;
+  selectionModel()->clearSelection();
   m_filtered->setFilterRegularExpression(QRegularExpression(
       QRegularExpression::escape(text), QRegularExpression::CaseInsensitiveOption));
   expandAll();
+  selectNodes(before);
+  m_filtering = false;
+  if (selectedNodes() != before)
+    emit selectedNodesChanged();
+}
+
+void PlanTree::selectNodes(const NodeIds& ids) {
+  QItemSelection selection;
+  const auto wanted = [&](const QModelIndex& index) {
+    return std::binary_search(ids.begin(), ids.end(),
+                              m_model->idOf(m_filtered->mapToSource(index)));
+  };
+  std::vector<QModelIndex> parents{QModelIndex()};
+  while (!parents.empty()) {
+    const QModelIndex parent = parents.back();
+    parents.pop_back();
+    const int rows = m_filtered->rowCount(parent);
+    int first = 0;  // of the rows in turn that are wanted
+    for (int row = 0; row < rows; ++row) {
+      const QModelIndex index = m_filtered->index(row, 0, parent);
+      if (m_filtered->hasChildren(index))
+        parents.push_back(index);
+      if (!wanted(index))
+        first = row + 1;
+      else if (row + 1 == rows || !wanted(index.siblingAtRow(row + 1)))
+        selection.append({m_filtered->index(first, 0, parent),
+                          index.siblingAtColumn(PlanTreeModel::columns - 1)});
+    }
+  }
+  selectionModel()->select(selection, QItemSelectionModel::Select);
 }
 
 NodeIds PlanTree::selectedNodes() const {
   NodeIds ids;
-  for (const QModelIndex& index : selectionModel()->selectedRows(PlanTreeModel::name))
-    ids.push_back(m_model->idOf(m_filtered->mapToSource(index)));
+  // The ranges are of whole rows. QItemSelectionModel::selectedRows would look for each row in all
+  // of them.
+  for (const QItemSelectionRange& range : selectionModel()->selection())
+    for (int row = range.top(); row <= range.bottom(); ++row)
+      ids.push_back(m_model->idOf(
+          m_filtered->mapToSource(m_filtered->index(row, PlanTreeModel::name, range.parent()))));
   std::sort(ids.begin(), ids.end());
   return ids;
 }

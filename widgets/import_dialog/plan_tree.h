@@ -32,9 +32,12 @@ class PlanTree : public QTreeView {
 
  private:
   void showAll();
+  /// Selects those of the nodes, which are in ascending order, that are shown.
+  void selectNodes(const NodeIds& ids);
 
   PlanTreeModel* m_model;
   QSortFilterProxyModel* m_filtered;
+  bool m_filtering = false;
 };
 
 }  // namespace sline::widgets

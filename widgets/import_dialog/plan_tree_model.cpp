@@ -4,7 +4,6 @@
 #include <QColor>
 #include <QFont>
 #include <QLocale>
-#include <unordered_set>
 
 #include "widgets/import_dialog/choice_rows.h"
 #include "widgets/import_dialog/plan_texts.h"
@@ -92,17 +91,7 @@ QModelIndex PlanTreeModel::indexOf(model::NodeId id) const {
 }
 
 NodeIds PlanTreeModel::structuresOf(const NodeIds& ids) const {
-  std::unordered_set<std::uint64_t> inside;
-  for (const model::NodeId id : ids)
-    inside.insert(id.value);
-  NodeIds found;
-  for (const model::Node& node : m_draft.plan().scene.nodes()) {
-    if (inside.contains(node.parent.value))
-      inside.insert(node.id.value);
-    if (!node.isGroup() && inside.contains(node.id.value))
-      found.push_back(node.id);
-  }
-  return found;
+  return m_draft.plan().scene.structuresBelow(ids);
 }
 
 void PlanTreeModel::include(const NodeIds& ids, bool wanted) {

@@ -30,17 +30,6 @@ Colour groundOf(render::Background background) {
   return {byte(ground.r), byte(ground.g), byte(ground.b)};
 }
 
-std::vector<model::NodeId> structuresOf(const model::Scene& scene,
-                                        std::span<const model::NodeId> ids) {
-  std::vector<model::NodeId> structures;
-  for (const model::NodeId id : ids)
-    for (const model::NodeId below : scene.structuresBelow(id))
-      structures.push_back(below);
-  std::sort(structures.begin(), structures.end());
-  structures.erase(std::unique(structures.begin(), structures.end()), structures.end());
-  return structures;
-}
-
 }  // namespace
 
 bool PictureOutlines::point(std::optional<model::NodeId> id) {
@@ -69,7 +58,8 @@ std::vector<render::Outline> PictureOutlines::around(const model::Scene& scene,
                           .casingWidth = look.pixels * pen.casing,
                           .strength = pen.strength});
   };
-  const std::vector<model::NodeId> selected = structuresOf(scene, selection);
+  std::vector<model::NodeId> selected = scene.structuresBelow(selection);
+  std::sort(selected.begin(), selected.end());
   add(selected, selectedPen);
   if (look.pointed && m_pointed && scene.find(*m_pointed) && m_pointed != m_lit &&
       !std::binary_search(selected.begin(), selected.end(), *m_pointed))

@@ -179,11 +179,9 @@ void LabelActions::showState() {
 void LabelActions::labelSelected() {
   const model::Scene& scene = m_session.scene();
   NodeIds structures;
-  for (const model::NodeId id : m_session.selection())
-    for (const model::NodeId structure : scene.structuresBelow(id))
-      if (!hasLabel(scene, structure) &&
-          std::find(structures.begin(), structures.end(), structure) == structures.end())
-        structures.push_back(structure);
+  for (const model::NodeId structure : scene.structuresBelow(m_session.selection()))
+    if (!hasLabel(scene, structure))
+      structures.push_back(structure);
   const LabelWish wish = m_labels.wish();
   const render::Screen screen(m_view.camera(), wish.size / wish.pixelsPerMm);
   m_queue.add([this, scene, structures, screen, opening = m_session.document().opening](
