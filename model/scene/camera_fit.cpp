@@ -13,6 +13,7 @@
 #include "model/scene/camera.h"
 #include "model/scene/camera_axes.h"
 #include "model/scene/free_sides.h"
+#include "model/scene/outermost_points.h"
 
 namespace sline::model {
 
@@ -135,71 +136,6 @@ double centredEye(std::span<const glm::dvec2> lateralAndDepth, const CameraInter
   return 0.5 * (low + high);
 }
 
-/// The octagon of the outermost of some points in eight directions: what lies within is not on
-/// their hull (S. Akl, G. Toussaint, "A Fast Convex Hull Algorithm", 1978).
-class Octagon {
- public:
-  explicit Octagon(std::span<const glm::dvec2> points) {
-    std::array<glm::dvec2, sides> corners;
-    corners.fill(points.front());
-    std::array<double, sides> farthest = along(points.front());
-    for (const glm::dvec2& p : points) {
-      const std::array<double, sides> here = along(p);
-      for (std::size_t i = 0; i < sides; ++i)
-        if (here[i] > farthest[i]) {
-          farthest[i] = here[i];
-          corners[i] = p;
-        }
-    }
-    const double size = std::max(farthest[0] + farthest[4], farthest[2] + farthest[6]);
-    m_rounding = 1e-9 * size * size;
-    for (std::size_t i = 0; i < sides; ++i) {
-      const glm::dvec2& a = corners[i];
-      const glm::dvec2 side = corners[(i + 1) % sides] - a;
-      m_x[i] = -side.y;
-      m_y[i] = side.x;
-      // One without length, of points that are not all at one place, is no side.
-      const bool none = side.x == 0.0 && side.y == 0.0 && size > 0.0;
-      m_from[i] = none ? std::numeric_limits<double>::infinity() : side.y * a.x - side.x * a.y;
-    }
-  }
-
-  bool holds(const glm::dvec2& p) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < sides; ++i)
-      least = std::min(least, m_x[i] * p.x + m_y[i] * p.y + m_from[i]);
-    return least > m_rounding;
-  }
-
- private:
-  static constexpr std::size_t sides = 8;
-  static std::array<double, sides> along(const glm::dvec2& p) {
-    return {p.x, p.x + p.y, p.y, p.y - p.x, -p.x, -p.x - p.y, -p.y, p.x - p.y};
-  }
-  std::array<double, sides> m_x{};
-  std::array<double, sides> m_y{};
-  std::array<double, sides> m_from{};
-  double m_rounding = 0.0;
-};
-
-/// Returns, as (lateral, depth), those of the points that may be outermost as some eye sees them.
-/// `lateral` is 0 for right, 1 for up.
-std::vector<glm::dvec2> maybeOutermost(const std::vector<glm::dvec3>& points, int lateral) {
-  constexpr std::size_t enough = 4096;
-  const auto flat = [lateral](const glm::dvec3& p) { return glm::dvec2(p[lateral], p.z); };
-  const std::size_t step = 1 + points.size() / enough;
-  std::vector<glm::dvec2> some;
-  some.reserve(enough);
-  for (std::size_t i = 0; i < points.size(); i += step)
-    some.push_back(flat(points[i]));
-  const Octagon octagon(some);
-  std::vector<glm::dvec2> kept;
-  for (const glm::dvec3& point : points)
-    if (const glm::dvec2 p = flat(point); !octagon.holds(p))
-      kept.push_back(p);
-  return kept;
-}
-
 /// Returns the position of the eye in the camera's axes.
 glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const Extent& extent,
                           const Slopes& across, const Slopes& upwards) {
@@ -213,8 +149,15 @@ glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const Extent& e
   const double clear = extent.back.high + 1e-3 * extent.size();
   const double depth = std::max({horizontal.nearestEye(), vertical.nearestEye(), clear});
 
-  return {centredEye(maybeOutermost(points, 0), extent.right, depth, across),
-          centredEye(maybeOutermost(points, 1), extent.up, depth, upwards), depth};
+  const auto flat = [&points](int lateral) {
+    std::vector<glm::dvec2> seen;
+    seen.reserve(points.size());
+    for (const glm::dvec3& p : points)
+      seen.emplace_back(p[lateral], p.z);
+    return seen;
+  };
+  return {centredEye(flat(0), extent.right, depth, across),
+          centredEye(flat(1), extent.up, depth, upwards), depth};
 }
 
 }  // namespace
@@ -228,10 +171,12 @@ Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect,
   if (points.empty())
     return camera;
   const CameraAxes axes = axesOf(camera);
-  std::vector<glm::dvec3> local(points.size());
+  const PointCloud cloud{points, Box{}};
+  const std::vector<glm::vec3> outermost = outermostPoints(camera, std::span(&cloud, 1));
+  std::vector<glm::dvec3> local(outermost.size());
   Extent extent;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const glm::dvec3 p(points[i]);
+  for (std::size_t i = 0; i < outermost.size(); ++i) {
+    const glm::dvec3 p(outermost[i]);
     local[i] = {glm::dot(p, axes.right), glm::dot(p, axes.up), glm::dot(p, axes.back)};
     extent.right.add(local[i].x);
     extent.up.add(local[i].y);

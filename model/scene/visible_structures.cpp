@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/scene/visible_structures.h"
 
-#include <algorithm>
+#include <deque>
 
 #include "model/geometry/plane_section.h"
+#include "model/scene/outermost_points.h"
 #include "model/scene/resolved_styles.h"
 
 namespace sline::model {
@@ -28,26 +29,51 @@ std::unordered_set<std::uint64_t> annotatedStructures(const Scene& scene) {
   return ids;
 }
 
-std::vector<glm::vec3> visiblePoints(const Scene& scene, std::span<const NodeId> within) {
-  const auto wanted = [&](NodeId id) {
-    return std::any_of(within.begin(), within.end(), [&](NodeId ancestor) {
-      return ancestor == rootId || scene.isBelow(id, ancestor);
-    });
-  };
-  std::vector<glm::vec3> points;
+namespace {
+
+/// The points of visible structures: those of whole ones, and those that are left of cut ones.
+struct VisibleClouds {
+  std::vector<PointCloud> clouds;
+  std::deque<std::vector<glm::vec3>> left;
+};
+
+VisibleClouds visibleClouds(const Scene& scene, std::span<const NodeId> within) {
+  std::unordered_set<std::uint64_t> wanted;
+  for (const NodeId id : scene.structuresBelow(within))
+    wanted.insert(id.value);
+  VisibleClouds all;
   for (const VisibleStructure& structure : visibleStructures(scene)) {
-    if (!wanted(structure.node->id))
+    const Node& node = *structure.node;
+    if (!wanted.contains(node.id.value))
       continue;
-    const std::vector<glm::vec3> kept =
-        keptPoints(*structure.node->mesh, planesOf(scene.sectionsOf(structure.node->id)));
-    points.insert(points.end(), kept.begin(), kept.end());
+    const std::vector<Plane> planes = planesOf(scene.sectionsOf(node.id));
+    if (planes.empty()) {
+      all.clouds.push_back({node.mesh->positions(), node.mesh->bounds()});
+      continue;
+    }
+    const std::vector<glm::vec3>& points = all.left.emplace_back(keptPoints(*node.mesh, planes));
+    Box box;
+    for (const glm::vec3& p : points)
+      box.add(p);
+    all.clouds.push_back({points, box});
   }
+  return all;
+}
+
+}  // namespace
+
+std::vector<glm::vec3> visiblePoints(const Scene& scene, std::span<const NodeId> within) {
+  const VisibleClouds all = visibleClouds(scene, within);
+  std::vector<glm::vec3> points;
+  for (const PointCloud& cloud : all.clouds)
+    points.insert(points.end(), cloud.points.begin(), cloud.points.end());
   return points;
 }
 
 Camera fittedToVisible(const Scene& scene, const Camera& camera, float aspect,
                        const FreeSides& sides, std::span<const NodeId> within) {
-  return fitted(camera, visiblePoints(scene, within), aspect, sides);
+  return fitted(camera, outermostPoints(camera, visibleClouds(scene, within).clouds), aspect,
+                sides);
 }
 
 Camera fittedView(const Scene& scene, AnatomicalView view, float aspect, const FreeSides& sides) {

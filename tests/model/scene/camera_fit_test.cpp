@@ -3,10 +3,12 @@
 #include "model/scene/camera.h"
 
 #include <QTest>
+#include <array>
 #include <glm/geometric.hpp>
 #include <random>
 
 #include "model/scene/free_sides.h"
+#include "model/scene/outermost_points.h"
 #include "tests/model/scene/projected_boxes.h"
 #include "tests/support/suite.h"
 
@@ -23,6 +25,13 @@ Box projectedBounds(const Camera& camera, const Box& bounds, float aspect,
   for (const glm::vec3& p : points)
     projected.add(project(camera, bounds, aspect, p));
   return projected;
+}
+
+PointCloud cloudOf(const std::vector<glm::vec3>& points) {
+  Box box;
+  for (const glm::vec3& p : points)
+    box.add(p);
+  return {points, box};
 }
 
 }  // namespace
@@ -104,6 +113,7 @@ void CameraFitTest::innerPointsDoNotMatter() {
   std::normal_distribution<float> normal;
   std::vector<glm::vec3> outer;
   std::vector<glm::vec3> all;
+  std::vector<glm::vec3> inner;
   for (int i = 0; i < 4000; ++i) {
     const glm::vec3 way = glm::normalize(glm::vec3(normal(chance), normal(chance), normal(chance)));
     const glm::vec3 p(120.0f * way.x + 30.0f * way.z, 60.0f * way.y - 20.0f * way.x, 90.0f * way.z);
@@ -111,6 +121,7 @@ void CameraFitTest::innerPointsDoNotMatter() {
     all.push_back(p);
     all.push_back(0.9f * p);
     all.push_back(0.2f * p);
+    inner.push_back(0.3f * p);
   }
   for (const float aspect : {0.7f, 1.6f}) {
     Camera camera;
@@ -118,6 +129,10 @@ void CameraFitTest::innerPointsDoNotMatter() {
     camera.target = {10, 0, 0};
     camera.projection = Projection::perspective;
     QVERIFY(fitted(camera, all, aspect) == fitted(camera, outer, aspect));
+    const std::array clouds{cloudOf(outer), cloudOf(all), cloudOf(inner)};
+    const std::vector<glm::vec3> outermost = outermostPoints(camera, clouds);
+    QVERIFY2(outermost.size() < 2 * outer.size(), qPrintable(QString::number(outermost.size())));
+    QVERIFY(fitted(camera, outermost, aspect) == fitted(camera, all, aspect));
     const std::vector<glm::vec3> one{{5.0f, 6.0f, 7.0f}};
     const std::vector<glm::vec3> twice{one.front(), one.front()};
     QVERIFY(fitted(camera, one, aspect) == fitted(camera, twice, aspect));
