@@ -49,6 +49,7 @@ struct Options {
   bool knownLines = false;
   bool curves = false;
   bool opening = false;
+  bool asOpened = false;
   bool occlusion = false;
   std::vector<std::string> scales;
   std::string technique;
@@ -124,8 +125,15 @@ Result<bench::Stage> importStage(const Options& options, const glm::ivec2& size,
     ++report.structures;
     report.triangles += stage.scene.find(id)->mesh->triangleCount();
   }
-  stage.camera = model::anatomicalCamera(
-      model::AnatomicalView::anterior, stage.scene.visibleBounds(), float(size.x) / float(size.y));
+  const float aspect = float(size.x) / float(size.y);
+  stage.camera =
+      model::anatomicalCamera(model::AnatomicalView::anterior, stage.scene.visibleBounds(), aspect);
+  model::FormIndex forms;
+  if (options.asOpened)
+    if (const auto look = model::openingLook(imported->scene, forms, {.aspect = aspect})) {
+      stage.scene = look->scene;
+      stage.camera = model::framedCamera(*look, aspect);
+    }
   return stage;
 }
 
@@ -181,21 +189,15 @@ Status runMeshing(const Options& options) {
 /// are hidden.
 Status runLines(const Options& options, const glm::ivec2& size) {
   bench::Report report;
-  auto stage = importStage(options, size, report);
+  Options chosen = options;
+  chosen.asOpened = !options.gamma;
+  auto stage = importStage(chosen, size, report);
   if (!stage)
     return stage.error();
-  const float aspect = float(size.x) / float(size.y);
-  std::vector<model::NodeId> ids = stage->scene.structuresBelow(model::rootId);
+  const std::vector<model::NodeId> ids = stage->scene.structuresBelow(model::rootId);
   if (options.gamma) {
     const model::Style paper{.fill = model::Fill::paper};
     stage->scene = model::withLook(stage->scene, ids, paper).scene;
-  } else {
-    model::FormIndex forms;
-    const auto imported = model::importInputs(options.inputs, {});
-    if (auto look = model::openingLook(imported->scene, forms, {.aspect = aspect})) {
-      stage->scene = look->scene;
-      stage->camera = model::framedCamera(*look, aspect);
-    }
   }
   const model::Style dashes{.hiddenLines = model::HiddenLines::dashed};
   stage->scene = model::withLook(stage->scene, ids, dashes).scene;
@@ -410,6 +412,8 @@ void addOptions(CLI::App& app, Options& options) {
                "Instead: say how far curves lie from the lines that they stand for");
   app.add_flag("--opening", options.opening,
                "Instead of turning: choose the look that the scene opens with");
+  app.add_flag("--as-opened", options.asOpened,
+               "Turn the scene with the look and from the side that it opens with");
   app.add_flag("--occlusion", options.occlusion,
                "Instead of turning: find how much of its own sky each surface hides");
   app.add_option("--scales", options.scales,
