@@ -16,9 +16,9 @@ namespace {
 
 /// How long edges may be on an average, in pixels.
 constexpr float shownEdge = 1.5f;
-/// How long edges of what is sampled may be, in samples. What is left out lies off by a sixth of
-/// that at most, half a sample, where the surface is bent most.
-constexpr float sampledEdge = 3.0f;
+/// How long edges of what is sampled may be, in samples, where a surface is nearest. What is left
+/// out lies off by a sixth of that at most, two thirds of a sample, where it is bent most.
+constexpr float sampledEdge = 4.0f;
 
 /// Returns how many mm a pixel shows where the structure's box is nearest; 0 where that may lie
 /// beside the eye.

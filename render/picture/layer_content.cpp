@@ -31,7 +31,14 @@ bool hatches(const PictureInput& input, const PreparedStructure& shown) {
 }  // namespace
 
 SurfaceFill shownFill(const PictureInput& input, const PreparedStructure& shown) {
-  return input.parts.fills ? surfaceFill(shown, input.view, input.background) : SurfaceFill{};
+  // The mean n·v of the outermost three pixels of a sphere with a radius of 65: a sample there that
+  // stands for so many would make a dark dot of them all.
+  constexpr float outermost = 0.2f;
+  SurfaceFill fill;
+  if (input.parts.fills)
+    fill = surfaceFill(shown, input.view, input.background);
+  fill.leastFacing = input.surfaceStep > 1 ? outermost : 0.0f;
+  return fill;
 }
 
 void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,

@@ -65,17 +65,24 @@ struct FillNumbers {
   float start;      ///< the angle from which shading enters
   float direction;  ///< 1: it grows from there as the surface turns away, −1: it falls
   float turned;     ///< what turns away by more than this is seen from behind
+  float least;      ///< see SurfaceFill::leastFacing
   glm::vec3 glaze;  ///< what a thin fill shows at least
 
   explicit FillNumbers(const SurfaceFill& fill)
       : start(fill.darkGround ? quarterTurn : 0.0f),
         direction(fill.darkGround ? -1.0f : 1.0f),
         turned(fill.twoSided ? 0.0f : -most),
+        least(fill.leastFacing),
         glaze(fill.darkGround ? glm::vec3(-most) : fill.colour) {}
 
  private:
   static constexpr float most = 1e30f;
 };
+
+/// Returns n·v of the side that is seen.
+inline float facingAt(const FillNumbers& fill, float turned, float side) {
+  return std::min(std::max(turned * side, fill.least), 1.0f);
+}
 
 /// S eq. 11 with the last term's sign as METHOD §7 reads it; θ_c = π/2 at T_P = 0 means w_a = 0.
 /// Paper is light by itself and shading enters from the dark rim; on a dark ground light enters,
@@ -141,7 +148,7 @@ glm::vec4 FillShading::colourAt(const glm::vec3& normal, const glm::vec3& toward
   const FillNumbers numbers(m_fill);
   const float turned = glm::dot(normal, towardsEye);
   const float side = turned < numbers.turned ? -1.0f : 1.0f;
-  const float facing = clamp01(turned * side);
+  const float facing = facingAt(numbers, turned, side);
   const Stages stages =
       m_fill.gammaOffsets ? stagesAt(offset) : Stages{m_fill.shading, m_fill.complete};
   Lit lit{.entered = enteredAt(numbers, facing, gradient * side, stages.shading, stages.complete),
@@ -195,7 +202,7 @@ template <bool keyed, bool varies, bool byForm>
         1.0f / std::sqrt(std::max(nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i], 1e-20f));
     const float turned = (nx[i] * vx + ny[i] * vy + nz[i] * vz) * unit * away;
     const float side = turned < numbers.turned ? -1.0f : 1.0f;
-    const float facing = clamp01(turned * side);
+    const float facing = facingAt(numbers, turned, side);
     Lit lit{.entered = enteredAt(numbers, facing, byForm ? gradient[i] * side : 0.0f,
                                  varies ? shading[std::size_t(i)] : fillShading,
                                  varies ? complete[std::size_t(i)] : fillComplete),

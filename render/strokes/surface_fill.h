@@ -36,6 +36,8 @@ struct SurfaceFill {
   /// from the rim, as S eq. 11 says.
   bool darkGround = false;
   bool twoSided = false;  ///< normals turn towards the eye
+  /// What is seen more aslant is shaded as if n·v were this much.
+  float leastFacing = 0.0f;
 };
 
 /// Holds T_P (x) and clamp01(Γ − 4) (y) at some Γ, for shaders: at 3 + (i/16)² for i = 0 … 16, as

@@ -28,6 +28,7 @@ vec2 stageOf(float g) {
 #endif
 uniform int twoSided;
 uniform int darkGround;      // 1: drawn as with chalk, 0: as with ink and glazes on paper
+uniform float leastFacing;   // what is seen more aslant is shaded like this
 uniform vec3 key;            // unit, towards the key light; 0: there is none
 
 out vec4 fragment;
@@ -41,7 +42,7 @@ void main() {
 #endif
   float nv = dot(normalize(surfaceNormal), normalize(towardsEye));
   float side = twoSided != 0 && nv < 0.0 ? -1.0 : 1.0;
-  nv = clamp(nv * side, 0.0, 1.0);
+  nv = clamp(nv * side, leastFacing, 1.0);
 #ifdef GAMMA_VARIES
   vec2 stage = stageOf(clamp(gamma + offset, 0.0, 5.0));
 #else

@@ -37,6 +37,7 @@ gpu::ProgramRecipe phongRecipe() {
                        {"transition", UniformType::vec3},
                        {"twoSided", UniformType::integer},
                        {"darkGround", UniformType::integer},
+                       {"leastFacing", UniformType::real},
                        {"key", UniformType::vec3}}};
 }
 
@@ -128,6 +129,7 @@ void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const Sur
     }
     program.set("twoSided", fill.twoSided ? 1 : 0);
     program.set("darkGround", fill.darkGround ? 1 : 0);
+    program.set("leastFacing", fill.leastFacing);
     program.set("key", view.key);
   } else {
     program.set("colour", fill.wash);
