@@ -16,9 +16,11 @@ struct Choice {
 };
 constexpr double fluent = 60.0;
 constexpr double bearable = 250.0;
-constexpr std::array choices{Choice{{1.0f, 1}, fluent},   Choice{{1.0f, 2}, fluent},
-                             Choice{{1.0f, 3}, bearable}, Choice{{0.75f, 3}, bearable},
-                             Choice{{0.5f, 3}, bearable}, Choice{{1.0f / 3.0f, 3}, bearable}};
+constexpr int coarsest = MotionQuality::coarsestStep;
+constexpr std::array choices{
+    Choice{{1.0f, 1}, fluent},          Choice{{1.0f, 2}, fluent},
+    Choice{{1.0f, coarsest}, bearable}, Choice{{0.75f, coarsest}, bearable},
+    Choice{{0.5f, coarsest}, bearable}, Choice{{1.0f / 3.0f, coarsest}, bearable}};
 
 /// The parts of a full picture's time that depend on the pixels of surfaces and on those of all
 /// else; the rest goes into lines and triangles.

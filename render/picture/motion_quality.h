@@ -17,12 +17,15 @@ struct Fineness {
 /// would hold up the move.
 class MotionQuality {
  public:
+  /// The coarsest that surfaces become.
+  static constexpr int coarsestStep = 3;
+
   /// Notes how long a picture took that was drawn anew that fine.
   void took(double milliseconds, const Fineness& fineness);
   Fineness fineness() const { return m_fineness; }
 
  private:
-  Fineness m_fineness{.surfaceStep = 3};
+  Fineness m_fineness{.surfaceStep = coarsestStep};
 };
 
 }  // namespace sline::render

@@ -35,7 +35,7 @@ class RendererPainter : public PicturePainter {
   }
   void makeReady(const PictureRequest& request, const std::atomic<bool>& unwanted) override {
     render::PictureSettings moving = request.settings;
-    moving.surfaceStep = 2;
+    moving.surfaceStep = render::MotionQuality::coarsestStep;
     m_picture->prepare(request.scene, request.camera, moving, 1, &unwanted);
   }
   int layersDrawn() const override { return m_picture->timings().layersDrawn; }
