@@ -28,6 +28,10 @@ class PixelFrames {
   /// Returns the bits of each pixel as they stand in the file, x fastest: the caller has to know
   /// whether there is a sign and which of 16 bits are used.
   Status frame(std::size_t index, std::vector<std::uint16_t>& values) const;
+  /// Tells whether two frames are packed into the same bytes, so that both have the same pixels.
+  bool packedAlike(std::size_t a, std::size_t b) const {
+    return !m_coded.empty() && m_coded[a] == m_coded[b];
+  }
 
  private:
   explicit PixelFrames(const DicomFile& file) : m_file(&file) {}

@@ -143,8 +143,13 @@ int SegmentationReader::sliceOf(const FrameAttributes& frame) const {
 std::optional<Error> SegmentationReader::measure() {
   std::vector<std::uint16_t> inside;
   for (std::size_t f = 0; f < m_frames.size(); ++f) {
-    if (const Status status = values(f, inside); !status)
+    // Most masks have many frames without anything, one after the other.
+    if (f > 0 && m_pixels->packedAlike(f - 1, f)) {
+      if (!m_options.goesOn())
+        return given();
+    } else if (const Status status = values(f, inside); !status) {
       return status.error();
+    }
     if (m_labelMap)
       for (const std::uint16_t value : inside)
         m_occurs[value] = true;
