@@ -8,6 +8,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace sline {
 
@@ -39,8 +42,12 @@ using LaneMask = decltype(Lanes{} < Lanes{});
 
 /// Returns a bit for each lane, the lowest for the first one.
 inline unsigned bitsOf(LaneMask mask) {
+#ifdef __SSE2__
+  return unsigned(_mm_movemask_ps(std::bit_cast<__m128>(mask)));
+#else
   const WholeLanes bits = std::bit_cast<WholeLanes>(mask) & WholeLanes{1, 2, 4, 8};
   return unsigned(bits[0] | bits[1] | bits[2] | bits[3]);
+#endif
 }
 
 inline Lanes larger(Lanes a, Lanes b) {
