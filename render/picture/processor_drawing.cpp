@@ -85,16 +85,46 @@ std::vector<RasterCap> capsOf(const PictureInput& input, const Layer& layer) {
   return caps;
 }
 
-/// Takes the surface over into the layer's pixels, with its cut faces. Where surfaces have a step
-/// these are drawn in the picture's own pixels, as they are few and flat, and for the lines that
-/// they hide in samples.
-void takeOver(const PictureInput& input, Layer& layer, std::span<const RasterCap> caps) {
-  LayerPixels& pixels = layer.pixels;
-  const std::vector<PixelRect> shown = layer.mask.rectangles();
+/// Makes rows of a layer ready for ink: with its surface, and with nothing where that is not.
+class RowReadier {
+ public:
+  RowReadier(Layer& layer, std::span<const PixelRect> touched)
+      : m_pixels(layer.pixels),
+        m_touched(touched),
+        m_shown(layer.filled ? layer.mask.rectangles() : std::vector<PixelRect>()),
+        m_taker(layer.pixels) {
+    makeRoom(layer.pixels);
+  }
+
+  void operator()(int first, int end) const {
+    const PixelRect rows{m_pixels.area.x, first, m_pixels.area.width, end - first};
+    wipe(m_pixels, within(rows, m_touched));
+    m_taker.take(within(rows, m_shown));
+  }
+
+ private:
+  static std::vector<PixelRect> within(const PixelRect& rows, std::span<const PixelRect> of) {
+    std::vector<PixelRect> parts;
+    for (const PixelRect& rect : of)
+      if (const PixelRect part = intersection(rect, rows); !part.empty())
+        parts.push_back(part);
+    return parts;
+  }
+
+  LayerPixels& m_pixels;
+  std::span<const PixelRect> m_touched;
+  std::vector<PixelRect> m_shown;
+  SurfaceTaker m_taker;
+};
+
+/// Draws the surface's cut faces, for which all rows have to be ready at once. Where surfaces have
+/// a step these are drawn in the picture's own pixels, as they are few and flat, and for the lines
+/// that they hide in samples.
+void drawCaps(const PictureInput& input, LayerPixels& pixels, std::span<const RasterCap> caps,
+              const RowReadier& ready) {
   if (pixels.step() == 1)
     drawCaps(caps, input.view, pixels.samples, {pixels.surfaceDepths, pixels.colours});
-  if (layer.filled)
-    takeSurface(pixels, shown);
+  ready(pixels.area.y, pixels.area.top());
   if (pixels.step() == 1)
     return;
   drawCaps(caps, input.view, {{}, pixels.area}, {pixels.depths, pixels.colours});
@@ -150,12 +180,16 @@ bool drawOnProcessor(const PictureInput& input, const PixelRect& region, Layer& 
   layer.onProcessor = input.processor;
   if (!input.processor)
     return true;
-  wipe(layer.pixels, touched);
-  takeOver(input, layer, caps);
+  const RowReadier ready(layer, touched);
+  if (!caps.empty())
+    drawCaps(input, layer.pixels, caps, ready);
   std::vector<InkDraw> draws = edgeDraws(input, layer);
   const std::vector<InkDraw> strokes = strokeDraws(input, layer);
   draws.insert(draws.end(), strokes.begin(), strokes.end());
-  drawInk(layer.pixels, draws);
+  drawInk(layer.pixels, draws, [&](int first, int end) {
+    if (caps.empty())
+      ready(first, end);
+  });
   forgetStrokes(layer);
   return true;
 }

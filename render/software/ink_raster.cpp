@@ -385,16 +385,17 @@ std::vector<Capsule> capsulesOf(const LayerPixels& pixels, const InkDraw& draw) 
 
 }  // namespace
 
-void drawInk(LayerPixels& pixels, std::span<const InkDraw> draws) {
+void drawInk(LayerPixels& pixels, std::span<const InkDraw> draws, const ReadyRows& ready) {
   std::vector<std::vector<Capsule>> capsules(draws.size());
   for (std::size_t i = 0; i < draws.size(); ++i)
     if (draws[i].kind != InkKind::trims && !draws[i].strokes.empty())
       capsules[i] = capsulesOf(pixels, draws[i]);
-  constexpr int bandRows = 48;
+  constexpr int bandRows = 32;
   const auto bands = std::size_t((pixels.area.height + bandRows - 1) / bandRows);
   parallelFor(bands, 1, [&](std::size_t band) {
     const int first = pixels.area.y + int(band) * bandRows;
     const int end = std::min(first + bandRows, pixels.area.top());
+    ready(first, end);
     for (std::size_t i = 0; i < draws.size(); ++i) {
       if (draws[i].kind == InkKind::trims)
         drawTrims(pixels, draws[i], first, end);

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <glm/common.hpp>
 
-#include "model/base/parallel.h"
 #include "render/raster/rounding.h"
 #include "render/software/channels.h"
 
@@ -44,8 +43,10 @@ Between between(int pixel, int corner, int step, int samples) {
           at - float(below)};
 }
 
+}  // namespace
+
 /// Enlarges by mixing the four samples around each pixel.
-class Enlarger {
+class SurfaceTaker::Enlarger {
  public:
   explicit Enlarger(LayerPixels& pixels) : m_pixels(pixels) {
     const SampleArea& samples = pixels.samples;
@@ -164,8 +165,6 @@ class Enlarger {
   std::vector<std::size_t> m_ends;  ///< of each column, the first after it that has other samples
 };
 
-}  // namespace
-
 std::uint32_t packedColour(const glm::vec4& colour) {
   std::uint32_t word = 0;
   for (int c = 0; c < 4; ++c)
@@ -191,12 +190,15 @@ void wipeSurface(LayerPixels& pixels, std::span<const PixelRect> rectangles) {
   });
 }
 
-void wipe(LayerPixels& pixels, std::span<const PixelRect> rectangles) {
+void makeRoom(LayerPixels& pixels) {
   const std::size_t count = std::size_t(pixels.area.width) * std::size_t(pixels.area.height);
-  const bool colours = pixels.filled && pixels.step() > 1;
   pixels.inks.resize(count);
   pixels.depths.resize(count);
   pixels.colours.resize(pixels.filled ? count : 0);
+}
+
+void wipe(LayerPixels& pixels, std::span<const PixelRect> rectangles) {
+  const bool colours = pixels.filled && pixels.step() > 1;
   forEachRow(pixels, rectangles, [&](std::size_t first, std::size_t end, int) {
     fillRow(pixels.inks, first, end, std::uint16_t(0));
     fillRow(pixels.depths, first, end, 1.0f);
@@ -205,20 +207,20 @@ void wipe(LayerPixels& pixels, std::span<const PixelRect> rectangles) {
   });
 }
 
-void takeSurface(LayerPixels& pixels, std::span<const PixelRect> rectangles) {
-  if (pixels.step() == 1) {
-    forEachRow(pixels, rectangles, [&](std::size_t first, std::size_t end, int) {
-      std::copy_n(pixels.surfaceDepths.begin() + std::ptrdiff_t(first), std::ptrdiff_t(end - first),
-                  pixels.depths.begin() + std::ptrdiff_t(first));
-    });
-    return;
-  }
-  const Enlarger enlarger(pixels);
-  parallelFor(rectangles.size(), 4, [&](std::size_t i) {
-    Enlarger::Line line;
-    forEachRow(pixels, rectangles.subspan(i, 1), [&](std::size_t first, std::size_t end, int y) {
-      enlarger.row(first, end, y, line);
-    });
+SurfaceTaker::SurfaceTaker(LayerPixels& pixels)
+    : m_pixels(pixels),
+      m_enlarger(pixels.step() > 1 ? std::make_unique<const Enlarger>(pixels) : nullptr) {}
+
+SurfaceTaker::~SurfaceTaker() = default;
+
+void SurfaceTaker::take(std::span<const PixelRect> rectangles) const {
+  Enlarger::Line line;
+  forEachRow(m_pixels, rectangles, [&](std::size_t first, std::size_t end, int y) {
+    if (m_enlarger)
+      m_enlarger->row(first, end, y, line);
+    else
+      std::copy_n(m_pixels.surfaceDepths.begin() + std::ptrdiff_t(first),
+                  std::ptrdiff_t(end - first), m_pixels.depths.begin() + std::ptrdiff_t(first));
   });
 }
 

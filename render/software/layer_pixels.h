@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -71,10 +72,24 @@ std::uint32_t packedColour(const glm::vec4& colour);
 /// Makes the surface's samples ready: within the rectangles, which are pixels of the area, there is
 /// nothing then.
 void wipeSurface(LayerPixels& pixels, std::span<const PixelRect> rectangles);
-/// Makes all else ready likewise.
+/// Gives all else its size, and makes it ready likewise.
+void makeRoom(LayerPixels& pixels);
 void wipe(LayerPixels& pixels, std::span<const PixelRect> rectangles);
-/// Takes the surface's fill and depth over into the pixels of the rectangles. Where samples stand
-/// for several pixels, they are enlarged as enlarge.frag.glsl does.
-void takeSurface(LayerPixels& pixels, std::span<const PixelRect> rectangles);
+
+/// Takes the fill and depth of a layer's surface over into its pixels. Where samples stand for
+/// several pixels, they are enlarged as enlarge.frag.glsl does.
+class SurfaceTaker {
+ public:
+  /// The layer must outlive it, and stay where it is.
+  explicit SurfaceTaker(LayerPixels& pixels);
+  ~SurfaceTaker();
+  /// Takes over what the rectangles hold; different ones may be taken at the same time.
+  void take(std::span<const PixelRect> rectangles) const;
+
+ private:
+  class Enlarger;
+  LayerPixels& m_pixels;
+  std::unique_ptr<const Enlarger> m_enlarger;
+};
 
 }  // namespace sline::render
