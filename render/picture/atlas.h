@@ -47,6 +47,7 @@ class Atlas {
   }
   /// Returns the fills before they are enlarged; only where surfaces have a step.
   const gpu::Texture& coarseColours() const { return *m_coarseColours; }
+  const gpu::Texture* enlargedFills() const { return coarse() ? m_coarseColours.get() : nullptr; }
   const gpu::Texture& layerDepths() const { return *m_layerDepths; }
   const gpu::Target& surfaceTarget() const { return coarse() ? *m_coarseTarget : *m_surfaceTarget; }
   const gpu::Target& inkTarget() const { return *m_inkTarget; }

@@ -177,7 +177,7 @@ Status LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
   }
   draws.insert(draws.end(), strokes.begin(), strokes.end());
   Status drawn = m_inkPass->draw(device, {m_atlas.edgeTarget(), m_atlas.inkTarget()},
-                                 m_atlas.surfaceDepths(), draws);
+                                 {m_atlas.surfaceDepths(), m_atlas.enlargedFills()}, draws);
   for (const std::size_t i : changed)
     forgetStrokes(layers[i]);
   return drawn;

@@ -41,6 +41,15 @@ SplitStrokes splitStrokes(const Layer& layer) {
   return {all.first(contours), all.subspan(contours)};
 }
 
+/// Lets the draw trim a fill that is enlarged. Within the strip along a contour, a few samples
+/// wide, its surface may rise steeply.
+void trimInstead(const PictureInput& input, const PreparedStructure& shown, InkDraw& draw) {
+  constexpr float steepness = 4.0f;
+  draw.kind = InkKind::trims;
+  draw.sheet += steepness * float(draw.surfaceStep) *
+                input.view.millimetresPerPixel(shown.surface().boundingSphere.centre);
+}
+
 }  // namespace
 
 glm::vec3 keyLight(const PictureInput& input) {
@@ -54,7 +63,9 @@ std::vector<InkDraw> edgeDraws(const PictureInput& input, const Layer& layer) {
     const SurfaceFill fill = shownFill(input, shown);
     InkDraw draw = inkDraw(input, layer, shown);
     // A fill that is enlarged is trimmed instead: its pixels have no edges to be softened.
-    draw.kind = draw.surfaceStep > 1 ? InkKind::trims : InkKind::edges;
+    draw.kind = InkKind::edges;
+    if (draw.surfaceStep > 1)
+      trimInstead(input, shown, draw);
     draw.paint = glm::vec4(fill.colour, (fill.gammaOffsets ? 1.0f : fill.complete) * fill.opacity);
     draw.key = keyLight(input);
     draw.strokes = layer.edges[k];
@@ -62,7 +73,7 @@ std::vector<InkDraw> edgeDraws(const PictureInput& input, const Layer& layer) {
   }
   if (layer.surfaceStep > 1 && layer.filled) {
     InkDraw draw = inkDraw(input, layer, layer.members.front());
-    draw.kind = InkKind::trims;
+    trimInstead(input, layer.members.front(), draw);
     draw.strokes = splitStrokes(layer).contours;
     draws.push_back(draw);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trims fills that were enlarged along their contours, as trim.frag.glsl does.
+// Mends fills that were enlarged, along their contours, as fill_up.frag.glsl and trim.frag.glsl do:
+// there samples of what lies on both sides were mixed, and their border runs from sample to sample.
 #pragma once
 
 #include "render/software/layer_pixels.h"
@@ -7,8 +8,8 @@
 
 namespace sline::render {
 
-/// Makes clear, in the rows first … end − 1 of the picture, what of the fill lies outside the
-/// strokes, which are contours.
+/// Fills the surface up to the strokes, which are contours, in the rows first … end − 1 of the
+/// picture; outside of them it makes clear what has nothing behind it, and shows what lies behind.
 void drawTrims(LayerPixels& pixels, const InkDraw& draw, int first, int end);
 
 }  // namespace sline::render

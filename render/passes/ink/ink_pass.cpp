@@ -2,6 +2,7 @@
 #include "render/passes/ink/ink_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 
@@ -20,6 +21,13 @@ bool isOutline(InkKind kind) {
   return kind == InkKind::contours || kind == InkKind::hidden;
 }
 
+/// Those of contour_strip.vert.glsl that others do not have.
+std::array<gpu::Uniform, 3> stripUniforms() {
+  return {{{"projection", gpu::UniformType::vec4},
+           {"reach", gpu::UniformType::real},
+           {"sheetInMm", gpu::UniformType::real}}};
+}
+
 gpu::ProgramRecipe inkRecipe(InkKind kind) {
   using gpu::UniformType;
   gpu::ProgramRecipe recipe{
@@ -34,8 +42,10 @@ gpu::ProgramRecipe inkRecipe(InkKind kind) {
   }
   if (kind == InkKind::trims) {
     recipe.name = "trims of fills";
-    recipe.vertexFile = "trim.vert.glsl";
+    recipe.vertexFile = "contour_strip.vert.glsl";
     recipe.fragmentFile = "trim.frag.glsl";
+    for (const gpu::Uniform& uniform : stripUniforms())
+      recipe.uniforms.push_back(uniform);
     return recipe;
   }
   recipe.uniforms.push_back({"sights", UniformType::intTexture});
@@ -86,6 +96,39 @@ gpu::ProgramRecipe sightRecipe() {
                        {"projection", UniformType::vec4}}};
 }
 
+gpu::ProgramRecipe fillUpRecipe() {
+  using gpu::UniformType;
+  gpu::ProgramRecipe recipe{.name = "fills up to contours",
+                            .vertexFile = "contour_strip.vert.glsl",
+                            .fragmentFile = "fill_up.frag.glsl",
+                            .uniforms = {{"layer", UniformType::vec4},
+                                         {"toAtlas", UniformType::ivec2},
+                                         {"slot", UniformType::ivec4},
+                                         {"colours", UniformType::texture},
+                                         {"depths", UniformType::texture},
+                                         {"pixelStep", UniformType::real}}};
+  for (const gpu::Uniform& uniform : stripUniforms())
+    recipe.uniforms.push_back(uniform);
+  return recipe;
+}
+
+/// Sets where the layer lies.
+void setPlace(const gpu::Program& program, const InkDraw& draw) {
+  program.set("layer", glm::vec4(float(draw.layer.x), float(draw.layer.y), float(draw.layer.width),
+                                 float(draw.layer.height)));
+  program.set("toAtlas", glm::ivec2(draw.slot.x - draw.layer.x, draw.slot.y - draw.layer.y));
+}
+
+void setStrip(const gpu::Program& program, const InkDraw& draw) {
+  program.set("projection", draw.projection);
+  program.set("reach", float(draw.surfaceStep) + 0.5f);
+  program.set("sheetInMm", draw.sheet);
+}
+
+glm::ivec4 firstAndLast(const PixelRect& slot) {
+  return {slot.x, slot.y, slot.right() - 1, slot.top() - 1};
+}
+
 gpu::Blend blendOf(InkKind kind) {
   switch (kind) {
     case InkKind::edges:
@@ -127,6 +170,10 @@ Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
   if (!sight)
     return sight.error();
   pass->m_sight = std::move(*sight);
+  auto fillUp = gpu::Program::create(shaderFiles(), dialect, fillUpRecipe());
+  if (!fillUp)
+    return fillUp.error();
+  pass->m_fillUp = std::move(*fillUp);
   for (std::size_t i = 0; i < inkKindCount; ++i) {
     const auto kind = InkKind(i);
     auto program = gpu::Program::create(shaderFiles(), dialect, inkRecipe(kind));
@@ -143,8 +190,8 @@ Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
   return pass;
 }
 
-Status InkPass::draw(gpu::Device& device, const InkTargets& targets,
-                     const gpu::Texture& surfaceDepth, std::span<const InkDraw> draws) {
+Status InkPass::draw(gpu::Device& device, const InkTargets& targets, const InkSurfaces& surfaces,
+                     std::span<const InkDraw> draws) {
   gpu::DrawQueue queue(device.software());
   m_batch.clear();
   for (const InkDraw& draw : draws)
@@ -152,18 +199,18 @@ Status InkPass::draw(gpu::Device& device, const InkTargets& targets,
       const int pieces = inkPieces(stroke);
       for (int piece = 0; piece < pieces; ++piece) {
         if (m_batch.full()) {
-          if (Status s = drawBatch(device, targets, surfaceDepth, queue); !s)
+          if (Status s = drawBatch(device, targets, surfaces, queue); !s)
             return s;
           m_batch.clear();
         }
         m_batch.add(draw, pieces == 1 ? stroke : inkPiece(stroke, piece, pieces));
       }
     }
-  return drawBatch(device, targets, surfaceDepth, queue);
+  return drawBatch(device, targets, surfaces, queue);
 }
 
 Status InkPass::drawBatch(gpu::Device& device, const InkTargets& targets,
-                          const gpu::Texture& surfaceDepth, gpu::DrawQueue& queue) {
+                          const InkSurfaces& surfaces, gpu::DrawQueue& queue) {
   if (m_batch.empty())
     return Unit{};
   m_segments.stream(std::as_bytes(m_batch.vertices()));
@@ -173,12 +220,14 @@ Status InkPass::drawBatch(gpu::Device& device, const InkTargets& targets,
     return s;
   m_strokes->upload(std::as_bytes(strokes), InkBatch::rowsOf(strokes));
   m_looks->upload(std::as_bytes(looks), InkBatch::rowsOf(looks));
-  findSights(device, surfaceDepth, queue);
+  findSights(device, surfaces.depths, queue);
   for (InkBatch::Run run : m_batch.runs()) {
     const std::size_t end = run.first + run.count;
     for (; run.first < end; run.first += run.count) {
       run.count = std::min(end - run.first, gpu::DrawQueue::mostStrokes);
-      drawRun(device, targets, surfaceDepth, run);
+      if (run.draw->kind == InkKind::trims && surfaces.enlarged)
+        fillUp(device, targets, surfaces, run);
+      drawRun(device, targets, surfaces, run);
       queue.addStrokes(run.count);
     }
   }
@@ -222,25 +271,44 @@ void InkPass::findSights(gpu::Device& device, const gpu::Texture& surfaceDepth,
   }
 }
 
-void InkPass::drawRun(gpu::Device& device, const InkTargets& targets,
-                      const gpu::Texture& surfaceDepth, const InkBatch::Run& run) {
+void InkPass::fillUp(gpu::Device& device, const InkTargets& targets, const InkSurfaces& surfaces,
+                     const InkBatch::Run& run) {
+  const InkDraw& draw = *run.draw;
+  setPlace(*m_fillUp, draw);
+  m_fillUp->set("slot", firstAndLast(draw.slot));
+  setStrip(*m_fillUp, draw);
+  m_fillUp->set("colours", *surfaces.enlarged);
+  m_fillUp->set("depths", surfaces.depths);
+  m_fillUp->set("pixelStep", float(draw.surfaceStep));
+  m_geometry.startInstancesAt(run.first);
+  device.quads({targets.fills,
+                *m_fillUp,
+                m_geometry,
+                {.viewport = draw.slot,
+                 .scissor = draw.slot,
+                 .depth = gpu::DepthTest::always,
+                 .writeDepth = true}},
+               run.count);
+}
+
+void InkPass::drawRun(gpu::Device& device, const InkTargets& targets, const InkSurfaces& surfaces,
+                      const InkBatch::Run& run) {
   const InkDraw& draw = *run.draw;
   const bool grained = draw.grain > 0.0f && m_grained[std::size_t(draw.kind)];
   gpu::Program& program = *(grained ? m_grained : m_programs)[std::size_t(draw.kind)];
-  program.set("layer", glm::vec4(float(draw.layer.x), float(draw.layer.y), float(draw.layer.width),
-                                 float(draw.layer.height)));
-  program.set("toAtlas", glm::ivec2(draw.slot.x - draw.layer.x, draw.slot.y - draw.layer.y));
+  setPlace(program, draw);
   const bool trims = draw.kind == InkKind::trims;
-  if (!trims) {
+  if (trims) {
+    setStrip(program, draw);
+  } else {
     program.set("sights", *m_sights);
     program.set("first", int(run.first));
     program.set("projection", draw.projection);
   }
   if (draw.kind != InkKind::surfaceLines) {
-    program.set("surfaceDepth", surfaceDepth);
+    program.set("surfaceDepth", surfaces.depths);
     program.set("surfaceStep", float(draw.surfaceStep));
-    program.set("slot",
-                glm::ivec4(draw.slot.x, draw.slot.y, draw.slot.right() - 1, draw.slot.top() - 1));
+    program.set("slot", firstAndLast(draw.slot));
   }
   if (isOutline(draw.kind)) {
     program.set("channel", draw.kind == InkKind::contours ? glm::vec2(1.0f, 0.0f)

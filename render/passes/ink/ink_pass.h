@@ -20,26 +20,34 @@ struct InkTargets {
   const gpu::Target& ink;
 };
 
+/// The layers' surfaces as they were drawn.
+struct InkSurfaces {
+  const gpu::Texture& depths;              ///< these hide lines
+  const gpu::Texture* enlarged = nullptr;  ///< the fills, where they are enlarged
+};
+
 class InkPass {
  public:
   static Result<std::unique_ptr<InkPass>> create(gpu::Dialect dialect);
   /// Draws the ink coverage (or fills, for edges) and the layers' depths into the targets, one draw
-  /// after the other. The structures' own surfaces, given by `surfaceDepth`, hide lines. Drivers
-  /// work best if all edges come first.
-  Status draw(gpu::Device& device, const InkTargets& targets, const gpu::Texture& surfaceDepth,
+  /// after the other. Drivers work best if all edges come first.
+  Status draw(gpu::Device& device, const InkTargets& targets, const InkSurfaces& surfaces,
               std::span<const InkDraw> draws);
 
  private:
   InkPass();
-  Status drawBatch(gpu::Device& device, const InkTargets& targets, const gpu::Texture& surfaceDepth,
+  Status drawBatch(gpu::Device& device, const InkTargets& targets, const InkSurfaces& surfaces,
                    gpu::DrawQueue& queue);
   Status makeRoom(int strokeRows, int lookRows);
   void findSights(gpu::Device& device, const gpu::Texture& surfaceDepth, gpu::DrawQueue& queue);
-  void drawRun(gpu::Device& device, const InkTargets& targets, const gpu::Texture& surfaceDepth,
+  void drawRun(gpu::Device& device, const InkTargets& targets, const InkSurfaces& surfaces,
                const InkBatch::Run& run);
+  void fillUp(gpu::Device& device, const InkTargets& targets, const InkSurfaces& surfaces,
+              const InkBatch::Run& run);
 
   std::array<std::unique_ptr<gpu::Program>, inkKindCount> m_programs;  ///< by InkKind
   std::array<std::unique_ptr<gpu::Program>, inkKindCount> m_grained;   ///< null without grain
+  std::unique_ptr<gpu::Program> m_fillUp;                              ///< comes before trims
   std::unique_ptr<gpu::Program> m_sight;
   InkBatch m_batch;
   gpu::Buffer m_segments;

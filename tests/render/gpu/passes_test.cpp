@@ -247,7 +247,7 @@ std::vector<int> PassesTest::inked(std::span<const Stroke> segments, InkKind kin
                      .layer = {0, 0, 64, 64},
                      .slot = {0, 0, 64, 64},
                      .projection = {-1.0f, 0.0f, 0.0f, 1.0f}};
-  const Status drawn = pass->draw(*m_device, {*target, *target}, surfaceDepths, {&draw, 1});
+  const Status drawn = pass->draw(*m_device, {*target, *target}, {surfaceDepths}, {&draw, 1});
   if (!drawn)
     qFatal("%s", drawn.error().text().c_str());
   std::vector<std::uint8_t> rgba(4 * 64 * 64);

@@ -146,6 +146,29 @@ class MovingPictureTest : public QObject {
              qPrintable(QString::number(difference(fine, coarse).mean)));
   }
 
+  void fillsReachOutlinesWithin_data() { nothingLeaks_data(); }
+  /// A ball of the structure stands before another one: there two surfaces are in one fill.
+  void fillsReachOutlinesWithin() {
+    QFETCH(int, step);
+    constexpr float ball = 20.0f;
+    const model::MeshPtr behind = moved(*sphere(45.0f, 5), 1.0f, {9.0f, 70.0f, 0.0f});
+    model::Scene scene;
+    add(scene, together(*sphere(ball, 5), *behind), gammaStyle(3.6f));
+    const Image fine = picture(scene, moving(1));
+    const Image coarse = picture(scene, moving(step));
+    double apart = 0.0;
+    int count = 0;
+    const float radius = ball / 110.0f * 360.0f;
+    for (int y = 0; y < still.height; ++y)
+      for (int x = 0; x < still.width; ++x)
+        if (std::abs(std::hypot(float(x) - 239.5f, float(y) - 179.5f) - radius) <
+            1.0f + float(step)) {
+          apart += double(std::abs(inkAt(fine, x, y) - inkAt(coarse, x, y)));
+          ++count;
+        }
+    QVERIFY2(apart / count < 0.006 * step, qPrintable(QString::number(apart / count)));
+  }
+
   /// What lies beside a layer in the atlas must not show in it.
   void layersKeepToThemselves() {
     const model::Scene scene = balls(5.0f);
