@@ -136,13 +136,15 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
       markCaps(member, view, layer.mask);
   }
   // Enlarged fills are trimmed along contours, also where these themselves are hidden.
-  const auto trims = [&](const Stroke& stroke) {
+  const auto trims = [&](const model::Surface& surface, const Stroke& stroke) {
+    const int reach = layer.surfaceStep + 1;
     return layer.filled && layer.surfaceStep > 1 && stroke.kind == StrokeKind::contour &&
-           layer.mask.marksAny(grown(strokeBounds(stroke), layer.surfaceStep + 1));
+           layer.mask.marksAny(grown(strokeBounds(stroke), reach)) &&
+           !occlusion->hides(surface, stroke, reach);
   };
   const auto leaveOutHidden = [&](const model::Surface& surface, std::vector<Stroke>& strokes) {
     if (occlusion && std::erase_if(strokes, [&](const Stroke& stroke) {
-                       return occlusion->hides(surface, stroke) && !trims(stroke);
+                       return occlusion->hides(surface, stroke) && !trims(surface, stroke);
                      }) > 0)
       layer.partial = true;
   };

@@ -113,10 +113,11 @@ bool Occlusion::hides(const model::Surface& surface, const model::Cluster& clust
   return covers(grown(m_view.bounds(bounds), around), middle - bounds.radius - inFrontOf(surface));
 }
 
-bool Occlusion::hides(const model::Surface& surface, const Stroke& stroke) const {
+bool Occlusion::hides(const model::Surface& surface, const Stroke& stroke, int around) const {
   const float nearest = std::min(stroke.depthA, stroke.depthB);
-  return covers(strokeBounds(stroke), eyeDistance(nearest, m_view.depthTerms()) -
-                                          std::max(inFrontOf(surface), 2.0f * stroke.tolerance));
+  return covers(grown(strokeBounds(stroke), around),
+                eyeDistance(nearest, m_view.depthTerms()) -
+                    std::max(inFrontOf(surface), 2.0f * stroke.tolerance));
 }
 
 bool Occlusion::covers(const PixelRect& pixels, float distance) const {

@@ -27,8 +27,8 @@ class Occlusion {
   /// Tells whether they hide all that the structure may draw of a cluster of its surface, and so
   /// many pixels around it.
   bool hides(const model::Surface& surface, const model::Cluster& cluster, int around) const;
-  /// Tells whether they hide a stroke on the surface.
-  bool hides(const model::Surface& surface, const Stroke& stroke) const;
+  /// Tells whether they hide a stroke on the surface, with so many pixels around it.
+  bool hides(const model::Surface& surface, const Stroke& stroke, int around = 0) const;
 
  private:
   /// Returns whether each of these pixels, those outside the region apart, shows something opaque
