@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -385,24 +387,62 @@ std::vector<Capsule> capsulesOf(const LayerPixels& pixels, const InkDraw& draw) 
 
 }  // namespace
 
+namespace {
+
+/// Lists what is drawn to each band of rows, in order.
+class BandLists {
+ public:
+  BandLists(const PixelRect& area, std::size_t bands) : m_area(area), m_lists(bands) {}
+
+  /// Adds what lies in some rows, the last one not included.
+  void add(std::size_t what, int bottom, int top) {
+    const int first = std::max(bottom, m_area.y) - m_area.y;
+    const int end = std::min(top, m_area.top()) - m_area.y;
+    if (first < end)
+      for (int band = first / bandRows; band <= (end - 1) / bandRows; ++band)
+        m_lists[std::size_t(band)].push_back(std::uint32_t(what));
+  }
+  std::span<const std::uint32_t> of(std::size_t band) const { return m_lists[band]; }
+
+  static constexpr int bandRows = 32;
+
+ private:
+  PixelRect m_area;
+  std::vector<std::vector<std::uint32_t>> m_lists;
+};
+
+}  // namespace
+
 void drawInk(LayerPixels& pixels, std::span<const InkDraw> draws, const ReadyRows& ready) {
+  const auto bands =
+      std::size_t((pixels.area.height + BandLists::bandRows - 1) / BandLists::bandRows);
   std::vector<std::vector<Capsule>> capsules(draws.size());
-  for (std::size_t i = 0; i < draws.size(); ++i)
-    if (draws[i].kind != InkKind::trims && !draws[i].strokes.empty())
+  std::vector<BandLists> lists(draws.size(), BandLists(pixels.area, bands));
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    if (draws[i].kind == InkKind::trims) {
+      const Trimmer trimmer(pixels, draws[i]);
+      for (std::size_t k = 0; k < draws[i].strokes.size(); ++k) {
+        const glm::ivec2 rows = trimmer.rows(draws[i].strokes[k]);
+        lists[i].add(k, rows.x, rows.y);
+      }
+    } else if (!draws[i].strokes.empty()) {
       capsules[i] = capsulesOf(pixels, draws[i]);
-  constexpr int bandRows = 32;
-  const auto bands = std::size_t((pixels.area.height + bandRows - 1) / bandRows);
+      for (std::size_t k = 0; k < capsules[i].size(); ++k)
+        lists[i].add(k, capsules[i][k].bottom, capsules[i][k].top);
+    }
+  }
   parallelFor(bands, 1, [&](std::size_t band) {
-    const int first = pixels.area.y + int(band) * bandRows;
-    const int end = std::min(first + bandRows, pixels.area.top());
+    const int first = pixels.area.y + int(band) * BandLists::bandRows;
+    const int end = std::min(first + BandLists::bandRows, pixels.area.top());
     ready(first, end);
     for (std::size_t i = 0; i < draws.size(); ++i) {
-      if (draws[i].kind == InkKind::trims)
-        drawTrims(pixels, draws[i], first, end);
+      const Trimmer trimmer(pixels, draws[i]);
       const CapsuleDrawer drawer(pixels, draws[i]);
-      for (const Capsule& capsule : capsules[i])
-        if (capsule.bottom < end && capsule.top > first)
-          drawer.draw(capsule, first, end);
+      for (const std::uint32_t k : lists[i].of(band))
+        if (draws[i].kind == InkKind::trims)
+          trimmer.draw(draws[i].strokes[k], first, end);
+        else
+          drawer.draw(capsules[i][k], first, end);
     }
   });
 }

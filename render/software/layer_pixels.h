@@ -60,10 +60,12 @@ struct LayerPixels {
   }
   /// Returns how deep the surface lies at a pixel; 1 outside the area.
   float surfaceDepthAt(const glm::vec2& pixel) const {
-    const glm::ivec2 at(int(std::floor(pixel.x)), int(std::floor(pixel.y)));
-    if (at.x < area.x || at.y < area.y || at.x >= area.right() || at.y >= area.top())
+    // What is not negative needs no rounding down, which takes long.
+    const glm::vec2 from = pixel - glm::vec2(float(area.x), float(area.y));
+    if (!(from.x >= 0.0f && from.y >= 0.0f && from.x < float(area.width) &&
+          from.y < float(area.height)))
       return 1.0f;
-    return surfaceDepths[samples.at(at)];
+    return surfaceDepths[samples.at({area.x + int(from.x), area.y + int(from.y)})];
   }
 };
 
