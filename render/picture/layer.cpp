@@ -128,13 +128,15 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
                    const std::map<model::NodeId, StructureLines>& lines,
                    const Occlusion* occlusion) {
   layer.mask = TileMask(region, layer.area);
-  for (const PreparedStructure& member : layer.members) {
+  for (const PreparedStructure& member : layer.members)
     if (((layer.parts.fills && hasFill(member.style)) || member.printedHatching) &&
         markSurface(member, view, occlusion, layer.mask))
       layer.partial = true;
+  if (occlusion && layer.sampled && occlusion->unmarkHidden(layer.pixels, layer.mask))
+    layer.partial = true;
+  for (const PreparedStructure& member : layer.members)
     if (layer.parts.fills && hasCaps(member))
       markCaps(member, view, layer.mask);
-  }
   // Enlarged fills are trimmed along contours, also where these themselves are hidden.
   const auto trims = [&](const model::Surface& surface, const Stroke& stroke) {
     const int reach = layer.surfaceStep + 1;

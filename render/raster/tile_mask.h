@@ -27,6 +27,16 @@ class TileMask {
   void mark(const PixelRect& area);
   /// Also marks squares that the other mask, which must have the same grid, marks in both's area.
   void mark(const TileMask& other);
+  /// Takes the marks from squares for which test(column, row) holds, of the region's grid.
+  template <class Test>
+  void unmarkIf(const Test& test) {
+    for (int row = 0; row < m_rows; ++row)
+      for (int column = 0; column < m_columns; ++column) {
+        std::uint8_t& marked = m_marked[std::size_t(row) * m_columns + column];
+        if (marked != 0 && test(m_firstColumn + column, m_firstRow + row))
+          marked = 0;
+      }
+  }
   void markAll() { std::fill(m_marked.begin(), m_marked.end(), std::uint8_t(1)); }
   /// Takes the square's place in the region's grid, within the area or not.
   bool marked(int column, int row) const {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "model/base/parallel.h"
-#include "render/raster/tile_mask.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/structure_lines.h"
 #include "render/strokes/window_depth.h"
@@ -33,6 +33,38 @@ int above(int number, int by) {
   return int(std::ceil(float(number) / float(by)));
 }
 
+/// Tells which samples of a layer stand for a square of the region.
+class SquareSamples {
+ public:
+  SquareSamples(const LayerPixels& pixels, const PixelRect& region)
+      : m_region(region),
+        m_step(pixels.step()),
+        // Where the first sample's lower left pixel lies in the region.
+        m_first(pixels.samples.grid.corner +
+                m_step * glm::ivec2(pixels.samples.area.x, pixels.samples.area.y) -
+                glm::ivec2(region.x, region.y)) {}
+
+  const glm::ivec2& first() const { return m_first; }
+  /// Returns the first one and the one after the last, with so many around them. Nothing beyond the
+  /// region's edge counts.
+  glm::ivec2 columns(int column, int around) const {
+    return samplesOf(column, m_first.x, m_region.width, around);
+  }
+  glm::ivec2 rows(int row, int around) const {
+    return samplesOf(row, m_first.y, m_region.height, around);
+  }
+
+ private:
+  glm::ivec2 samplesOf(int square, int origin, int end, int around) const {
+    return {below(square * side - origin, m_step) - around,
+            above(std::min((square + 1) * side, end) - origin, m_step) + around};
+  }
+
+  const PixelRect& m_region;
+  int m_step;
+  glm::ivec2 m_first;
+};
+
 float inFrontOf(const model::Surface& surface) {
   return edgesInFront * surface.meanEdge + filigreeInFront * surface.filigreeSize;
 }
@@ -53,9 +85,8 @@ void Occlusion::add(const LayerPixels& pixels) {
   const std::vector<std::uint32_t>& colours = step > 1 ? pixels.surfaceColours : pixels.colours;
   if (colours.empty())
     return;
-  // Where the first sample's lower left pixel lies in the region.
-  const glm::ivec2 first = pixels.samples.grid.corner + step * glm::ivec2(samples.x, samples.y) -
-                           glm::ivec2(m_region.x, m_region.y);
+  const SquareSamples squares(pixels, m_region);
+  const glm::ivec2& first = squares.first();
   // Returns the farthest depth of these samples; more than 1 where one is not opaque.
   const auto farthest = [&](const glm::ivec2& columns, const glm::ivec2& rows) {
     float most = 0.0f;
@@ -68,22 +99,17 @@ void Occlusion::add(const LayerPixels& pixels) {
       }
     return most;
   };
-  // Nothing beyond the region's edge has to be covered.
-  const auto samplesOf = [step](int square, int origin, int end) {
-    return glm::ivec2(below(square * side - origin, step) - around,
-                      above(std::min((square + 1) * side, end) - origin, step) + around);
-  };
   const int firstRow = std::max(below(first.y, side), 0);
   const int endRow = std::min(above(first.y + step * samples.height, side), m_rows);
   const int firstColumn = std::max(below(first.x, side), 0);
   const int endColumn = std::min(above(first.x + step * samples.width, side), m_columns);
   parallelFor(std::size_t(std::max(endRow - firstRow, 0)), 4, [&](std::size_t i) {
     const int row = firstRow + int(i);
-    const glm::ivec2 rows = samplesOf(row, first.y, m_region.height);
+    const glm::ivec2 rows = squares.rows(row, around);
     if (rows.x < 0 || rows.y > samples.height)
       return;
     for (int column = firstColumn; column < endColumn; ++column) {
-      const glm::ivec2 columns = samplesOf(column, first.x, m_region.width);
+      const glm::ivec2 columns = squares.columns(column, around);
       if (columns.x < 0 || columns.y > samples.width)
         continue;
       const float depth = farthest(columns, rows);
@@ -118,6 +144,33 @@ bool Occlusion::hides(const model::Surface& surface, const Stroke& stroke, int a
   return covers(grown(strokeBounds(stroke), around),
                 eyeDistance(nearest, m_view.depthTerms()) -
                     std::max(inFrontOf(surface), 2.0f * stroke.tolerance));
+}
+
+bool Occlusion::unmarkHidden(const LayerPixels& pixels, TileMask& mask) const {
+  const PixelRect& samples = pixels.samples.area;
+  const SquareSamples squares(pixels, m_region);
+  bool hidden = false;
+  mask.unmarkIf([&](int column, int row) {
+    // What is enlarged mixes one more sample on each side.
+    const glm::ivec2 columns = glm::clamp(squares.columns(column, 1), 0, samples.width);
+    const glm::ivec2 rows = glm::clamp(squares.rows(row, 1), 0, samples.height);
+    float nearest = 1.0f;
+    for (int y = rows.x; y < rows.y; ++y) {
+      const float* depths =
+          pixels.surfaceDepths.data() + std::size_t(y) * std::size_t(samples.width);
+      for (int x = columns.x; x < columns.y; ++x)
+        nearest = std::min(nearest, depths[x]);
+    }
+    if (!(nearest < 1.0f))
+      return true;
+    if (column < 0 || row < 0 || column >= m_columns || row >= m_rows ||
+        !(m_farthest[std::size_t(row) * std::size_t(m_columns) + std::size_t(column)] <
+          eyeDistance(nearest, m_view.depthTerms())))
+      return false;
+    hidden = true;
+    return true;
+  });
+  return hidden;
 }
 
 bool Occlusion::covers(const PixelRect& pixels, float distance) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/raster/pixel_rect.h"
+#include "render/raster/tile_mask.h"
 #include "render/software/layer_pixels.h"
 #include "render/strokes/drawn_structure.h"
 #include "render/strokes/picture_view.h"
@@ -29,6 +30,9 @@ class Occlusion {
   bool hides(const model::Surface& surface, const model::Cluster& cluster, int around) const;
   /// Tells whether they hide a stroke on the surface, with so many pixels around it.
   bool hides(const model::Surface& surface, const Stroke& stroke, int around = 0) const;
+  /// Takes the marks from squares where a layer whose surface is sampled shows nothing of it.
+  /// Returns whether something is there that is hidden.
+  bool unmarkHidden(const LayerPixels& pixels, TileMask& mask) const;
 
  private:
   /// Returns whether each of these pixels, those outside the region apart, shows something opaque
