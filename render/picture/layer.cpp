@@ -137,7 +137,8 @@ void completeLayer(Layer& layer, const PictureView& view, const PixelRect& regio
   for (const PreparedStructure& member : layer.members)
     if (layer.parts.fills && hasCaps(member))
       markCaps(member, view, layer.mask);
-  // Enlarged fills are trimmed along contours, also where these themselves are hidden.
+  // Enlarged fills are trimmed along contours, also where these themselves are hidden, but not all
+  // around them.
   const auto trims = [&](const model::Surface& surface, const Stroke& stroke) {
     const int reach = layer.surfaceStep + 1;
     return layer.filled && layer.surfaceStep > 1 && stroke.kind == StrokeKind::contour &&

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "render/picture/layer_content.h"
@@ -89,17 +90,17 @@ std::vector<RasterCap> capsOf(const PictureInput& input, const Layer& layer) {
 class RowReadier {
  public:
   RowReadier(Layer& layer, std::span<const PixelRect> touched)
-      : m_pixels(layer.pixels),
-        m_touched(touched),
-        m_shown(layer.filled ? layer.mask.rectangles() : std::vector<PixelRect>()),
-        m_taker(layer.pixels) {
+      : m_pixels(layer.pixels), m_touched(touched), m_shown(layer.mask.rectangles()) {
     makeRoom(layer.pixels);
+    if (layer.filled)
+      m_taker.emplace(layer.pixels);
   }
 
   void operator()(int first, int end) const {
     const PixelRect rows{m_pixels.area.x, first, m_pixels.area.width, end - first};
     wipe(m_pixels, within(rows, m_touched));
-    m_taker.take(within(rows, m_shown));
+    if (m_taker)
+      m_taker->take(within(rows, m_shown));
   }
 
  private:
@@ -114,21 +115,21 @@ class RowReadier {
   LayerPixels& m_pixels;
   std::span<const PixelRect> m_touched;
   std::vector<PixelRect> m_shown;
-  SurfaceTaker m_taker;
+  std::optional<SurfaceTaker> m_taker;  ///< where there is a fill
 };
 
-/// Draws the surface's cut faces, for which all rows have to be ready at once. Where surfaces have
-/// a step these are drawn in the picture's own pixels, as they are few and flat, and for the lines
-/// that they hide in samples.
-void drawCaps(const PictureInput& input, LayerPixels& pixels, std::span<const RasterCap> caps,
-              const RowReadier& ready) {
+/// Makes all rows of a layer ready and draws its cut faces. Where surfaces have a step these are
+/// drawn in the picture's own pixels, as they are few and flat, and in samples, which hide lines
+/// and from which fills are mended along contours.
+void readyWithCaps(const PictureInput& input, LayerPixels& pixels, std::span<const RasterCap> caps,
+                   const RowReadier& ready) {
   if (pixels.step() == 1)
     drawCaps(caps, input.view, pixels.samples, {pixels.surfaceDepths, pixels.colours});
-  ready(pixels.area.y, pixels.area.top());
+  forEachBand(pixels.area, [&](int first, int end) { ready(first, end); });
   if (pixels.step() == 1)
     return;
   drawCaps(caps, input.view, {{}, pixels.area}, {pixels.depths, pixels.colours});
-  drawCaps(caps, input.view, pixels.samples, {pixels.surfaceDepths, {}});
+  drawCaps(caps, input.view, pixels.samples, {pixels.surfaceDepths, pixels.surfaceColours});
 }
 
 }  // namespace
@@ -182,7 +183,7 @@ bool drawOnProcessor(const PictureInput& input, const PixelRect& region, Layer& 
     return true;
   const RowReadier ready(layer, touched);
   if (!caps.empty())
-    drawCaps(input, layer.pixels, caps, ready);
+    readyWithCaps(input, layer.pixels, caps, ready);
   std::vector<InkDraw> draws = edgeDraws(input, layer);
   const std::vector<InkDraw> strokes = strokeDraws(input, layer);
   draws.insert(draws.end(), strokes.begin(), strokes.end());

@@ -385,14 +385,16 @@ std::vector<Capsule> capsulesOf(const LayerPixels& pixels, const InkDraw& draw) 
   return capsules;
 }
 
-}  // namespace
+constexpr int bandRows = 32;
 
-namespace {
+std::size_t bandCount(const PixelRect& area) {
+  return std::size_t((area.height + bandRows - 1) / bandRows);
+}
 
 /// Lists what is drawn to each band of rows, in order.
 class BandLists {
  public:
-  BandLists(const PixelRect& area, std::size_t bands) : m_area(area), m_lists(bands) {}
+  explicit BandLists(const PixelRect& area) : m_area(area), m_lists(bandCount(area)) {}
 
   /// Adds what lies in some rows, the last one not included.
   void add(std::size_t what, int bottom, int top) {
@@ -402,9 +404,10 @@ class BandLists {
       for (int band = first / bandRows; band <= (end - 1) / bandRows; ++band)
         m_lists[std::size_t(band)].push_back(std::uint32_t(what));
   }
-  std::span<const std::uint32_t> of(std::size_t band) const { return m_lists[band]; }
-
-  static constexpr int bandRows = 32;
+  /// Returns what is drawn to the band that starts at a row.
+  std::span<const std::uint32_t> of(int first) const {
+    return m_lists[std::size_t((first - m_area.y) / bandRows)];
+  }
 
  private:
   PixelRect m_area;
@@ -413,11 +416,16 @@ class BandLists {
 
 }  // namespace
 
+void forEachBand(const PixelRect& area, const ReadyRows& ready) {
+  parallelFor(bandCount(area), 1, [&](std::size_t band) {
+    const int first = area.y + int(band) * bandRows;
+    ready(first, std::min(first + bandRows, area.top()));
+  });
+}
+
 void drawInk(LayerPixels& pixels, std::span<const InkDraw> draws, const ReadyRows& ready) {
-  const auto bands =
-      std::size_t((pixels.area.height + BandLists::bandRows - 1) / BandLists::bandRows);
   std::vector<std::vector<Capsule>> capsules(draws.size());
-  std::vector<BandLists> lists(draws.size(), BandLists(pixels.area, bands));
+  std::vector<BandLists> lists(draws.size(), BandLists(pixels.area));
   for (std::size_t i = 0; i < draws.size(); ++i) {
     if (draws[i].kind == InkKind::trims) {
       const Trimmer trimmer(pixels, draws[i]);
@@ -431,14 +439,12 @@ void drawInk(LayerPixels& pixels, std::span<const InkDraw> draws, const ReadyRow
         lists[i].add(k, capsules[i][k].bottom, capsules[i][k].top);
     }
   }
-  parallelFor(bands, 1, [&](std::size_t band) {
-    const int first = pixels.area.y + int(band) * BandLists::bandRows;
-    const int end = std::min(first + BandLists::bandRows, pixels.area.top());
+  forEachBand(pixels.area, [&](int first, int end) {
     ready(first, end);
     for (std::size_t i = 0; i < draws.size(); ++i) {
       const Trimmer trimmer(pixels, draws[i]);
       const CapsuleDrawer drawer(pixels, draws[i]);
-      for (const std::uint32_t k : lists[i].of(band))
+      for (const std::uint32_t k : lists[i].of(first))
         if (draws[i].kind == InkKind::trims)
           trimmer.draw(draws[i].strokes[k], first, end);
         else

@@ -58,14 +58,20 @@ struct LayerPixels {
   std::size_t at(int x, int y) const {
     return std::size_t(y - area.y) * std::size_t(area.width) + std::size_t(x - area.x);
   }
-  /// Returns how deep the surface lies at a pixel; 1 outside the area.
-  float surfaceDepthAt(const glm::vec2& pixel) const {
+  static constexpr std::size_t nowhere = std::size_t(-1);
+  /// Returns the sample that stands for a pixel; `nowhere` outside the area.
+  std::size_t sampleAt(const glm::vec2& pixel) const {
     // What is not negative needs no rounding down, which takes long.
     const glm::vec2 from = pixel - glm::vec2(float(area.x), float(area.y));
     if (!(from.x >= 0.0f && from.y >= 0.0f && from.x < float(area.width) &&
           from.y < float(area.height)))
-      return 1.0f;
-    return surfaceDepths[samples.at({area.x + int(from.x), area.y + int(from.y)})];
+      return nowhere;
+    return samples.at({area.x + int(from.x), area.y + int(from.y)});
+  }
+  /// Returns how deep the surface lies at a pixel; 1 outside the area.
+  float surfaceDepthAt(const glm::vec2& pixel) const {
+    const std::size_t at = sampleAt(pixel);
+    return at == nowhere ? 1.0f : surfaceDepths[at];
   }
 };
 
@@ -74,8 +80,9 @@ std::uint32_t packedColour(const glm::vec4& colour);
 /// Makes the surface's samples ready: within the rectangles, which are pixels of the area, there is
 /// nothing then.
 void wipeSurface(LayerPixels& pixels, std::span<const PixelRect> rectangles);
-/// Gives all else its size, and makes it ready likewise.
+/// Gives all else its size.
 void makeRoom(LayerPixels& pixels);
+/// Makes all else ready likewise.
 void wipe(LayerPixels& pixels, std::span<const PixelRect> rectangles);
 
 /// Takes the fill and depth of a layer's surface over into its pixels. Where samples stand for

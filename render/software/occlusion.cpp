@@ -20,7 +20,7 @@ namespace {
 constexpr int side = TileMask::side;
 // So many samples around a square have to be opaque, too: what is enlarged mixes those around it,
 // and is trimmed along outlines (trims.cpp).
-constexpr int around = 3;
+constexpr int opaqueAround = 3;
 // Lines lie in front of their surface by a part of this many edges of its triangles.
 constexpr float edgesInFront = 4.0f;
 constexpr float filigreeInFront = 0.02f;
@@ -105,11 +105,11 @@ void Occlusion::add(const LayerPixels& pixels) {
   const int endColumn = std::min(above(first.x + step * samples.width, side), m_columns);
   parallelFor(std::size_t(std::max(endRow - firstRow, 0)), 4, [&](std::size_t i) {
     const int row = firstRow + int(i);
-    const glm::ivec2 rows = squares.rows(row, around);
+    const glm::ivec2 rows = squares.rows(row, opaqueAround);
     if (rows.x < 0 || rows.y > samples.height)
       return;
     for (int column = firstColumn; column < endColumn; ++column) {
-      const glm::ivec2 columns = squares.columns(column, around);
+      const glm::ivec2 columns = squares.columns(column, opaqueAround);
       if (columns.x < 0 || columns.y > samples.width)
         continue;
       const float depth = farthest(columns, rows);
@@ -161,6 +161,7 @@ bool Occlusion::unmarkHidden(const LayerPixels& pixels, TileMask& mask) const {
       for (int x = columns.x; x < columns.y; ++x)
         nearest = std::min(nearest, depths[x]);
     }
+    // Nor does anything beyond the region's edge show.
     if (!(nearest < 1.0f))
       return true;
     if (column < 0 || row < 0 || column >= m_columns || row >= m_rows ||

@@ -45,16 +45,16 @@ struct Slabs {
 constexpr float overhang = 1.0f;
 constexpr float most = 1e6f;  ///< px, more than any picture has
 
-/// Returns four values that follow each other; of those behind the last one, any.
+/// Returns four values that follow each other; zeros from the end on, where others may be at work.
 template <class Four, class Value>
-Four fourFrom(const std::vector<Value>& values, std::size_t at) {
+Four fourFrom(const std::vector<Value>& values, std::size_t at, std::size_t end) {
   Four four{};
   static_assert(sizeof(four) == laneCount * sizeof(Value));
-  if (at + laneCount <= values.size()) {
+  if (at + laneCount <= end) {
     std::memcpy(&four, values.data() + at, sizeof(four));
     return four;
   }
-  for (std::size_t i = 0; at + i < values.size(); ++i)
+  for (std::size_t i = 0; at + i < end; ++i)
     four[i] = std::bit_cast<decltype(four[0] + four[0])>(values[at + i]);
   return four;
 }
@@ -90,7 +90,7 @@ Trimmer::Trimmer(LayerPixels& pixels, const InkDraw& draw)
 glm::ivec2 Trimmer::rows(const Stroke& s) const {
   const glm::vec2 ab = s.b - s.a;
   const float length = glm::length(ab);
-  if (!(length > 1e-4f))
+  if (!(length > 1e-4f && length < most))
     return {0, 0};
   const float around = m_reach * std::abs(ab.x) / length + overhang;
   const float low = std::min(s.a.y, s.b.y) - around;
@@ -139,23 +139,24 @@ void Trimmer::drawRow(const Strip& strip, int y) const {
   const float dy = float(y) + 0.5f - strip.a.y;
   glm::vec2 span(float(area.x) + 0.5f - strip.a.x, float(area.right()) - 0.5f - strip.a.x);
   strip.slabs.narrow(dy, span);
-  if (span.x > span.y)
+  if (!(span.x <= span.y && std::abs(strip.a.x) < most))
     return;
   // Far outside the picture numbers are not exact any more.
   const int left = std::max(int(std::ceil(span.x + strip.a.x - 0.5f)), area.x);
   const int right = std::min(int(std::floor(span.y + strip.a.x - 0.5f)), area.right() - 1);
   const std::size_t begin = m_pixels.at(left, y);
+  const std::size_t end = m_pixels.at(area.right(), y);
   for (int x = left; x <= right; x += int(laneCount)) {
     const std::size_t at = begin + std::size_t(x - left);
     const Lanes dx = float(x) + 0.5f - strip.a.x + Lanes{0.0f, 1.0f, 2.0f, 3.0f};
     const Lanes away = dx * strip.outward.x + dy * strip.outward.y;
     const Lanes t = dx * strip.along.x + dy * strip.along.y;
     const Lanes depth = strip.depth + strip.rise * smaller(larger(t, Lanes{}), Lanes{} + 1.0f);
-    const Lanes known = fourFrom<Lanes>(m_pixels.depths, at);
+    const Lanes known = fourFrom<Lanes>(m_pixels.depths, at, end);
     // Most is the surface as it should be, and what is nearer hides the contour.
     const LaneMask within = (known > depth + strip.lift) & (away <= 0.0f);
-    const LaneMask outside = (fourFrom<WholeLanes>(m_pixels.colours, at) != 0) & (away > -0.5f) &
-                             (known >= depth - strip.sheet);
+    const LaneMask outside = (fourFrom<WholeLanes>(m_pixels.colours, at, end) != 0) &
+                             (away > -0.5f) & (known >= depth - strip.sheet);
     unsigned bits =
         bitsOf(within | outside) & ((1u << std::min(right + 1 - x, int(laneCount))) - 1u);
     for (; bits != 0; bits &= bits - 1) {
@@ -208,8 +209,7 @@ void Trimmer::trim(const Strip& strip, const Spot& spot) const {
 }
 
 void Trimmer::take(const glm::vec2& place, float depth, std::size_t at) const {
-  const glm::ivec2 pixel(int(std::floor(place.x)), int(std::floor(place.y)));
-  m_pixels.colours[at] = m_pixels.surfaceColours[m_pixels.samples.at(pixel)];
+  m_pixels.colours[at] = m_pixels.surfaceColours[m_pixels.sampleAt(place)];
   m_pixels.depths[at] = depth;
 }
 

@@ -14,8 +14,8 @@
 namespace sline::render {
 
 /// Tells what strokes draw: ink, the soft edges of a fill along its contours, outlines that show
-/// through what lies before them, where lines behind an outline stop, or where a fill ends that was
-/// enlarged.
+/// through what lies before them, where lines behind an outline stop, or how far a fill reaches
+/// that was enlarged, and what shows beyond.
 enum class InkKind { surfaceLines, contours, edges, hidden, halos, trims };
 inline constexpr std::size_t inkKindCount = 6;
 
