@@ -94,15 +94,20 @@ void widen(DemoStructure& s) {
 
 std::vector<View> savedViews(Sex sex) {
   const auto view = [](const char* name, const glm::vec3& eye, const glm::vec3& target) {
-    return View{name, {.eye = eye, .target = target, .fovyDegrees = 28.0f}};
+    return View{.name = name,
+                .camera = {.eye = eye, .target = target, .fovyDegrees = 28.0f},
+                .sections = std::vector<Section>{}};
   };
   // The male organs outside the pelvis hang lower.
   const bool man = sex == Sex::male;
+  View half = view("Midsagittal", man ? glm::vec3(-770, -90, 908) : glm::vec3(-590, -82, 944),
+                   man ? glm::vec3(-1, -90, 905) : glm::vec3(-1, -82, 941));
+  half.sections = {{.id = {1},
+                    .name = "Midsagittal plane",
+                    .plane = anatomicalPlane(AnatomicalView::left, half.camera.target.x)}};
   return {view("Overview", man ? glm::vec3(-1, -890, 1108) : glm::vec3(-1, -720, 1130),
                man ? glm::vec3(-1, -75, 882) : glm::vec3(-1, -75, 915)),
-          view("From behind", {150, 590, 1055}, {-1, -75, 922}),
-          view("Midsagittal", man ? glm::vec3(-770, -90, 908) : glm::vec3(-590, -82, 944),
-               man ? glm::vec3(-1, -90, 905) : glm::vec3(-1, -82, 941))};
+          view("From behind", {150, 590, 1055}, {-1, -75, 922}), half};
 }
 }  // namespace
 

@@ -35,7 +35,7 @@ row() { # NAME CELLS...: side by side
 
 picture start abdomen --view Overview --size 480x400
 picture focus pelvis --view Overview --size 480x380
-picture sections pelvis --view Midsagittal --section sagittal --size 420x420
+picture sections pelvis --view Midsagittal --size 420x420
 
 cells=()
 for gamma in 0 1 2 3 4 5; do

@@ -58,8 +58,8 @@ plate pelvis_left pelvis --view left --size 900x900 --section sagittal=32:right 
   --section-group Bones --section-group Muscles --section-group Nerves
 
 # Half pelves
-plate half_pelvis_male pelvis --sex male --view Midsagittal --section sagittal --size 900x900
-plate half_pelvis_female pelvis --view Midsagittal --section sagittal --size 900x900
+plate half_pelvis_male pelvis --sex male --view Midsagittal --size 900x900
+plate half_pelvis_female pelvis --view Midsagittal --size 900x900
 
 # Lines as measured and as drawn
 "$sline" demo pelvis --gamma 2 --fill paper --size 700x700 -o "$scratch/measured.png" \
@@ -71,7 +71,7 @@ plate hidden_lines abdomen --gamma 2 --fill paper --gamma Arteries=3 --size 900x
   --hidden-lines Arteries=dashed --halo Arteries=1
 
 # Print, cut
-plate print pelvis --bw --view Midsagittal --section sagittal --size 1000x1000
+plate print pelvis --bw --view Midsagittal --size 1000x1000
 plate abdomen_axial abdomen --view "Transpyloric plane" --size 1100x800
 
 # Drawing styles, side by side.

@@ -90,6 +90,21 @@ class PelvisTest : public QObject {
       QVERIFY(!model::cameraFault(view.camera));
   }
 
+  // The half that is left is seen from the cut; every other view is whole again.
+  void onlyTheMidsagittalViewIsCut_data() { addSexes(); }
+  void onlyTheMidsagittalViewIsCut() {
+    QFETCH(const int, sex);
+    for (const model::View& view : pelvis(Sex(sex)).views()) {
+      QVERIFY2(view.sections.has_value(), view.name.c_str());
+      QCOMPARE(view.sections->size(), std::size_t(view.name == "Midsagittal" ? 1 : 0));
+      for (const model::Section& section : *view.sections) {
+        QVERIFY(model::keptSide(section.plane) == model::AnatomicalView::left);
+        QVERIFY(section.plane.distance(view.camera.eye) > 0.0);
+        QVERIFY(std::abs(model::positionOf(section.plane)) < 2.0);
+      }
+    }
+  }
+
   void eachIsClosedAndOfOnePiece_data() { addSexes(); }
   void eachIsClosedAndOfOnePiece() {
     QFETCH(const int, sex);
