@@ -195,6 +195,14 @@ std::vector<std::string> surfaceEndings() {
   return endings;
 }
 
+bool isArchive(const std::filesystem::path& file) {
+  static constexpr std::array<std::string_view, 10> endings{
+      ".zip", ".mrb", ".7z", ".rar", ".tar", ".tgz", ".tar.gz", ".tar.bz2", ".tar.xz", ".tar.zst"};
+  const std::string name = file.filename().string();
+  return std::any_of(endings.begin(), endings.end(),
+                     [&](std::string_view ending) { return endsLike(name, ending); });
+}
+
 bool isSurfaceFile(const std::filesystem::path& file) {
   return kindOf(file) != nullptr;
 }

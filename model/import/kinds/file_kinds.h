@@ -49,6 +49,8 @@ bool isSurfaceFileInFolder(const std::filesystem::path& file);
 bool isDicomFile(const std::filesystem::path& file);
 /// Tells whether a surface file is a label volume.
 bool isVolumeFile(const std::filesystem::path& file);
+/// Tells whether the name ends like that of an archive, in which there may be any files.
+bool isArchive(const std::filesystem::path& file);
 /// Returns the file's name without the ending that tells its kind: "liver" of "liver.nii.gz".
 std::string stemOf(const std::filesystem::path& file);
 

@@ -28,6 +28,32 @@ std::string supportedKinds() {
          fiducialExtensions() + "), or a scene file (.sline)";
 }
 
+/// What a folder holds that gives no mesh, and what can be done about it.
+struct LeftOut {
+  std::string text;
+  std::string remedy;
+};
+
+/// Returns "a.zip and b.mrb are archives and were not looked into".
+std::string archivesText(std::vector<fs::path> archives) {
+  std::sort(archives.begin(), archives.end(), pathNaturallyBefore);
+  constexpr std::size_t mostTold = 3;
+  const std::size_t told = std::min(archives.size(), mostTold);
+  std::string list;
+  for (std::size_t i = 0; i < told; ++i)
+    list += (i == 0                    ? ""
+             : i + 1 < archives.size() ? ", "
+                                       : " and ") +
+            archives[i].filename().string();
+  if (archives.size() > told)
+    list += " and " + std::to_string(archives.size() - told) + " more";
+  return list + (archives.size() == 1 ? " is an archive and was not looked into"
+                                      : " are archives and were not looked into");
+}
+
+constexpr const char* archivesRemedy =
+    "Open a bundle of 3D Slicer (.mrb) by itself; unpack any other and open what was in it";
+
 /// Limits how often a scene may have all of its files in it: a small one must not fill the memory
 /// by naming a large mesh again and again.
 constexpr std::uint64_t mostTimes = 4;
@@ -57,6 +83,10 @@ class Collector {
       m_imageFile = input;
     else if (isSurfaceFile(input))
       addOnce(input, looseFiles(), {});
+    else if (isArchive(input))
+      refuse({.file = input.string(),
+              .reason = "is an archive, which is not looked into",
+              .remedy = "Unpack it and open what was in it"});
     else
       refuse({.file = input.string(),
               .reason = "this kind of file is not supported",
@@ -143,6 +173,7 @@ class Collector {
 
   void addFolder(const fs::path& folder) {
     std::vector<fs::path> files;
+    std::vector<fs::path> archives;
     DicomLeftOut images;
     std::error_code fault;
     // Links to folders are not followed, so that circles of links do no harm.
@@ -151,22 +182,32 @@ class Collector {
     for (const fs::recursive_directory_iterator end; !fault && entry != end;
          entry.increment(fault)) {
       std::error_code ignored;
-      if (entry->is_regular_file(ignored) &&
-          (isSlice(entry->path()) ||
-           (!images.takes(entry->path()) && isSurfaceFileInFolder(entry->path()))))
+      if (!entry->is_regular_file(ignored))
+        continue;
+      if (isArchive(entry->path()))
+        archives.push_back(entry->path());
+      else if (isSlice(entry->path()) ||
+               (!images.takes(entry->path()) && isSurfaceFileInFolder(entry->path())))
         files.push_back(entry->path());
     }
     if (fault)
       m_result.warnings.push_back(
           {folder.string(), "the folder could not be read to its end: " + fault.message()});
+    std::vector<LeftOut> leftOut;
+    if (!images.empty())
+      leftOut.push_back({images.text(), DicomLeftOut::remedy()});
+    if (!archives.empty())
+      leftOut.push_back({archivesText(std::move(archives)), archivesRemedy});
     if (files.empty()) {
+      if (leftOut.empty())
+        leftOut.push_back({"the folder holds no mesh", supportedKinds()});
       refuse({.file = folder.string(),
-              .reason = images.empty() ? "the folder holds no mesh" : images.text(),
-              .remedy = images.empty() ? supportedKinds() : DicomLeftOut::remedy()});
+              .reason = leftOut.front().text,
+              .remedy = leftOut.front().remedy});
       return;
     }
-    if (!images.empty())
-      m_result.warnings.push_back({folder.string(), images.text() + ". " + DicomLeftOut::remedy()});
+    for (const LeftOut& each : leftOut)
+      m_result.warnings.push_back({folder.string(), each.text + ". " + each.remedy});
     std::sort(files.begin(), files.end(), pathNaturallyBefore);
     m_result.sources.push_back({ImportSource::Kind::folder, folder, std::nullopt});
     for (const fs::path& file : files) {

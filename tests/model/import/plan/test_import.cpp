@@ -49,6 +49,10 @@ void ImportTest::errors_data() {
                           << "no such file";
   QTest::newRow("kind") << "notes.txt"
                         << ".glb";
+  QTest::newRow("archive") << "meshes.zip"
+                           << "Unpack it";
+  QTest::newRow("folder of an archive") << "packed"
+                                        << "meshes.zip is an archive";
   QTest::newRow("empty folder") << "empty"
                                 << "holds no mesh";
   QTest::newRow("broken mesh") << "broken.stl"
@@ -63,6 +67,8 @@ void ImportTest::errors() {
   const QTemporaryDir folder;
   test::writeText(folder.filePath("notes.txt"), "hello");
   test::writeText(folder.filePath("empty/README"), "nothing here");
+  for (const char* name : {"meshes.zip", "packed/meshes.zip"})
+    test::writeText(folder.filePath(name), "PK");
   test::writeText(folder.filePath("broken.stl"), "x");
   test::writeText(folder.filePath("bad/broken.ply"), "ply\n");
   test::writeText(folder.filePath("bad/broken.obj"), "f 1 2 3\n");
@@ -77,11 +83,15 @@ void ImportTest::partsThatFailAreWarnings() {
   const QTemporaryDir folder;
   test::writeMesh(folder.filePath("liver.obj"), *test::octahedron({}, 20));
   test::writeText(folder.filePath("spleen.obj"), "v 0 0\nf 1 2 3\n");
+  for (const char* name : {"more.ZIP", "deep/scene.mrb"})
+    test::writeText(folder.filePath(name), "PK");
   const auto imported = importInputs(std::array{path(folder), path(folder, "nowhere.ply")}, {});
   QVERIFY(imported.ok());
   QCOMPARE(imported->scene.nodes().size(), std::size_t(1));
   QVERIFY(test::warningsOf(*imported).contains("spleen.obj"));
   QVERIFY(test::warningsOf(*imported).contains("nowhere.ply"));
+  QVERIFY(test::warningsOf(*imported).contains(
+      "scene.mrb and more.ZIP are archives and were not looked into"));
 }
 
 void ImportTest::whatMemoryHasNoRoomForIsAWarning() {
