@@ -15,6 +15,9 @@ namespace sline::render {
 namespace {
 // Barycentric: a lattice point on an edge is found from both sides rather than from neither.
 constexpr float slack = 1e-4f;
+// A sphere around vertices holds them within a share of its radius and of the surface's.
+constexpr float roundedOut = 1.001f;
+constexpr float roundedPlace = 1e-6f;
 
 /// Scatters the lattice's points; gives the same for a point and its mirror images.
 std::uint32_t scattered(const HatchSeed& s) {
@@ -45,6 +48,15 @@ class Seeder {
         m_cell(std::ldexp(surface.filigreeSize, -level)),
         m_box(box) {}
 
+  /// Tells whether a lattice's points may lie on what is within the sphere: whether its shadow
+  /// along one of the axes holds any.
+  bool mayHold(const model::Sphere& bounds) const {
+    const glm::vec3 centre = bounds.centre - m_surface.boundingSphere.centre;
+    const float radius =
+        roundedOut * bounds.radius + roundedPlace * m_surface.boundingSphere.radius;
+    return columns((centre - radius) / m_cell, (centre + radius) / m_cell) > 1;
+  }
+
   void seed(std::uint32_t triangle) {
     const model::Triangle& t = m_surface.mesh->triangles()[triangle];
     const auto positions = m_surface.mesh->positions();
@@ -53,7 +65,7 @@ class Seeder {
       p[c] = positions[t[c]] - m_surface.boundingSphere.centre;
     const glm::vec3 low = glm::max(glm::min(glm::min(p[0], p[1]), p[2]), m_box.low);
     const glm::vec3 high = glm::min(glm::max(glm::max(p[0], p[1]), p[2]), m_box.high);
-    if (glm::any(glm::greaterThan(low, high)))
+    if (glm::any(glm::greaterThan(low, high)) || columns(low / m_cell, high / m_cell) < 2)
       return;
     const glm::vec3 normal = glm::abs(glm::cross(p[1] - p[0], p[2] - p[0]));
     const int axis = normal.x >= normal.y && normal.x >= normal.z ? 0
@@ -73,6 +85,13 @@ class Seeder {
   }
 
  private:
+  /// Returns across how many of the axes a plane of the lattice passes between the two, in cells. A
+  /// point lies on two of them.
+  static int columns(const glm::vec3& low, const glm::vec3& high) {
+    const auto passes = glm::lessThanEqual(glm::ceil(low), glm::floor(high));
+    return int(passes.x) + int(passes.y) + int(passes.z);
+  }
+
   /// Visits every lattice point within the triangle's projection and the box, given in cells.
   void scan(std::uint32_t triangle, int axis, const std::array<glm::vec3, 3>& p,
             const model::Box& cells) {
@@ -121,6 +140,8 @@ std::vector<PlacedSeed> hatchSeeds(const model::Surface& surface, int level, con
   Seeder seeder(surface, level, box);
   for (const std::uint32_t c : clusters) {
     const model::Cluster& cluster = surface.clusters.items[c];
+    if (!seeder.mayHold(cluster.bounds))
+      continue;
     for (std::uint32_t i = 0; i < cluster.triangleCount; ++i)
       seeder.seed(surface.clusters.triangles[cluster.firstTriangle + i]);
   }
