@@ -220,6 +220,20 @@ class WindowTest : public QObject {
     QCOMPARE(f.tree().selectionModel()->selectedRows().size(), 1);
   }
 
+  /// What the filter hides is not selected any more, even if Ctrl was down in the tree before.
+  void downFromTheFilterSelectsOneRow() {
+    WindowFixture f;
+    QVERIFY(openBody(f));
+    f.session.select({structure(f, QStringLiteral("aorta"))});
+    f.tree().setFocus();
+    QTest::keyPress(&f.tree(), Qt::Key_Control, Qt::ControlModifier);
+    f.window.findChild<QAction*>(QStringLiteral("find"))->trigger();
+    auto& filter = f.control<QLineEdit>("structureFilter");
+    QTest::keyClicks(&filter, QStringLiteral("left kid"));
+    QTest::keyClick(&filter, Qt::Key_Down);
+    QCOMPARE(f.session.selection(), widgets::NodeIds{structure(f, QStringLiteral("left kidney"))});
+  }
+
   /// A filter for one scene hides nothing of the next.
   void filterGoesWithItsDocument() {
     WindowFixture f;

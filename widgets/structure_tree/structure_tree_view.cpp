@@ -169,6 +169,7 @@ void StructureTreeView::rename(model::NodeId id) {
   if (!index.isValid())
     return;
   setFocus();
+  m_adding = false;
   scrollTo(index);
   // The row is selected here and not by the view, which would toggle it while Ctrl is down, as with
   // Ctrl+G.
@@ -190,8 +191,11 @@ void StructureTreeView::enter() {
   const NodeIds& matches = m_model->matches();
   const QModelIndex first =
       matches.empty() ? m_model->index(0, Model::name) : indexOf(matches.front());
+  // Ctrl that was down when the keys left the tree adds nothing now.
+  m_adding = false;
   if (!currentIndex().isValid() || !m_session.selection().empty() || m_model->filtered())
-    setCurrentIndex(first);
+    selectionModel()->setCurrentIndex(
+        first, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
 
 void StructureTreeView::paintEvent(QPaintEvent* event) {
