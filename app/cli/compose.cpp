@@ -9,8 +9,10 @@
 #include "app/cli/files/targets.h"
 #include "app/cli/flags/option_kinds.h"
 #include "app/cli/flags/typed_options.h"
+#include "model/edit/look.h"
 #include "model/figure/figure_file.h"
 #include "model/figure/figure_keys.h"
+#include "model/look/opening_look.h"
 #include "render/export/encoding/xml_text.h"
 #include "render/export/figure/figure_checks.h"
 #include "render/export/order/common_options.h"
@@ -39,6 +41,19 @@ Status checkComposeTargets(const ComposeFlags& flags, const std::vector<std::str
   return checkTargets(targets, read);
 }
 
+/// Returns the scene with the look that it opens with, if it has none of its own.
+model::Scene dressed(const model::Scene& scene) {
+  if (!model::hasNoLook(scene))
+    return scene;
+  model::FormIndex forms;
+  const std::optional<model::OpeningLook> look = model::openingLook(scene, forms, {});
+  if (!look)
+    return scene;
+  model::Scene result = scene;
+  result.setNodes(look->scene.nodes());
+  return result;
+}
+
 struct ReadScenes {
   render::FigureScenes scenes;
   std::vector<std::string> files;
@@ -57,7 +72,7 @@ Result<ReadScenes> readScenes(const model::Figure& figure, const std::string& fi
     Result<model::SceneDocument> document = openedScene(path->string());
     if (!document.ok())
       return document.error();
-    read.scenes.emplace(name, std::make_shared<const model::Scene>(std::move(document->scene)));
+    read.scenes.emplace(name, std::make_shared<const model::Scene>(dressed(document->scene)));
     read.files.push_back(path->string());
   }
   return read;

@@ -272,11 +272,22 @@ LabelPlate labelPlate(const LabelSights& sights, const LabelStyle& style, const 
   return numbered(std::move(plate), turn);
 }
 
+static void leaveOutHidden(LabelsInPicture& labels) {
+  std::erase_if(labels.shown, [&labels](const ShownLabel& label) {
+    if (label.item.hidden)
+      labels.unseen.notDrawn.push_back(label.item.id);
+    return label.item.hidden;
+  });
+  labels.unseen.hidden.clear();
+}
+
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
                       model::MeshTrees& trees, const LabelTurn& turn) {
-  return labelPlate(labelSights(scene, screen.coveredBy(style.reserved), style.language, trees,
-                                {turn.before, turn.hurried}),
-                    style, turn);
+  LabelSights sights = labelSights(scene, screen.coveredBy(style.reserved), style.language, trees,
+                                   {turn.before, turn.hurried});
+  if (style.seenOnly)
+    leaveOutHidden(sights.labels);
+  return labelPlate(sights, style, turn);
 }
 
 Lettering letteringOf(const LabelPlate& plate) {

@@ -25,10 +25,11 @@ inline constexpr Limits<float> letterLimitsPt{4.0f, 48.0f};
 
 struct LabelStyle {
   LabelMode mode = LabelMode::on;
-  float points = 10.0f;  ///< size of the text
-  std::string language;  ///< BCP 47 tag; of texts and numbers
-  bool onDark = false;   ///< light ink, dark halo
-  EdgeRoom edges;        ///< the room where no text stands, as other marks do
+  float points = 10.0f;   ///< size of the text
+  std::string language;   ///< BCP 47 tag; of texts and numbers
+  bool onDark = false;    ///< light ink, dark halo
+  bool seenOnly = false;  ///< leaves out what would point at a hidden place
+  EdgeRoom edges;         ///< the room where no text stands, as other marks do
   /// Boxes around other marks, in the output, where neither texts nor leaders stand.
   std::vector<LabelBox> reserved;
 };

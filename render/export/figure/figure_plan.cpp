@@ -152,7 +152,8 @@ class Planning {
       order.labels = {
           .mode = panel.labels.value_or(figure().labels) ? LabelMode::on : LabelMode::off,
           .points = figure().points,
-          .language = figure().language};
+          .language = figure().language,
+          .seenOnly = panel.inset.has_value()};  // its panel says what lies behind
       order.marks = ExportMarks::none();
       order.marks.scaleBar = panel.scaleBar.value_or(figure().scaleBars);
       order.marks.sides = panel.sides.value_or(figure().sides && !panel.inset);
