@@ -28,7 +28,8 @@ class Finder {
         m_screen(screen),
         m_trees(trees),
         m_sights(scene, trees),
-        m_before(before) {}
+        m_before(before),
+        m_unit(drawnUnit(scene)) {}
 
   LabelsInPicture find(const std::string& language) {
     int number = 0;
@@ -42,7 +43,7 @@ class Finder {
         m_named.push_back(point ? point->structure : model::NodeId());
         m_labels.shown.push_back({*std::move(item), model::writtenIn(annotation, language), number,
                                   annotation.colour, lengthOf(annotation, m_scene),
-                                  std::move(m_choices)});
+                                  std::move(m_choices), m_unit});
       }
     }
     weigh();
@@ -217,6 +218,7 @@ class Finder {
   model::MeshTrees& m_trees;
   Sights m_sights;
   LabelsBefore m_before;
+  model::DrawnUnit m_unit;
   std::optional<SeenMap> m_map;
   LabelsInPicture m_labels;
   std::vector<model::NodeId> m_named;  ///< the structure that each of the shown labels is on

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/known_frame.h"
 #include "render/labels/layout.h"
 #include "render/labels/screen.h"
 #include "render/labels/sight.h"
@@ -34,8 +35,9 @@ struct ShownLabel {
   /// numbered in reading order (label_painter.h).
   int number = 0;
   std::optional<Colour> colour;
-  std::optional<float> lengthMm;     ///< of a distance
-  std::vector<PlaceChoice> choices;  ///< with a pool: places in this picture
+  std::optional<float> lengthMm;                         ///< of a distance, as drawn
+  std::vector<PlaceChoice> choices;                      ///< with a pool: places in this picture
+  model::DrawnUnit unit = model::DrawnUnit::millimetre;  ///< of the distance
 };
 
 /// Returns the label's text for places where it cannot have styles.

@@ -42,8 +42,9 @@ QString fullText(const ShownLabel& label, const LabelStyle& style) {
   const QLocale locale(
       QString::fromStdString(style.language.empty() ? "en" : model::firstLanguage(style.language)));
   const int digits = *label.lengthMm < 10.0f ? 1 : 0;
-  const QString length =
-      locale.toString(double(*label.lengthMm), 'f', digits) + QStringLiteral("\u00a0mm");
+  const QString length = locale.toString(double(*label.lengthMm), 'f', digits) +
+                         QChar(QChar::Nbsp) +
+                         QString::fromStdString(std::string(symbolOf(label.unit)));
   return text.isEmpty() ? length : text + QLatin1Char(' ') + length;
 }
 

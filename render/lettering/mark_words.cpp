@@ -102,6 +102,10 @@ const MarkTable& tableOf(const std::string& language) {
   return tables.front();
 }
 
+QString symbolText(model::DrawnUnit unit) {
+  return QString::fromStdString(std::string(symbolOf(unit)));
+}
+
 }  // namespace
 
 MarkWords::MarkWords(const std::string& language)
@@ -117,7 +121,7 @@ QString MarkWords::view(const std::string& name, const model::Camera& camera) co
   return side ? QString::fromUtf8(m_table.views[std::size_t(*side)]) : QString();
 }
 
-QString MarkWords::section(const model::Plane& plane) const {
+QString MarkWords::section(const model::Plane& plane, model::DrawnUnit unit) const {
   const auto kept = model::keptSide(plane);
   if (!kept)
     return QString::fromUtf8(m_table.oblique);
@@ -127,7 +131,7 @@ QString MarkWords::section(const model::Plane& plane) const {
   const char letter = (place < 0.0 ? negative : positive)[model::axisOf(*kept)];
   const QString at = QLatin1Char(letter) + QString(QChar::Nbsp) +
                      m_locale.toString(std::abs(place), 'f', 1) + QString(QChar::Nbsp) +
-                     QStringLiteral("mm");
+                     symbolText(unit);
   return QString::fromUtf8(m_table.sections[std::size_t(*kept)]).arg(at);
 }
 
@@ -135,8 +139,9 @@ QString MarkWords::sections(std::size_t count) const {
   return QString::fromUtf8(m_table.count).arg(m_locale.toString(qulonglong(count)));
 }
 
-QString MarkWords::gammaScalar(model::GammaScalar scalar) const {
-  return QString::fromUtf8(m_table.scalars[std::size_t(scalar)]);
+QString MarkWords::gammaScalar(model::GammaScalar scalar, model::DrawnUnit unit) const {
+  return QString::fromUtf8(m_table.scalars[std::size_t(scalar)])
+      .replace(QStringLiteral("(mm)"), QLatin1Char('(') + symbolText(unit) + QLatin1Char(')'));
 }
 
 QString MarkWords::somePlace() const {

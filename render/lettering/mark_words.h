@@ -8,6 +8,7 @@
 
 #include "model/scene/camera.h"
 #include "model/scene/gamma_map.h"
+#include "model/scene/known_frame.h"
 #include "model/scene/section.h"
 
 namespace sline::render {
@@ -24,13 +25,13 @@ class MarkWords {
   /// looks along no axis.
   QString view(const std::string& name, const model::Camera& camera) const;
   /// Returns "Coronal section at A 12.0 mm, posterior part kept".
-  QString section(const model::Plane& plane) const;
+  QString section(const model::Plane& plane, model::DrawnUnit unit) const;
   /// Returns "5 sections", for more than one.
   QString sections(std::size_t count) const;
   /// Returns "5 cm at mid-depth", for a length that is true only there.
   QString atMidDepth(const QString& length) const;
   /// Returns what Γ follows, with its unit; of a distance with "%1" for what it is from.
-  QString gammaScalar(model::GammaScalar scalar) const;
+  QString gammaScalar(model::GammaScalar scalar, model::DrawnUnit unit) const;
   /// Returns "a place", of which there is no name.
   QString somePlace() const;
   const QLocale& locale() const { return m_locale; }

@@ -22,11 +22,14 @@ std::optional<ScaleLength> scaleLength(const model::Camera& camera, const glm::v
   return ScaleLength{.millimetres = millimetres, .drawn = millimetres / scale};
 }
 
-QString lengthText(double millimetres, const QLocale& locale) {
+QString lengthText(double millimetres, const QLocale& locale, model::DrawnUnit unit) {
   constexpr int digits = 4;
-  const auto text = [&](double value, const char* unit) {
-    return locale.toString(value, 'g', digits) + QLatin1Char(' ') + QLatin1String(unit);
+  const auto text = [&](double value, std::string_view symbol) {
+    return locale.toString(value, 'g', digits) + QLatin1Char(' ') +
+           QString::fromUtf8(symbol.data(), qsizetype(symbol.size()));
   };
+  if (unit != model::DrawnUnit::millimetre)
+    return text(millimetres, symbolOf(unit));
   if (millimetres >= 1000.0)
     return text(millimetres / 1000.0, "m");
   if (millimetres >= 10.0)

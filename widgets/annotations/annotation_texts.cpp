@@ -26,10 +26,11 @@ QString anchorText(Session& session, const model::Anchor& anchor) {
 }
 
 /// Returns the length as the picture writes it.
-QString lengthText(float millimetres, const std::string& language) {
+QString lengthText(float millimetres, model::DrawnUnit unit, const std::string& language) {
   render::ShownLabel label;
   label.item.kind = model::AnnotationKind::distance;
   label.lengthMm = millimetres;
+  label.unit = unit;
   return QString::fromStdString(render::keyText(label, {.language = language})).simplified();
 }
 
@@ -63,7 +64,7 @@ QString shownText(const model::Scene& scene, const model::Annotation& annotation
     const auto from = scene.placeOf(annotation.anchors.front());
     const auto to = scene.placeOf(annotation.anchors.back());
     if (from && to)
-      return lengthText(glm::length(*to - *from), language);
+      return lengthText(glm::length(*to - *from), drawnUnit(scene), language);
   }
   return text.isEmpty() ? kindText(annotation.kind) : text;
 }

@@ -134,21 +134,23 @@ void PictureMarks::placeAtEdge(QRect& box, std::size_t edge) const {
     box.moveBottom(m_picture.height() - marksMargin);
 }
 
-void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot, bool scene) {
-  m_scene = scene;
+void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot,
+                         const MarkedScene& scene) {
+  m_scene = scene.any;
   const int letters = m_presented ? m_picture.height() / presentedLines : 0;
   if (std::exchange(m_letterPixels, letters) != letters)
     dress();
-  placeLetters(camera);
+  placeLetters(camera, scene.sides);
   m_cube->setCamera(camera);
   placeCorner(*m_cube, Qt::TopRightCorner);
-  m_scaleBar->show(render::scaleLength(camera, pivot, m_picture.height(), ScaleBarMark::most));
+  m_scaleBar->show(render::scaleLength(camera, pivot, m_picture.height(), ScaleBarMark::most),
+                   scene.unit);
   placeCorner(*m_scaleBar, Qt::BottomLeftCorner);
   placeCorner(*m_time, Qt::BottomRightCorner);
   choose(m_choice);
 }
 
-void PictureMarks::placeLetters(const model::Camera& camera) {
+void PictureMarks::placeLetters(const model::Camera& camera, bool sides) {
   const render::EdgeLetters letters = render::edgeLetters(camera);
   const std::array<const std::string*, 4> texts{&letters.left, &letters.right, &letters.top,
                                                 &letters.bottom};
@@ -161,7 +163,7 @@ void PictureMarks::placeLetters(const model::Camera& camera) {
     box.moveCenter(middle);
     placeAtEdge(box, i);
     label.setGeometry(box);
-    label.setVisible(m_scene);
+    label.setVisible(m_scene && sides);
   }
 }
 

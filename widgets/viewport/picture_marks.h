@@ -22,6 +22,13 @@ struct MarkChoice {
   bool operator==(const MarkChoice&) const = default;
 };
 
+/// What marks need to know of a scene.
+struct MarkedScene {
+  bool any = false;    ///< it holds something
+  bool sides = false;  ///< model::hasSides
+  model::DrawnUnit unit = model::DrawnUnit::millimetre;
+};
+
 /// Shows the marks over the picture: letters at its edges, orientation cube, scale bar, the time a
 /// picture takes and the name under the mouse.
 class PictureMarks : public QObject {
@@ -34,8 +41,8 @@ class PictureMarks : public QObject {
   const MarkChoice& choice() const { return m_choice; }
   void setBackground(render::Background background);
   /// Places the marks for the camera and the point it turns around; without a scene there is
-  /// nothing to mark.
-  void place(const model::Camera& camera, const glm::vec3& pivot, bool scene);
+  /// nothing to mark. Where nobody knows the scene's sides there are no letters.
+  void place(const model::Camera& camera, const glm::vec3& pivot, const MarkedScene& scene);
   /// Sets how many pixels at the upper edge are covered by something else.
   void setHeadroom(int pixels) { m_headroom = pixels; }
   /// Makes the letters grow with the picture's height, and keeps labels off the covered rectangle.
@@ -50,7 +57,7 @@ class PictureMarks : public QObject {
 
  private:
   void dress();
-  void placeLetters(const model::Camera& camera);
+  void placeLetters(const model::Camera& camera, bool sides);
   QRect cornerBox(const QSize& size, Qt::Corner corner) const;
   static QString timeText(double milliseconds, float scale);
   /// Moves a box, centred in the picture, to its left, right, upper or lower edge.

@@ -17,10 +17,10 @@ ScaleBarMark::ScaleBarMark(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
 }
 
-void ScaleBarMark::show(const std::optional<render::ScaleLength>& bar) {
+void ScaleBarMark::show(const std::optional<render::ScaleLength>& bar, model::DrawnUnit unit) {
   m_bar = bar;
-  setAccessibleName(bar ? tr("Scale: %1").arg(render::lengthText(bar->millimetres, QLocale()))
-                        : QString());
+  m_text = bar ? render::lengthText(bar->millimetres, QLocale(), unit) : QString();
+  setAccessibleName(bar ? tr("Scale: %1").arg(m_text) : QString());
   update();
 }
 
@@ -48,7 +48,7 @@ void ScaleBarMark::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(m_ink, 1.2));
   painter.drawPath(path);
   painter.drawText(QRectF(left + 5.0, 0.0, width(), foot - 3.0), Qt::AlignLeft | Qt::AlignBottom,
-                   render::lengthText(m_bar->millimetres, QLocale()));
+                   m_text);
 }
 
 }  // namespace sline::widgets

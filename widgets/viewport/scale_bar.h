@@ -13,7 +13,8 @@ class ScaleBarMark : public QWidget {
   Q_OBJECT
  public:
   explicit ScaleBarMark(QWidget* parent);
-  void show(const std::optional<render::ScaleLength>& bar);
+  /// Shows a bar of that many of the unit; none where there is no scale.
+  void show(const std::optional<render::ScaleLength>& bar, model::DrawnUnit unit);
   void setInk(const QColor& ink);
   QSize sizeHint() const override;
   const std::optional<render::ScaleLength>& bar() const { return m_bar; }
@@ -24,6 +25,7 @@ class ScaleBarMark : public QWidget {
 
  private:
   std::optional<render::ScaleLength> m_bar;
+  QString m_text;
   QColor m_ink;
 };
 

@@ -162,7 +162,9 @@ void Viewport::placeMarks() {
   if (m_marksAwait == 0)
     m_marked = {.camera = m_moving ? m_drawnCamera.value_or(m_camera) : m_camera,
                 .pivot = m_pivot,
-                .scene = !m_session.scene().nodes().empty()};
+                .scene = {.any = !m_session.scene().nodes().empty(),
+                          .sides = hasSides(m_session.scene()),
+                          .unit = drawnUnit(m_session.scene())}};
   m_marks->place(m_marked.camera, m_marked.pivot, m_marked.scene);
   showTools();
 }

@@ -231,7 +231,7 @@ class Viewport : public QWidget, public ViewControl {
   struct Marked {
     model::Camera camera;
     glm::vec3 pivot{0.0f};
-    bool scene = false;
+    MarkedScene scene;
   };
   Marked m_marked;
   /// The number of the picture to wait for: until it is there, another document's picture is on

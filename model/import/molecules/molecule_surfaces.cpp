@@ -9,6 +9,7 @@
 #include "model/import/molecules/ball_and_stick.h"
 #include "model/import/molecules/surface/excluded_surface.h"
 #include "model/import/molecules/surface/pocket_lining.h"
+#include "model/scene/known_frame.h"
 
 namespace sline::model {
 
@@ -144,7 +145,7 @@ class Surfacer {
     raw.triangles = std::move(mesh.triangles);
     raw.frame = Frame::file;
     raw.frameReason = "a molecule has no left and right";
-    raw.unitReason = "1 Å is drawn as 1 mm";
+    raw.unitReason = angstromReason;
     raw.smooth = true;
     raw.molecule = MoleculeOrigin{role, 0, m_backbone};
     m_result.meshes.push_back(std::move(raw));

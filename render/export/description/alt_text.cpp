@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 
+#include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "render/export/description/description_words.h"
 #include "render/export/description/picture_facts.h"
@@ -89,7 +90,7 @@ class Describing {
       add(words.sections(sections.size()) + QLatin1Char('.'));
     else
       for (const model::Section* section : sections)
-        add(words.section(section->plane) + QLatin1Char('.'));
+        add(words.section(section->plane, drawnUnit(m_order.scene)) + QLatin1Char('.'));
   }
 
   /// Adds the names of what is labelled, by where it stands; those of which one sees most first,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
 #include "render/export/plate/legend.h"

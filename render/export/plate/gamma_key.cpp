@@ -29,8 +29,9 @@ bool sameScalar(const model::GammaMap& a, const model::GammaMap& b) {
 
 /// Returns what is said of the scalar; nothing where it is a distance from what is not there.
 QString titleOf(const ExportOrder& order, const model::GammaMap& map, const MarkWords& words) {
+  const model::DrawnUnit unit = drawnUnit(order.scene);
   if (map.scalar != model::GammaScalar::distance)
-    return words.gammaScalar(map.scalar);
+    return words.gammaScalar(map.scalar, unit);
   QStringList names;
   for (const model::NodeId target : map.targets)
     if (const model::Node* node = order.scene.find(target))
@@ -42,7 +43,7 @@ QString titleOf(const ExportOrder& order, const model::GammaMap& map, const Mark
   const QString from = names.isEmpty()       ? words.somePlace()
                        : names.size() <= few ? names.join(QStringLiteral(", "))
                                              : names.front() + QStringLiteral(", …");
-  return words.gammaScalar(map.scalar).arg(from);
+  return words.gammaScalar(map.scalar, unit).arg(from);
 }
 
 Limits<float> rangeOf(const model::GammaMap& map) {

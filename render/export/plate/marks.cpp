@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "render/export/plate/gamma_key.h"
 #include "render/export/plate/legend.h"
@@ -52,6 +53,7 @@ class MarkLayout {
         m_size(order.page.sizeMm),
         m_colours(letteringColours(order.environment.background == Background::dark)),
         m_words(order.labels.language),
+        m_unit(drawnUnit(order.scene)),
         m_boxes(order.labels.reserved) {
     m_marks.lettering.ground = m_colours.ground;
   }
@@ -61,7 +63,7 @@ class MarkLayout {
       addSources();
     if (m_order.marks.sides && hasSides(m_order.scene))
       addSides();
-    else if (m_order.marks.sides)
+    else if (m_order.marks.sides && m_unit != model::DrawnUnit::angstrom)
       addNote(m_marks.notes, {.kind = ExportNote::Kind::sidesUnknown, .names = {}, .detail = {}});
     addUpperLeft();
     if (m_order.marks.gammaKey)
@@ -200,16 +202,21 @@ class MarkLayout {
     return m_order.words.title.in(model::firstLanguage(m_order.labels.language));
   }
 
-  /// Returns what stands in the upper left corner: nothing where the caption has the title.
+  /// Returns what stands in the upper left corner: nothing where the caption has the title, and no
+  /// side of what has none.
   QString viewTitle() const {
-    if (ownTitle().empty())
-      return m_words.view(m_order.viewName, m_order.camera);
+    if (ownTitle().empty()) {
+      const bool side =
+          model::anatomicalViewNamed(model::normalisedName(m_order.viewName)).has_value();
+      return side && !hasSides(m_order.scene) ? QString()
+                                              : m_words.view(m_order.viewName, m_order.camera);
+    }
     return m_order.marks.words ? QString() : QString::fromStdString(ownTitle()).simplified();
   }
 
   /// Returns the text of a section; one that does not cut everything names what it cuts.
   QString sectionText(const model::Section& section) const {
-    const QString line = m_words.section(section.plane);
+    const QString line = m_words.section(section.plane, m_unit);
     const model::Node* scope = m_order.scene.find(section.scope);
     return scope ? QString::fromStdString(scope->name).simplified() + QStringLiteral(": ") + line
                  : line;
@@ -225,7 +232,7 @@ class MarkLayout {
                                     double(std::min(widestBar, 0.22f * m_size.x)));
     if (!length)
       return;
-    const QString plain = lengthText(length->millimetres, m_words.locale());
+    const QString plain = lengthText(length->millimetres, m_words.locale(), m_unit);
     const QString line = m_order.camera.projection == model::Projection::perspective
                              ? m_words.atMidDepth(plain)
                              : plain;
@@ -262,6 +269,7 @@ class MarkLayout {
   glm::vec2 m_size;
   LetteringColours m_colours;
   MarkWords m_words;
+  model::DrawnUnit m_unit;
   Marks m_marks;
   float m_foot = 0.0f;  ///< the height that sources take below everything else
   std::vector<LabelBox> m_boxes;
@@ -390,17 +398,6 @@ bool hasLabels(const model::Scene& scene) {
   const auto& annotations = scene.annotations();
   return std::any_of(annotations.begin(), annotations.end(),
                      [](const model::Annotation& annotation) { return annotation.visible; });
-}
-
-bool hasSides(const model::Scene& scene) {
-  bool any = false;
-  for (const model::Node& node : scene.nodes())
-    if (visibleIn(scene, node)) {
-      any = true;
-      if (node.provenance.frame != "file")
-        return true;
-    }
-  return !any;
 }
 
 std::vector<const model::Section*> sectionsSeen(const model::Scene& scene) {

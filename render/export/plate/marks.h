@@ -34,8 +34,6 @@ struct Marks {
 /// must be valid.
 Marks marksOf(const ExportOrder& order);
 
-/// Tells whether anything visible comes from files of known directions, or nothing is visible.
-bool hasSides(const model::Scene& scene);
 /// Tells whether the scene has a visible annotation. If it has none, sheets label structures by
 /// themselves (`sheetFigure`).
 bool hasLabels(const model::Scene& scene);

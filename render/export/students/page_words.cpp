@@ -108,6 +108,7 @@ WordsByLanguage PageWords::ofLabel(const model::Annotation& annotation) const {
       const auto to = m_scene.placeOf(annotation.anchors.back());
       if (from && to)
         label.lengthMm = glm::distance(*from, *to);
+      label.unit = drawnUnit(m_scene);
       words[tag] = keyText(label, {.language = tag});
       continue;
     }

@@ -85,6 +85,12 @@ class ScaleLengthTest : public QObject {
     QCOMPARE(lengthText(millimetres, QLocale(QLocale::English)), english);
     QCOMPARE(lengthText(millimetres, QLocale(QLocale::German)), german);
   }
+  void moleculesAreInAngstroms() {
+    const QLocale english(QLocale::English);
+    QCOMPARE(lengthText(10.0, english, model::DrawnUnit::angstrom), QStringLiteral("10 Å"));
+    QCOMPARE(lengthText(0.5, english, model::DrawnUnit::angstrom), QStringLiteral("0.5 Å"));
+    QCOMPARE(lengthText(1000.0, english, model::DrawnUnit::angstrom), QStringLiteral("1,000 Å"));
+  }
 };
 
 SLINE_TEST(ScaleLengthTest)

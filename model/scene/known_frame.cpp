@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/scene/known_frame.h"
+
+#include "model/scene/visible_structures.h"
+
+namespace sline::model {
+
+namespace {
+
+/// Calls `body` with what is known of each visible structure, until it returns false.
+template <class Body>
+void forEachVisible(const Scene& scene, const Body& body) {
+  for (const Node& node : scene.nodes())
+    if (!node.isGroup() && scene.resolve(node.id).visible && !body(node.provenance))
+      return;
+}
+
+}  // namespace
+
+std::string_view symbolOf(DrawnUnit unit) {
+  return unit == DrawnUnit::angstrom ? "Å" : "mm";
+}
+
+DrawnUnit drawnUnit(const Scene& scene) {
+  bool molecules = false;
+  bool others = false;
+  forEachVisible(scene, [&](const Provenance& from) {
+    const bool molecule = from.unitReason == angstromReason;
+    molecules = molecules || molecule;
+    others = others || (!molecule && !from.file.empty());
+    return !others;
+  });
+  return molecules && !others ? DrawnUnit::angstrom : DrawnUnit::millimetre;
+}
+
+bool hasSides(const Scene& scene) {
+  bool any = false;
+  bool known = false;
+  forEachVisible(scene, [&](const Provenance& from) {
+    any = true;
+    known = from.frame != "file";
+    return !known;
+  });
+  return known || !any;
+}
+
+}  // namespace sline::model
