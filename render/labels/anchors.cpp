@@ -98,6 +98,9 @@ class Finder {
     const bool cutAway = !m_sights.shows(point);
     if (!annotation.found && !cutAway)
       return stayAt(item, annotation, point);
+    // Another word than the structure's name was meant for that very place.
+    if (!annotation.found && !isNameOf(annotation, point.structure))
+      return leaveOut(m_labels.unseen.notDrawn, annotation.id);
     if (m_before.pool)
       return pointAtChoice(item, annotation, point);
     const PlacedLabel* was = m_before.layout ? m_before.layout->find(annotation.id) : nullptr;
@@ -119,6 +122,12 @@ class Finder {
     item.places = {place->place};
     item.hidden = place->hidden;
     return true;
+  }
+
+  bool isNameOf(const model::Annotation& annotation, model::NodeId structure) const {
+    const model::Node* node = m_scene.find(structure);
+    return annotation.text.empty() ||
+           (node && model::normalisedName(annotation.text) == model::normalisedName(node->name));
   }
 
   /// Tells which of the places that the label has had there are in this picture.

@@ -208,7 +208,12 @@ class LabelAnchorsTest : public QObject {
     QCOMPARE(shown(styled(two.scene, two.large, unseen)).size(), std::size_t(0));
     model::Scene cut = two.scene;
     cut.appendSection({.plane = model::anatomicalPlane(model::AnatomicalView::left, 0.0f)});
-    // What the section takes away moves to what is left.
+    // What the section takes away is gone, where it says more than what the structure is called.
+    QCOMPARE(shown(cut).size(), std::size_t(1));
+    std::vector<model::Annotation> annotations = cut.annotations();
+    annotations[0].text = cut.find(two.large)->name;
+    cut.setAnnotations(annotations);
+    // A structure's own name moves to what is left of it.
     const auto left = shown(cut);
     QCOMPARE(left.size(), std::size_t(2));
     for (const ShownLabel& label : left)
