@@ -133,30 +133,40 @@ bool LayerStack::mayBeNear(std::size_t layer, const glm::vec2& pixel, float dept
   return false;
 }
 
-bool LayerStack::ringed(std::size_t layer, const glm::vec2& pixel, float depth, std::size_t own,
-                        float radius) const {
+LayerStack::Ring LayerStack::ringOf(std::size_t layer, const LinePlace& line, float radius,
+                                    bool surfaces) const {
+  const auto& [pixel, depth, own] = line;
   static const std::array<glm::vec2, 2 * ringDirections> ways = ringWays();
   const DepthLayer& other = m_layers[layer];
+  Ring ring;
   if (layer == own || !mayBeNear(layer, pixel, depth, radius) || other.depthAt(pixel) < 1.0f)
-    return false;
+    return ring;
   for (std::size_t k = 0; k < ways.size(); ++k) {
-    const float far = radius * (k < ringDirections ? 1.0f : 0.5f);
-    const float there = other.depthAt(pixel + far * ways[k]);
-    if (there < 1.0f && liesBefore(there, layer, depth, own))
-      return true;
+    const glm::vec2 at = pixel + radius * (k < ringDirections ? 1.0f : 0.5f) * ways[k];
+    const float there = other.depthAt(at);
+    if (!(there < 1.0f))
+      continue;
+    const float beside = surfaces ? m_layers[own].depthAt(at) : 1.0f;
+    ++(liesBefore(there, layer, beside < 1.0f ? beside : depth, own) ? ring.before : ring.behind);
   }
-  return false;
+  return ring;
 }
 
 bool LayerStack::haloed(const glm::vec2& pixel, float depth, std::size_t own) const {
-  return std::any_of(m_haloed.begin(), m_haloed.end(),
-                     [&](std::size_t i) { return ringed(i, pixel, depth, own, m_layers[i].halo); });
+  return std::any_of(m_haloed.begin(), m_haloed.end(), [&](std::size_t i) {
+    return ringOf(i, {pixel, depth, own}, m_layers[i].halo, false).before > 0;
+  });
 }
 
 bool LayerStack::inked(const glm::vec2& pixel, float depth, std::size_t own) const {
   const auto& near = listAt(int(std::floor(pixel.x)), int(std::floor(pixel.y)));
+  // Of two surfaces that lie upon each other, only the one that is in front more often hides lines
+  // of the other: else each would hide the other's outline.
   return std::any_of(near.begin(), near.end(), [&](std::size_t i) {
-    return m_layers[i].ink > 0.0f && ringed(i, pixel, depth, own, m_layers[i].ink);
+    if (!(m_layers[i].ink > 0.0f))
+      return false;
+    const Ring ring = ringOf(i, {pixel, depth, own}, m_layers[i].ink, true);
+    return ring.before > ring.behind || (ring.before > 0 && ring.before == ring.behind && i < own);
   });
 }
 

@@ -48,10 +48,21 @@ class LayerStack {
  private:
   static constexpr int tileSide = 32;
   const std::vector<std::uint16_t>& listAt(int x, int y) const;
-  /// Tells whether the layer does not reach to the pixel, but to within the radius of it, and lies
-  /// before the depth there.
-  bool ringed(std::size_t layer, const glm::vec2& pixel, float depth, std::size_t own,
-              float radius) const;
+  /// At how many places around a pixel something lies before a line, or behind.
+  struct Ring {
+    int before = 0;
+    int behind = 0;
+  };
+  /// Where a line of a layer is in the picture.
+  struct LinePlace {
+    glm::vec2 pixel{0.0f};
+    float depth = 1.0f;
+    std::size_t own = 0;  ///< its layer
+  };
+  /// Looks around a line for a layer that does not reach to it, but to within the radius. Where
+  /// `surfaces`, and the line's own is there too, that layer is compared with it instead of with
+  /// the line.
+  Ring ringOf(std::size_t layer, const LinePlace& line, float radius, bool surfaces) const;
 
   /// The nearest depth in each block of a layer's pixels, so that most of them need not be looked
   /// at. Blocks count from the layer's corner.

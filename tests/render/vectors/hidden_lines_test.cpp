@@ -229,6 +229,31 @@ class HiddenLinesTest : public QObject {
     QCOMPARE(found, inner);
   }
 
+  // Two surfaces that pass through each other all along their outline, as anatomy that is there
+  // twice has them: one outline stays of both, without a gap.
+  void outlinesOfTwinsAreWhole() {
+    constexpr float radius = 12.0f;
+    const model::MeshPtr ball = test::sphere(radius, 5);
+    std::vector<glm::vec3> positions(ball->positions().begin(), ball->positions().end());
+    for (glm::vec3& p : positions)
+      p *= 1.0f + 0.004f * std::sin(5.0f * std::atan2(p.z, p.x)) * std::sin(0.6f * p.y);
+    const auto wavy = std::make_shared<const model::Mesh>(
+        model::Mesh::create(std::move(positions),
+                            {ball->triangles().begin(), ball->triangles().end()})
+            .value());
+    const std::vector<glm::vec2> points =
+        drawn(vectors(sceneOf({ball, wavy}, model::Fill::paper), camera({0.0f, -1.0f, 0.0f})));
+    constexpr int directions = 180;
+    std::vector<int> found(directions);
+    for (const glm::vec2& p : points) {
+      const glm::vec2 away = p - 0.5f * page;
+      if (std::abs(glm::length(away) - radius * page.y / viewHeight) < near)
+        ++found[std::size_t(float(directions) * (std::atan2(away.y, away.x) / 6.2832f + 0.5f)) %
+                directions];
+    }
+    QCOMPARE(std::count(found.begin(), found.end(), 0), std::ptrdiff_t(0));
+  }
+
   // A section takes the near half away: its lines go, and the inner sphere is seen in the cut one.
   void sectionsOpen() {
     model::Scene scene =
