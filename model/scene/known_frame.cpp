@@ -38,7 +38,7 @@ bool hasSides(const Scene& scene) {
   bool known = false;
   forEachVisible(scene, [&](const Provenance& from) {
     any = true;
-    known = from.frame != "file";
+    known = from.frame != fileFrame;
     return !known;
   });
   return known || !any;

@@ -16,6 +16,9 @@ enum class DrawnUnit : std::uint8_t { millimetre, angstrom };
 /// What the provenance of a molecule's surfaces gives as the reason for their unit.
 inline constexpr std::string_view angstromReason = "1 Å is drawn as 1 mm";
 
+/// What the provenance says of coordinates whose directions nobody knows.
+inline constexpr std::string_view fileFrame = "file";
+
 /// Returns the unit's symbol: "mm" or "Å".
 std::string_view symbolOf(DrawnUnit unit);
 

@@ -23,7 +23,7 @@ const engineSides = ["anterior", "posterior", "left", "right", "superior", "infe
 const engineLetters = ["A", "P", "L", "R", "S", "I"];
 const svgSpace = "http://www.w3.org/2000/svg";
 /** Lengths of labels, in CSS pixels. */
-const labelSize = { text: 14, line: 18, padding: 3, badge: 11, dot: 2 };
+const labelSize = { text: 14, line: 18, padding: 3, badge: 11, dot: 2, edge: 10 };
 
 class Engine {
   /** @param {EngineOptions} options @returns {Promise<Engine>} */
@@ -414,8 +414,35 @@ class Engine {
       placed.push(label);
       groups.push(this.labelGroup(label, side, pairs.slice(0, places), pairs.slice(places)));
     }
-    this.overlay.replaceChildren(...groups);
+    this.overlay.replaceChildren(...this.edgeLetters(placed), ...groups);
     return placed;
+  }
+
+  /** The sides of the body at the picture's edges, where no label stands. @param {Placed[]} placed */
+  edgeLetters(placed) {
+    if (!this.mode.sides)
+      return [];
+    const letters = this.module.UTF8ToString(this.module._slineEdges()).split(",");
+    const { text, edge } = labelSize;
+    const [centre, middle] = [this.width / 2, this.height / 2];
+    /** @type {[string, number, number][]} */
+    const places = [["start", edge, middle], ["end", this.width - edge, middle],
+                    ["middle", centre, edge + text / 2], ["middle", centre, this.height - edge - text / 2]];
+    return places.flatMap(([anchor, x, y], i) => {
+      const reach = text * letters[i].length;
+      const covered = placed.some(({ box: [left, top, width, height] }) =>
+        left < x + reach && left + width > x - reach && top < y + text && top + height > y - text);
+      if (!letters[i] || covered)
+        return [];
+      const shape = document.createElementNS(svgSpace, "text");
+      shape.setAttribute("class", "edge-letter");
+      shape.setAttribute("x", String(x));
+      shape.setAttribute("y", String(y + 0.35 * text));
+      shape.setAttribute("font-size", String(text));
+      shape.setAttribute("text-anchor", anchor);
+      shape.textContent = letters[i];
+      return [shape];
+    });
   }
 
   /**

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "render/labels/orientation_letters.h"
 #include "render/web/page_engine.h"
 
 namespace sline::render::web {
@@ -99,9 +100,19 @@ EMSCRIPTEN_KEEPALIVE void slineLook(int side) {
   engine->look(model::AnatomicalView(std::clamp(side, 0, 5)));
 }
 
-/// Returns which side is seen most, by its place in `model::anatomicalViewNames`.
+/// Returns which side faces the reader, by its place in `model::anatomicalViewNames`; −1 where the
+/// camera looks along no axis.
 EMSCRIPTEN_KEEPALIVE int slineSide() {
-  return int(model::nearestAnatomicalView(engine->camera()));
+  const auto side = model::anatomicalViewOf(engine->camera());
+  return side ? int(*side) : -1;
+}
+
+/// Returns the letters of the sides at the left, right, upper and lower edge: "R,L,S,I".
+EMSCRIPTEN_KEEPALIVE const char* slineEdges() {
+  const EdgeLetters edges = edgeLetters(engine->camera());
+  static std::string letters;
+  letters = edges.left + ',' + edges.right + ',' + edges.top + ',' + edges.bottom;
+  return letters.c_str();
 }
 
 /// Returns twelve numbers: eye, target, up, the opening angle, the height of a parallel projection,

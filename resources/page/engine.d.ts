@@ -8,7 +8,8 @@ interface EngineOptions {
   canvas: HTMLCanvasElement;
   /**
    * Labels are drawn into it, in the classes `label` (a group with data-id), `label-text`, `leader`,
-   * `hidden` (a leader to what is hidden), `dot` and `badge`.
+   * `hidden` (a leader to what is hidden), `dot` and `badge`; and the sides of the body at its edges, of
+   * the class `edge-letter`.
    */
   overlay: SVGSVGElement;
 }
@@ -33,6 +34,8 @@ interface LabelMode {
   numbers?: boolean;
   /** Whether labels of what is not seen are left out; else their leaders are dashed. */
   seen?: boolean;
+  /** Whether the letters of the body's sides stand at the edges. */
+  sides?: boolean;
   /** By label, its paragraphs. */
   texts: { [id: number]: string[] };
 }
@@ -64,7 +67,7 @@ declare class Engine {
   setCamera(camera: CameraState): void;
   /** Views count from 1; share is that of the flight from where it began, 1 is there. */
   goTo(view: number, share: number): void;
-  /** The side that faces the reader: "A", "L", … */
+  /** The side that faces the reader: "A", "L", …; empty where the camera looks along no axis. */
   facing(): string;
 
   setGamma(ids: number[], gamma: number): void;

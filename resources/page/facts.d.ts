@@ -87,6 +87,8 @@ interface Facts {
   labels: LabelFacts[];
   /** The labels were found for the page: each is shown where what it names is seen. */
   labelsFound?: true;
+  /** Nobody knows which sides of the body what is shown has. */
+  sideless?: true;
   quiz: QuizFacts;
   credits: string[];
   alt: Words;

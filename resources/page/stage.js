@@ -136,9 +136,10 @@ class Stage {
   showLabels() {
     const { labels, asking, nameless } = this.lesson;
     const texts = asking ? {} : this.lesson.labelTexts();
-    this.engine?.labels(this.askedLabels ??
-                        { show: !asking && !nameless && labels !== "none", numbers: labels === "numbers", texts,
-                          seen: this.lesson.facts.labelsFound });
+    const { labelsFound, sideless } = this.lesson.facts;
+    const chosen = this.askedLabels ??
+      { show: !asking && !nameless && labels !== "none", numbers: labels === "numbers", texts, seen: labelsFound };
+    this.engine?.labels({ ...chosen, sides: !sideless });
     this.redraw();
   }
 

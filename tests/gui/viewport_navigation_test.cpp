@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "render/lettering/orientation_letters.h"
+#include "render/labels/orientation_letters.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
 

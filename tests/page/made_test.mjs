@@ -118,6 +118,11 @@ for (const means of Object.keys(drivers))
       await page.getByRole("button", { name: "Seen from the front" }).click();
       await page.getByRole("button", { name: "Show all" }).click();
       const front = await fields(page);
+      const letters = await page.locator(".edge-letter").evaluateAll((all) =>
+        all.map((one) => [one.textContent, Number(one.getAttribute("x"))]));
+      assert.ok(letters.length >= 2, "sides are marked where no label stands");
+      for (const [letter, x] of letters)
+        assert.ok(letter === "R" ? x < box.width / 3 : letter === "L" ? x > box.width / 1.5 : "SI".includes(letter), letter);
       const name = await chosenByClick(page);
       assert.ok(name, "something can be chosen");
       await page.getByRole("button", { name: "Only this" }).click();

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "render/lettering/orientation_letters.h"
+#include "render/labels/orientation_letters.h"
 #include "widgets/annotations/in_picture/presented_letters.h"
 
 namespace sline::widgets {

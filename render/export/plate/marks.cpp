@@ -11,10 +11,10 @@
 #include "render/export/plate/legend.h"
 #include "render/export/plate/legend_row.h"
 #include "render/export/plate/source_credits.h"
+#include "render/labels/orientation_letters.h"
 #include "render/lettering/caption.h"
 #include "render/lettering/label_texts.h"
 #include "render/lettering/mark_words.h"
-#include "render/lettering/orientation_letters.h"
 #include "render/lettering/scale_length.h"
 
 namespace sline::render {

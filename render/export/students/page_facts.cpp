@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "model/scene/known_frame.h"
 #include "render/export/description/alt_text.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/source_credits.h"
@@ -77,6 +78,8 @@ class FactsMaker {
                                  {"words", m_words.linesOf(annotation)}});
     if (m_order.of<StudentsOptions>().foundLabels)
       facts["labelsFound"] = true;
+    if (!hasSides(m_scene))
+      facts["sideless"] = true;
     facts["quiz"] = quizFacts();
     if (!m_own.report.empty())
       facts["report"] = m_own.report;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "model/edit/views.h"
+#include "model/scene/known_frame.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/students/found_labels.h"
 
@@ -34,14 +35,19 @@ bool isOn(const model::Annotation& annotation, const std::set<model::NodeId>& no
                      });
 }
 
-/// Returns the node without anything that nobody sees.
-model::Node published(model::Node node) {
+/// Returns the node without anything that nobody sees; `unit` is that of the whole scene.
+model::Node published(model::Node node, model::DrawnUnit unit) {
   model::Provenance kept;
   // These say how smooth the surface is drawn.
   kept.smoothingSteps = node.provenance.smoothingSteps;
   kept.refinementSteps = node.provenance.refinementSteps;
   kept.sliceMm = node.provenance.sliceMm;
   kept.credit = node.provenance.credit;
+  // And these what its coordinates stand for: never words of a file.
+  if (node.provenance.frame == model::fileFrame)
+    kept.frame = model::fileFrame;
+  if (unit == model::DrawnUnit::angstrom && node.provenance.unitReason == model::angstromReason)
+    kept.unitReason = model::angstromReason;
   node.provenance = kept;
   node.atoms = {};
   node.unread.clear();
@@ -101,9 +107,10 @@ ExportOrder pageOrder(const ExportOrder& order) {
   for (const model::View& view : scene.views())
     addShown(shown, model::withViewApplied(scene, view).scene);
   std::vector<model::Node> nodes;
+  const model::DrawnUnit unit = drawnUnit(scene);
   for (const model::Node& node : scene.nodes())
     if (shown.nodes.contains(node.id))
-      nodes.push_back(published(node));
+      nodes.push_back(published(node, unit));
   std::vector<model::Annotation> annotations;
   for (model::Annotation annotation : scene.annotations())
     if (shown.annotations.contains(annotation.id) && isOn(annotation, shown.nodes)) {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/scene/camera_moves.h"
-#include "render/lettering/orientation_letters.h"
+#include "render/labels/orientation_letters.h"
 #include "tests/support/suite.h"
 #include "widgets/viewport/orientation_cube.h"
 

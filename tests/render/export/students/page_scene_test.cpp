@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests what of a scene a students' page holds, and how large scenes are simplified.
 #include "model/edit/views.h"
+#include "model/scene/known_frame.h"
 #include "render/export/students/page_order.h"
 #include "render/export/students/students_file.h"
 #include "tests/render/export/slides/lesson.h"
@@ -149,7 +150,21 @@ class PageSceneTest : public QObject {
     const nlohmann::json facts = factsOf(pageOf(order).html);
     QCOMPARE(facts["labels"].size(), std::size_t(2));
     QVERIFY(facts["labelsFound"] == nlohmann::json(true));
+    QVERIFY(!facts.contains("sideless"));
     QVERIFY(!factsOf(pageOf(lessonOf({"liver"})).html).contains("labelsFound"));
+  }
+
+  void moleculesHaveNoSides() {
+    render::ExportOrder order = lessonOf({"chain", "ligand"});
+    std::vector<model::Node> nodes = order.scene.nodes();
+    for (model::Node& node : nodes) {
+      node.provenance.file = "1crn.pdb";
+      node.provenance.frame = model::fileFrame;
+      node.provenance.unitReason = model::angstromReason;
+    }
+    order.scene.setNodes(std::move(nodes));
+    QVERIFY(factsOf(pageOf(order).html)["sideless"] == nlohmann::json(true));
+    QVERIFY(drawnUnit(render::pageOrder(order).scene) == model::DrawnUnit::angstrom);
   }
 
   void whatNobodySees() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/lettering/orientation_letters.h"
+#include "render/labels/orientation_letters.h"
 
 #include <algorithm>
 #include <cmath>

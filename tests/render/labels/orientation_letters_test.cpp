@@ -3,7 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "model/scene/camera.h"
-#include "render/lettering/orientation_letters.h"
+#include "render/labels/orientation_letters.h"
 #include "tests/support/suite.h"
 
 using namespace sline;

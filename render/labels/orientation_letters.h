@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Says which sides of the body lie towards a picture's edges.
 #pragma once
 
 #include <array>
