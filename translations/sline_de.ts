@@ -236,6 +236,26 @@
         <translation>der Ordner enthält kein Netz</translation>
     </message>
     <message>
+        <source>%1 is an archive and was not looked into</source>
+        <translation>%1 ist ein Archiv, in das nicht hineingesehen wurde</translation>
+    </message>
+    <message>
+        <source>%1 are archives and were not looked into</source>
+        <translation>%1 sind Archive, in die nicht hineingesehen wurde</translation>
+    </message>
+    <message>
+        <source>is an archive, which is not looked into</source>
+        <translation>ist ein Archiv, in das nicht hineingesehen wird</translation>
+    </message>
+    <message>
+        <source>Unpack it and open what was in it</source>
+        <translation>Entpacke es und öffne, was darin war</translation>
+    </message>
+    <message>
+        <source>Open a bundle of 3D Slicer (.mrb) by itself; unpack any other and open what was in it</source>
+        <translation>Öffne ein Paket von 3D Slicer (.mrb) für sich; entpacke alles andere und öffne, was darin war</translation>
+    </message>
+    <message>
         <source>the scene holds no model</source>
         <translation>die Szene enthält kein Modell</translation>
     </message>

@@ -236,6 +236,26 @@
         <translation>mappen inneholder ikke noe nett</translation>
     </message>
     <message>
+        <source>%1 is an archive and was not looked into</source>
+        <translation>%1 er et arkiv som det ikke ble sett inn i</translation>
+    </message>
+    <message>
+        <source>%1 are archives and were not looked into</source>
+        <translation>%1 er arkiver som det ikke ble sett inn i</translation>
+    </message>
+    <message>
+        <source>is an archive, which is not looked into</source>
+        <translation>er et arkiv, som det ikke ses inn i</translation>
+    </message>
+    <message>
+        <source>Unpack it and open what was in it</source>
+        <translation>Pakk det ut og åpne det som var i det</translation>
+    </message>
+    <message>
+        <source>Open a bundle of 3D Slicer (.mrb) by itself; unpack any other and open what was in it</source>
+        <translation>Åpne en pakke fra 3D Slicer (.mrb) for seg; pakk ut alle andre og åpne det som var i dem</translation>
+    </message>
+    <message>
         <source>the scene holds no model</source>
         <translation>scenen inneholder ingen modell</translation>
     </message>

@@ -236,6 +236,26 @@
         <translation>de map bevat geen mesh</translation>
     </message>
     <message>
+        <source>%1 is an archive and was not looked into</source>
+        <translation>%1 is een archief waarin niet is gekeken</translation>
+    </message>
+    <message>
+        <source>%1 are archives and were not looked into</source>
+        <translation>%1 zijn archieven waarin niet is gekeken</translation>
+    </message>
+    <message>
+        <source>is an archive, which is not looked into</source>
+        <translation>is een archief, waarin niet wordt gekeken</translation>
+    </message>
+    <message>
+        <source>Unpack it and open what was in it</source>
+        <translation>Pak het uit en open wat erin zat</translation>
+    </message>
+    <message>
+        <source>Open a bundle of 3D Slicer (.mrb) by itself; unpack any other and open what was in it</source>
+        <translation>Open een bundel van 3D Slicer (.mrb) apart; pak elk ander archief uit en open wat erin zat</translation>
+    </message>
+    <message>
         <source>the scene holds no model</source>
         <translation>de scène bevat geen model</translation>
     </message>

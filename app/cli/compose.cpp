@@ -9,7 +9,6 @@
 #include "app/cli/files/targets.h"
 #include "app/cli/flags/option_kinds.h"
 #include "app/cli/flags/typed_options.h"
-#include "model/edit/look.h"
 #include "model/figure/figure_file.h"
 #include "model/figure/figure_keys.h"
 #include "model/look/opening_look.h"
@@ -41,19 +40,6 @@ Status checkComposeTargets(const ComposeFlags& flags, const std::vector<std::str
   return checkTargets(targets, read);
 }
 
-/// Returns the scene with the look that it opens with, if it has none of its own.
-model::Scene dressed(const model::Scene& scene) {
-  if (!model::hasNoLook(scene))
-    return scene;
-  model::FormIndex forms;
-  const std::optional<model::OpeningLook> look = model::openingLook(scene, forms, {});
-  if (!look)
-    return scene;
-  model::Scene result = scene;
-  result.setNodes(look->scene.nodes());
-  return result;
-}
-
 struct ReadScenes {
   render::FigureScenes scenes;
   std::vector<std::string> files;
@@ -72,7 +58,8 @@ Result<ReadScenes> readScenes(const model::Figure& figure, const std::string& fi
     Result<model::SceneDocument> document = openedScene(path->string());
     if (!document.ok())
       return document.error();
-    read.scenes.emplace(name, std::make_shared<const model::Scene>(dressed(document->scene)));
+    read.scenes.emplace(name,
+                        std::make_shared<const model::Scene>(model::dressed(document->scene)));
     read.files.push_back(path->string());
   }
   return read;

@@ -150,6 +150,18 @@ std::optional<OpeningLook> openingLook(const Scene& scene, FormIndex& forms,
   return look;
 }
 
+Scene dressed(const Scene& scene) {
+  if (!hasNoLook(scene))
+    return scene;
+  FormIndex forms;
+  const std::optional<OpeningLook> look = openingLook(scene, forms);
+  if (!look)
+    return scene;
+  Scene result = scene;
+  result.setNodes(look->scene.nodes());
+  return result;
+}
+
 Camera framedCamera(const OpeningLook& look, float aspect, const FreeSides& sides) {
   const Scene& scene = look.scene;
   const Ids subject = idsOf(look.subject.structures);

@@ -42,6 +42,9 @@ std::optional<OpeningLook> openingLook(const Scene& scene, FormIndex& forms,
                                        const OpeningWishes& wishes = {},
                                        const std::stop_token& stop = {});
 
+/// Returns the scene with the look that it opens with, if it has none of its own.
+Scene dressed(const Scene& scene);
+
 /// Returns the look's camera, fitted to the subject and to the context that does not reach far
 /// beyond it, with room left at the sides that labels need.
 Camera framedCamera(const OpeningLook& look, float aspect, const FreeSides& sides = {});

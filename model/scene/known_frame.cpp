@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/scene/known_frame.h"
 
-#include "model/scene/visible_structures.h"
-
 namespace sline::model {
 
 namespace {
@@ -27,7 +25,8 @@ DrawnUnit drawnUnit(const Scene& scene) {
   forEachVisible(scene, [&](const Provenance& from) {
     const bool molecule = from.unitReason == angstromReason;
     molecules = molecules || molecule;
-    others = others || (!molecule && !from.file.empty());
+    others = others || (!molecule &&
+                        (!from.file.empty() || (!from.frame.empty() && from.frame != fileFrame)));
     return !others;
   });
   return molecules && !others ? DrawnUnit::angstrom : DrawnUnit::millimetre;

@@ -126,7 +126,8 @@ class Finder {
 
   bool isNameOf(const model::Annotation& annotation, model::NodeId structure) const {
     const model::Node* node = m_scene.find(structure);
-    return annotation.text.empty() ||
+    const bool wordless = annotation.text.empty() && annotation.kind != model::AnnotationKind::pin;
+    return wordless ||
            (node && model::normalisedName(annotation.text) == model::normalisedName(node->name));
   }
 

@@ -273,11 +273,7 @@ LabelPlate labelPlate(const LabelSights& sights, const LabelStyle& style, const 
 }
 
 static void leaveOutHidden(LabelsInPicture& labels) {
-  std::erase_if(labels.shown, [&labels](const ShownLabel& label) {
-    if (label.item.hidden)
-      labels.unseen.notDrawn.push_back(label.item.id);
-    return label.item.hidden;
-  });
+  std::erase_if(labels.shown, [](const ShownLabel& label) { return label.item.hidden; });
   labels.unseen.hidden.clear();
 }
 

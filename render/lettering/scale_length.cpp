@@ -23,7 +23,7 @@ std::optional<ScaleLength> scaleLength(const model::Camera& camera, const glm::v
 }
 
 QString lengthText(double millimetres, const QLocale& locale, model::DrawnUnit unit) {
-  constexpr int digits = 4;
+  const int digits = unit == model::DrawnUnit::millimetre ? 4 : 9;
   const auto text = [&](double value, std::string_view symbol) {
     return locale.toString(value, 'g', digits) + QLatin1Char(' ') +
            QString::fromUtf8(symbol.data(), qsizetype(symbol.size()));

@@ -7,6 +7,7 @@
 #include "model/figure/figure_edit.h"
 #include "model/figure/figure_file.h"
 #include "model/figure/figure_layout.h"
+#include "model/look/opening_look.h"
 #include "model/scene_file/scene_file.h"
 
 namespace sline::widgets {
@@ -62,7 +63,7 @@ Result<FigureDesk> FigureDesk::read(const OpenScene& open, const std::filesystem
     Result<model::SceneDocument> document = model::readSceneFile(*path);
     if (!document.ok())
       return document.error();
-    desk.m_scenes[name] = std::make_shared<const model::Scene>(std::move(document->scene));
+    desk.m_scenes[name] = std::make_shared<const model::Scene>(model::dressed(document->scene));
   }
   desk.m_figure = *figure;
   desk.m_saved = std::move(*figure);
@@ -108,7 +109,7 @@ Status FigureDesk::addScene(const std::filesystem::path& file) {
   std::string name = file.filename().string();
   while (m_scenes.contains(name) && !isSameFile(m_paths[name], file))
     name.insert(0, "_");
-  const auto scene = std::make_shared<const model::Scene>(std::move(document->scene));
+  const auto scene = std::make_shared<const model::Scene>(model::dressed(document->scene));
   for (model::FigurePanel panel : model::figureOf(*scene, name).panels) {
     panel.scene = name;
     m_figure = model::withPanel(m_figure, panel);

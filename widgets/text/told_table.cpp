@@ -93,6 +93,13 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told", "files of kind '%1' are not supported"),
     QT_TRANSLATE_NOOP("Told", "%1; its content looks like %2"),
     QT_TRANSLATE_NOOP("Told", "the folder holds no mesh"),
+    QT_TRANSLATE_NOOP("Told", "%1 is an archive and was not looked into"),
+    QT_TRANSLATE_NOOP("Told", "%1 are archives and were not looked into"),
+    QT_TRANSLATE_NOOP("Told", "is an archive, which is not looked into"),
+    QT_TRANSLATE_NOOP("Told", "Unpack it and open what was in it"),
+    QT_TRANSLATE_NOOP("Told",
+                      "Open a bundle of 3D Slicer (.mrb) by itself; unpack any other and open what "
+                      "was in it"),
     QT_TRANSLATE_NOOP("Told", "the scene holds no model"),
     QT_TRANSLATE_NOOP("Told", "none of the scene's %1 model files can be found"),
     QT_TRANSLATE_NOOP("Told", "there is nothing to read"),

@@ -41,6 +41,10 @@ PictureMarks::PictureMarks(QWidget& picture) : QObject(&picture), m_picture(pict
   m_scaleBar->hide();
 }
 
+MarkedScene markedScene(const model::Scene& scene) {
+  return {.any = !scene.nodes().empty(), .sides = hasSides(scene), .unit = drawnUnit(scene)};
+}
+
 void PictureMarks::choose(const MarkChoice& choice) {
   m_choice = choice;
   m_cube->setVisible(m_scene && choice.cube);

@@ -27,7 +27,9 @@ struct MarkedScene {
   bool any = false;    ///< it holds something
   bool sides = false;  ///< model::hasSides
   model::DrawnUnit unit = model::DrawnUnit::millimetre;
+  bool operator==(const MarkedScene&) const = default;
 };
+MarkedScene markedScene(const model::Scene& scene);
 
 /// Shows the marks over the picture: letters at its edges, orientation cube, scale bar, the time a
 /// picture takes and the name under the mouse.

@@ -149,7 +149,7 @@ void Viewport::documentChange(const Document& before, const Document& now) {
     m_cutting = true;
     keepMoving();
   }
-  if (another || before.scene.nodes().empty() != now.scene.nodes().empty())
+  if (another || m_marked.scene != markedScene(now.scene))
     placeMarks();
   else
     showTools();
@@ -162,9 +162,7 @@ void Viewport::placeMarks() {
   if (m_marksAwait == 0)
     m_marked = {.camera = m_moving ? m_drawnCamera.value_or(m_camera) : m_camera,
                 .pivot = m_pivot,
-                .scene = {.any = !m_session.scene().nodes().empty(),
-                          .sides = hasSides(m_session.scene()),
-                          .unit = drawnUnit(m_session.scene())}};
+                .scene = markedScene(m_session.scene())};
   m_marks->place(m_marked.camera, m_marked.pivot, m_marked.scene);
   showTools();
 }

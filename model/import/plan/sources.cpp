@@ -34,19 +34,15 @@ struct LeftOut {
   std::string remedy;
 };
 
-/// Returns "a.zip and b.mrb are archives and were not looked into".
+/// Returns "a.zip, b.mrb are archives and were not looked into".
 std::string archivesText(std::vector<fs::path> archives) {
   std::sort(archives.begin(), archives.end(), pathNaturallyBefore);
   constexpr std::size_t mostTold = 3;
-  const std::size_t told = std::min(archives.size(), mostTold);
   std::string list;
-  for (std::size_t i = 0; i < told; ++i)
-    list += (i == 0                    ? ""
-             : i + 1 < archives.size() ? ", "
-                                       : " and ") +
-            archives[i].filename().string();
-  if (archives.size() > told)
-    list += " and " + std::to_string(archives.size() - told) + " more";
+  for (std::size_t i = 0; i < std::min(archives.size(), mostTold); ++i)
+    list += (i == 0 ? "" : ", ") + archives[i].filename().string();
+  if (archives.size() > mostTold)
+    list += " …";
   return list + (archives.size() == 1 ? " is an archive and was not looked into"
                                       : " are archives and were not looked into");
 }
@@ -201,9 +197,8 @@ class Collector {
     if (files.empty()) {
       if (leftOut.empty())
         leftOut.push_back({"the folder holds no mesh", supportedKinds()});
-      refuse({.file = folder.string(),
-              .reason = leftOut.front().text,
-              .remedy = leftOut.front().remedy});
+      for (const LeftOut& each : leftOut)
+        refuse({.file = folder.string(), .reason = each.text, .remedy = each.remedy});
       return;
     }
     for (const LeftOut& each : leftOut)

@@ -153,7 +153,7 @@ class Planning {
           .mode = panel.labels.value_or(figure().labels) ? LabelMode::on : LabelMode::off,
           .points = figure().points,
           .language = figure().language,
-          .seenOnly = panel.inset.has_value()};  // its panel says what lies behind
+          .seenOnly = panel.inset.has_value()};  // it shows a part of a panel closer
       order.marks = ExportMarks::none();
       order.marks.scaleBar = panel.scaleBar.value_or(figure().scaleBars);
       order.marks.sides = panel.sides.value_or(figure().sides && !panel.inset);

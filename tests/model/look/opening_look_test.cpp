@@ -201,6 +201,14 @@ class OpeningLookTest : public QObject {
     QVERIFY(!styleOf(opened.scene, "portal vein").visible);
     QCOMPARE(styleOf(opened.scene, "liver").colour, (Colour{200, 120, 90}));
   }
+  void onlyASceneWithoutALookIsDressed() {
+    const Scene scene = body();
+    const Scene opened = dressed(scene);
+    QVERIFY(!hasNoLook(opened) && opened.nodes() == look(scene).scene.nodes());
+    const NodeId liver = scene.named("liver").front();
+    const Scene chosen = withLook(scene, {&liver, 1}, {.gamma = Gamma::clamped(2.0f)}).scene;
+    QVERIFY(dressed(chosen) == chosen);
+  }
   void aSceneThatSaysItsLook() {
     Scene scene = body();
     QVERIFY(hasNoLook(scene));

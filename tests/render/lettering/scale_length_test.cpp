@@ -90,6 +90,7 @@ class ScaleLengthTest : public QObject {
     QCOMPARE(lengthText(10.0, english, model::DrawnUnit::angstrom), QStringLiteral("10 Å"));
     QCOMPARE(lengthText(0.5, english, model::DrawnUnit::angstrom), QStringLiteral("0.5 Å"));
     QCOMPARE(lengthText(1000.0, english, model::DrawnUnit::angstrom), QStringLiteral("1,000 Å"));
+    QCOMPARE(lengthText(20000.0, english, model::DrawnUnit::angstrom), QStringLiteral("20,000 Å"));
   }
 };
 

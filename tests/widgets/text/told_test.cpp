@@ -57,6 +57,7 @@ class ToldTest : public QObject {
     QTest::newRow("no DICOM") << "words.dcm" << QByteArray(400, 'w');
     QTest::newRow("no Slicer scene") << "other.mrml" << QByteArray("<html></html>");
     QTest::newRow("a folder without meshes") << "folder" << QByteArray();
+    QTest::newRow("an archive") << "meshes.zip" << QByteArray("PK");
   }
   void errorsAreTranslated() {
     QFETCH(QString, name);

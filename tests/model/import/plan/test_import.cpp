@@ -91,7 +91,7 @@ void ImportTest::partsThatFailAreWarnings() {
   QVERIFY(test::warningsOf(*imported).contains("spleen.obj"));
   QVERIFY(test::warningsOf(*imported).contains("nowhere.ply"));
   QVERIFY(test::warningsOf(*imported).contains(
-      "scene.mrb and more.ZIP are archives and were not looked into"));
+      "scene.mrb, more.ZIP are archives and were not looked into"));
 }
 
 void ImportTest::whatMemoryHasNoRoomForIsAWarning() {
