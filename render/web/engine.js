@@ -434,15 +434,22 @@ class Engine {
         left < x + reach && left + width > x - reach && top < y + text && top + height > y - text);
       if (!letters[i] || covered)
         return [];
-      const shape = document.createElementNS(svgSpace, "text");
-      shape.setAttribute("class", "edge-letter");
-      shape.setAttribute("x", String(x));
-      shape.setAttribute("y", String(y + 0.35 * text));
-      shape.setAttribute("font-size", String(text));
-      shape.setAttribute("text-anchor", anchor);
-      shape.textContent = letters[i];
-      return [shape];
+      return [this.shape("text", "edge-letter",
+                         { x, y: y + 0.35 * text, "text-anchor": anchor, "font-size": text }, letters[i])];
     });
+  }
+
+  /**
+   * @param {string} name @param {string} kind its class
+   * @param {{[key: string]: string | number}} values @param {string} [words] in it
+   */
+  shape(name, kind, values, words = "") {
+    const shape = document.createElementNS(svgSpace, name);
+    shape.setAttribute("class", kind);
+    for (const [key, value] of Object.entries(values))
+      shape.setAttribute(key, String(value));
+    shape.textContent = words;
+    return shape;
   }
 
   /**
@@ -454,14 +461,7 @@ class Engine {
     group.setAttribute("class", "label");
     group.dataset.id = String(label.id);
     /** @param {string} name @param {string} kind @param {{[key: string]: string | number}} values */
-    const add = (name, kind, values) => {
-      const shape = document.createElementNS(svgSpace, name);
-      shape.setAttribute("class", kind);
-      for (const [key, value] of Object.entries(values))
-        shape.setAttribute(key, String(value));
-      group.append(shape);
-      return shape;
-    };
+    const add = (name, kind, values) => group.append(this.shape(name, kind, values));
     const line = leader.length > 1 ? leader : places.length > 1 ? places : [];
     if (line.length > 1)
       add("path", label.hidden ? "leader hidden" : "leader", { d: `M${line.map((p) => p.join(" ")).join("L")}` });
@@ -483,16 +483,8 @@ class Engine {
     const x = anchor === "middle" ? left + width / 2
       : anchor === "end" ? left + width - labelSize.padding : left + labelSize.padding;
     const first = top + height / 2 - (lines.length - 1) * labelSize.line / 2 + 0.35 * labelSize.text;
-    lines.forEach((line, i) => {
-      const text = document.createElementNS(svgSpace, "text");
-      text.setAttribute("class", "label-text");
-      text.setAttribute("x", String(x));
-      text.setAttribute("y", String(first + i * labelSize.line));
-      text.setAttribute("text-anchor", anchor);
-      text.setAttribute("font-size", String(labelSize.text));
-      text.textContent = line;
-      group.append(text);
-    });
+    lines.forEach((line, i) => group.append(this.shape("text", "label-text",
+      { x, y: first + i * labelSize.line, "text-anchor": anchor, "font-size": labelSize.text }, line)));
   }
 
   /** @param {number} x @param {number} y */
