@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "render/export/anki/anki_options.h"
 #include "render/export/anki/card_painter.h"
@@ -54,7 +55,9 @@ class Cards {
       const std::vector<model::View>& views = m_order.scene.views();
       m_share = 1.0 / double(views.size());
       for (const model::View& view : views) {
-        if (const Status added = addView(orderOfView(m_order, view), titleOfView(view, language()));
+        const ExportOrder one = orderOfView(m_order, view);
+        if (const Status added =
+                addView(one, titleOfView(view, language(), model::hasSides(one.scene)));
             !added.ok())
           return added.error();
         m_done += m_share;

@@ -73,9 +73,13 @@ ExportOrder orderOfView(const ExportOrder& order, const model::View& view) {
   return one;
 }
 
-std::string titleOfView(const model::View& view, const std::string& language) {
+std::string titleOfView(const model::View& view, const std::string& language, bool sided) {
   const std::string& own = view.words.title.in(language);
-  return own.empty() ? MarkWords(language).view(view.name, view.camera).toStdString() : own;
+  if (!own.empty())
+    return own;
+  const QString name = sided ? MarkWords(language).view(view.name, view.camera)
+                             : QString::fromStdString(view.name).simplified();
+  return name.toStdString();
 }
 
 model::Camera fittedToPage(const model::Scene& scene, model::Camera camera, float aspect) {

@@ -29,8 +29,8 @@ bool wantsAllViews(const ExportOrder& order);
 ExportOrder orderOfView(const ExportOrder& order, const model::View& view);
 
 /// Returns the title of a view in the language: its own, else its name, in words for a side of the
-/// body.
-std::string titleOfView(const model::View& view, const std::string& language);
+/// body where what is drawn has sides (model::hasSides).
+std::string titleOfView(const model::View& view, const std::string& language, bool sided);
 
 /// Returns the camera moved back, or opened, as far as a page of that shape (width / height) needs
 /// to show all structures that a wide page shows: views are saved in wide windows, and know only

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "render/export/anki/anki_deck.h"
 #include "render/export/anki/card_painter.h"
@@ -302,8 +303,11 @@ Result<QuestionBook> pictureQuestions(const ExportOrder& order, const ExportProg
   if (!wantsAllViews(order))
     views.emplace_back(book.title, order);
   else
-    for (const model::View& view : order.scene.views())
-      views.emplace_back(titleOfView(view, book.language), orderOfView(order, view));
+    for (const model::View& view : order.scene.views()) {
+      ExportOrder one = orderOfView(order, view);
+      std::string title = titleOfView(view, book.language, model::hasSides(one.scene));
+      views.emplace_back(std::move(title), std::move(one));
+    }
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (progress && !progress(0.9 * double(i) / double(views.size()), "drawing questions"))
       return givenUp({});

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
@@ -202,7 +203,8 @@ ExportOrder lessonSheet(const ExportOrder& order, const model::View& view) {
     if (one.legend == LegendList::onSheets)
       one.legend = LegendList::none;
   }
-  sheet.title = titleOfView(view, model::firstLanguage(order.labels.language));
+  sheet.title =
+      titleOfView(view, model::firstLanguage(order.labels.language), model::hasSides(one.scene));
   one.words.title = {};  // it is the sheet's
   one.marks.viewName = false;
   one.page.sizeMm = sheetFigureMm(one);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "render/export/description/alt_text.h"
 #include "render/export/encoding/png_image.h"
@@ -105,6 +106,8 @@ class Making {
   SlideWords titleOf(const ExportOrder& order, const model::View* view) const {
     if (view && !view->words.title.in(m_language).empty())
       return wordsIn(view->words.title, m_language);
+    if (!hasSides(order.scene))
+      return {view ? titleOfView(*view, m_language, false) : std::string(), {}};
     return {MarkWords(m_language).view(order.viewName, order.camera).toStdString(), {}};
   }
 

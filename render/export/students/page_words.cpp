@@ -6,6 +6,7 @@
 
 #include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
+#include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
 #include "render/export/order/view_orders.h"
@@ -172,13 +173,14 @@ Json PageWords::linesOf(const model::Wording& wording) const {
 
 WordsByLanguage PageWords::titleOf(const model::View& view) const {
   WordsByLanguage words;
+  const bool sided = hasSides(m_scene);
   for (const std::string& tag : m_languages) {
     if (!m_silent) {
-      words[tag] = render::titleOfView(view, tag);
+      words[tag] = render::titleOfView(view, tag, sided);
       continue;
     }
     const auto side = model::anatomicalViewOf(view.camera);
-    if (side)
+    if (side && sided)
       words[tag] =
           MarkWords(tag)
               .view(std::string(model::anatomicalViewNames[std::size_t(*side)]), view.camera)
