@@ -156,6 +156,7 @@ Result<ParsedExport> parseExport(const ExportFlags& typed) {
   if (!spec.ok())
     return spec.error();
   wish.spec = *spec;
+  wish.spec.labels.sources = wish.job.sources;
   wish.job.environment = spec->environment;
   wish.job.pureInk = spec->blackAndWhite;
   spec->labels.writeTo(wish.job);

@@ -32,13 +32,17 @@ model::FreeSides sidesBesideLabels(const model::Scene& scene, const model::Camer
                                    const RoomOfMarks& marks) {
   model::FreeSides sides = sidesOfShare(shareBesideMarks(marks, size));
   sides.right = std::max(sides.right, double(marks.legend / size.x));
+  if (marks.foot > 0.0f)
+    sides.bottom = std::min(sides.bottom + double(marks.foot / size.y),
+                            1.0 - double(leastAnatomyShare) - sides.top);
   if (style.mode == LabelMode::off)
     return sides;
   // Wherever the camera is now, all that is visible is before it when it is fitted.
   const model::Camera there =
       model::fitted(camera, scene.visibleBounds().corners(), size.x / size.y);
   LabelStyle within = style;
-  within.edges.top = within.edges.bottom = 0.5f * marks.size.y;
+  within.edges.top = 0.5f * marks.size.y;
+  within.edges.bottom = within.edges.top + marks.foot;
   const ColumnWidths widths = widthsBesideFitted(scene, Screen(there, size), within);
   // Millimetres by which the anatomy's outline exceeds its points.
   constexpr float outline = 1.0f;

@@ -18,6 +18,7 @@ inline constexpr float leastAnatomyShare = 0.3f;
 struct RoomOfMarks {
   glm::vec2 size{0.0f};  ///< of the width and of the height, opposite sides together
   float legend = 0.0f;   ///< of the width, at the right
+  float foot = 0.0f;     ///< of the height, below what `size` has there
 };
 
 /// Returns the share of the width and of the height that marks alone leave to the anatomy, 0 … 1.

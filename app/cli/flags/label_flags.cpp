@@ -90,18 +90,19 @@ void LabelSpec::writeTo(render::ExportOrder& order) const {
 }
 
 Status prepareLabels(LabelSpec& spec, const model::Scene& scene, const glm::vec2& pageMm) {
-  if (spec.bare())
+  render::ExportOrder job;
+  job.sources = spec.sources;
+  spec.writeTo(job);
+  if (job.bare())
     return Unit{};
   Result<std::unique_ptr<render::Typesetting>> made = render::Typesetting::create();
   if (!made.ok())
     return made.error();
   spec.typesetting = std::move(*made);
-  render::ExportOrder job;
   job.scene = scene;
   if (const auto view = model::anatomicalViewNamed(model::normalisedName(spec.viewName)))
     job.camera = model::anatomicalCamera(*view, scene.visibleBounds(), pageMm.x / pageMm.y);
   job.page.sizeMm = pageMm;
-  spec.writeTo(job);
   spec.sides = render::sidesOfPlate(job, *spec.typesetting);
   return Unit{};
 }

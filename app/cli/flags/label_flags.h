@@ -24,16 +24,12 @@ struct LabelSpec {
   render::LabelStyle style{.mode = render::LabelMode::off, .language = {}};
   render::ExportMarks marks = render::ExportMarks::none();
   render::LegendList legend = render::LegendList::onSheets;
-  std::string viewName;    ///< of the camera; may be empty
-  model::ViewWords words;  ///< of the saved view
+  render::SourceCredits sources = render::SourceCredits::off;  ///< of whose room the sides know
+  std::string viewName;                                        ///< of the camera; may be empty
+  model::ViewWords words;                                      ///< of the saved view
   std::shared_ptr<const render::Typesetting> typesetting;
   model::FreeSides sides;  ///< of the picture, for views that are fitted
 
-  bool bare() const {
-    render::ExportOrder order;
-    writeTo(order);
-    return order.bare();
-  }
   /// Gives the order what was said of labels, marks and legend.
   void writeTo(render::ExportOrder& order) const;
 };

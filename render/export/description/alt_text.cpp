@@ -219,7 +219,7 @@ ExportCredit fileCredit(const ExportOrder& order, const AltText& said) {
   credit.description = said.text;
   credit.descriptionLanguage = said.language;
   if (const std::string sources = sourcesInOne(order.scene);
-      showsSources(order) && !sources.empty())
+      order.sourcesInPicture() && !sources.empty())
     credit.copyright += (credit.copyright.empty() ? "" : "; ") + sources;
   return credit;
 }

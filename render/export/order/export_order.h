@@ -99,9 +99,14 @@ struct ExportOrder {
   bool legendInPicture() const {
     return legend != LegendList::onSheets && legend != LegendList::none;
   }
+  /// Tells whether a picture of it says whose work the surfaces are.
+  bool sourcesInPicture() const {
+    return sources == SourceCredits::line || sources == SourceCredits::page;
+  }
   /// Tells whether nothing is written over a picture of it.
   bool bare() const {
-    return labels.mode == LabelMode::off && marks == ExportMarks::none() && !legendInPicture();
+    return labels.mode == LabelMode::off && marks == ExportMarks::none() && !legendInPicture() &&
+           !sourcesInPicture();
   }
   /// Returns the options of a writer, as in `order.of<FilmOptions>()`.
   template <class T>

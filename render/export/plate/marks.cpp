@@ -59,7 +59,7 @@ class MarkLayout {
   }
 
   Marks make() {
-    if (showsSources(m_order))
+    if (m_order.sourcesInPicture())
       addSources();
     if (m_order.marks.sides && hasSides(m_order.scene))
       addSides();
@@ -74,8 +74,7 @@ class MarkLayout {
       addLegend();
     if (m_order.marks.words)
       addCaption();
-    if (m_foot > 0.0f)
-      m_marks.edges.bottom += m_foot;
+    m_marks.edges.bottom += m_marks.foot;
     return std::move(m_marks);
   }
 
@@ -150,6 +149,24 @@ class MarkLayout {
   QString elided(const QString& line, float size, float width) const {
     const qreal scale = qreal(points(size) * millimetresPerPoint) / labelFontPixels;
     return QFontMetricsF(labelFont()).elidedText(line, Qt::ElideRight, qreal(width) / scale);
+  }
+
+  /// Returns the text in lines of that width, at most so many; the last is cut where more is to be
+  /// said.
+  std::vector<QString> folded(const QString& text, float size, float width,
+                              std::size_t most) const {
+    std::vector<QString> lines{{}};
+    for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+      QString& last = lines.back();
+      const QString longer = last.isEmpty() ? word : last + QLatin1Char(' ') + word;
+      if (last.isEmpty() || lines.size() == most || textWidthMm(longer, points(size)) <= width)
+        last = longer;
+      else
+        lines.push_back(word);
+    }
+    for (QString& line : lines)
+      line = elided(line, size, width);
+    return lines;
   }
 
   /// Returns where a line between those heights begins, beside what is reserved at the left.
@@ -271,7 +288,6 @@ class MarkLayout {
   MarkWords m_words;
   model::DrawnUnit m_unit;
   Marks m_marks;
-  float m_foot = 0.0f;  ///< the height that sources take below everything else
   std::vector<LabelBox> m_boxes;
   std::optional<LabelBox> m_top;
   std::optional<LabelBox> m_bottom;
@@ -281,20 +297,31 @@ class MarkLayout {
 /// marks have.
 void MarkLayout::addSources() {
   constexpr float sourcesSize = 0.65f;
+  constexpr float leading = 1.3f;  // ems
+  constexpr std::size_t mostLines = 4;
   const QString whole = QString::fromStdString(sourcesInOne(m_order.scene)).simplified();
   if (whole.isEmpty())
     return;
-  const QString fitted = elided(whole, sourcesSize, m_size.x - 2.0f * margin);
-  if (fitted != whole)
+  const std::vector<QString> lines =
+      folded(whole, sourcesSize, m_size.x - 2.0f * margin, mostLines);
+  if (QStringList(lines.begin(), lines.end()).join(QLatin1Char(' ')) != whole)
     addNote(
         m_marks.notes,
         {.kind = ExportNote::Kind::textShortened, .names = {whole.toStdString()}, .detail = {}});
-  const LetteringText one =
-      text(fitted, {margin, m_size.y - margin}, sourcesSize, TextAnchor::start);
-  if (!add({.name = "sources", .shapes = {}, .text = one}, boxOf(one)))
+  const float lineHeight = leading * points(sourcesSize) * millimetresPerPoint;
+  const float below = float(lines.size() - 1) * lineHeight;
+  LetteringText one =
+      text(lines.front(), {margin, m_size.y - margin - below}, sourcesSize, TextAnchor::start);
+  one.lines.assign(lines.begin(), lines.end());
+  one.leading = lineHeight;
+  LabelBox box = boxOf(one);
+  for (const TextLine& line : one.lines)
+    box.high.x = std::max(box.high.x, margin + textWidthMm(line, one.points));
+  box.high.y += below;
+  if (!add({.name = "sources", .shapes = {}, .text = one}, box))
     return;
-  m_foot = capHeightMm(points(sourcesSize)) + gap;
-  m_size.y -= m_foot;
+  m_marks.foot = capHeightMm(points(sourcesSize)) + below + gap;
+  m_size.y -= m_marks.foot;
 }
 
 /// Adds keys in the upper right corner, one below the other.

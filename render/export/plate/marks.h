@@ -14,11 +14,11 @@ namespace sline::render {
 inline constexpr float markMargin = 3.0f;
 
 /// Holds an item for each mark: "side L", "view", "section 1" …, "scale", "caption", "sources", and
-/// one for
-/// each row of the legend and each part of the keys of Γ.
+/// one for each row of the legend and each part of the keys of Γ.
 struct Marks {
   Lettering lettering;
-  EdgeRoom edges;  ///< the room that they take at each edge, for films, where they come and go
+  EdgeRoom edges;     ///< the room that they take at each edge, for films, where they come and go
+  float foot = 0.0f;  ///< what whose work it is takes of the lower edge, below the others
   /// The box that each mark takes, with air around it; labels and leaders keep out of it
   /// (LabelStyle::reserved).
   std::vector<LabelBox> boxes;

@@ -31,10 +31,12 @@ RoomOfMarks roomOfMarks(const ExportOrder& order) {
   const Marks marks = marksOf(order);
   const EdgeRoom& edges = marks.edges;
   // Texts about sections may take more lines, in a corner that anatomy seldom reaches.
-  const float rows = std::max(std::min(edges.top, edges.bottom), edges.top > 0.0f ? 6.0f : 0.0f);
+  const float rows =
+      std::max(std::min(edges.top, edges.bottom - marks.foot), edges.top > 0.0f ? 6.0f : 0.0f);
   // The legend stands beside the anatomy, at its right.
   return {.size = {2.0f * std::max(edges.left, edges.right), 2.0f * rows},
-          .legend = marks.legend ? order.page.sizeMm.x - marks.legend->low.x : 0.0f};
+          .legend = marks.legend ? order.page.sizeMm.x - marks.legend->low.x : 0.0f,
+          .foot = marks.foot};
 }
 
 }  // namespace

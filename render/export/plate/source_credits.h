@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/export/order/export_order.h"
+#include "model/scene/scene.h"
 
 namespace sline::render {
 
@@ -21,10 +21,5 @@ struct SourceLine {
 std::vector<SourceLine> sourceLines(const model::Scene& scene);
 /// Returns them in one line, parted by semicolons, and no longer than that many bytes.
 std::string sourcesInOne(const model::Scene& scene, std::size_t longest = 1000);
-
-/// Tells whether pictures say it.
-inline bool showsSources(const ExportOrder& order) {
-  return order.sources == SourceCredits::line || order.sources == SourceCredits::page;
-}
 
 }  // namespace sline::render
