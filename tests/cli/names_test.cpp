@@ -14,6 +14,8 @@ class NamesTest : public QObject {
   void near_data();
   void near();
   void unknownNamesTheNear();
+  void namesInAnyLanguage_data();
+  void namesInAnyLanguage();
 };
 
 void NamesTest::near_data() {
@@ -55,6 +57,39 @@ void NamesTest::unknownNamesTheNear() {
   const auto wrong = nodesNamed(scene, "lver");
   QVERIFY(!wrong.ok());
   QVERIFY(wrong.error().text().find("\"Liver\"") != std::string::npos);
+}
+
+void NamesTest::namesInAnyLanguage_data() {
+  QTest::addColumn<QString>("wanted");
+  QTest::addColumn<QString>("found");
+  QTest::newRow("its own name first") << "bladder"
+                                      << "Bladder";
+  QTest::newRow("a synonym") << "urinary bladder"
+                             << "Bladder";
+  QTest::newRow("German") << "linke Niere"
+                          << "kidney_left";
+  QTest::newRow("Latin") << "REN DEXTER"
+                         << "Right kidney";
+  QTest::newRow("no side is not both") << "kidney"
+                                       << "";
+  QTest::newRow("not there") << "left femur"
+                             << "";
+}
+
+void NamesTest::namesInAnyLanguage() {
+  QFETCH(QString, wanted);
+  QFETCH(QString, found);
+  model::Scene scene;
+  for (const char* name : {"Bladder", "kidney_left", "Right kidney", "label 7"}) {
+    model::Node node;
+    node.name = name;
+    scene.append(node);
+  }
+  QStringList names;
+  if (const auto ids = nodesNamed(scene, wanted.toStdString()); ids.ok())
+    for (const model::NodeId id : *ids)
+      names << QString::fromStdString(scene.find(id)->name);
+  QCOMPARE(names.join(','), found);
 }
 
 }  // namespace sline::cli

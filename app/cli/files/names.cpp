@@ -3,7 +3,30 @@
 
 #include <algorithm>
 
+#include "model/anatomy/anatomical_names.h"
+
 namespace sline::cli {
+
+namespace {
+
+/// Returns what anatomists call that name in another way: "bladder" is the urinary bladder, "linke
+/// Niere" the left kidney.
+std::vector<model::NodeId> alsoCalled(const model::Scene& scene, std::string_view name) {
+  static const model::AnatomicalNames table;
+  std::vector<model::NodeId> ids;
+  if (!table.knows(name))
+    return ids;
+  const auto called = [](std::string_view one) {
+    return model::normalisedName(table.displayName(one, model::NameLanguage::english));
+  };
+  const std::string wanted = called(name);
+  for (const model::Node& node : scene.nodes())
+    if (table.knows(node.name) && called(node.name) == wanted)
+      ids.push_back(node.id);
+  return ids;
+}
+
+}  // namespace
 
 Error unknownName(std::string_view what, std::string_view name,
                   std::span<const std::string> names) {
@@ -16,6 +39,8 @@ Error unknownName(std::string_view what, std::string_view name,
 
 Result<std::vector<model::NodeId>> nodesNamed(const model::Scene& scene, std::string_view name) {
   std::vector<model::NodeId> ids = scene.named(name);
+  if (ids.empty())
+    ids = alsoCalled(scene, name);
   if (!ids.empty())
     return ids;
   std::vector<std::string> names;

@@ -15,8 +15,9 @@ namespace sline::cli {
 
 using model::nearNames;
 
-/// Returns the structures and groups of that name, at least one; the error lists names that are
-/// near.
+/// Returns the structures and groups of that name, at least one: those whose own name it is, else
+/// those that it names in any language or by a synonym (model::AnatomicalNames). The error lists
+/// names that are near.
 Result<std::vector<model::NodeId>> nodesNamed(const model::Scene& scene, std::string_view name);
 
 /// Returns "no <what> is named X" with the near names, as an error of wrong use.
