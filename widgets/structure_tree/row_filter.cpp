@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "model/anatomy/laterality_words.h"
+
 namespace sline::widgets {
 
 QString searchable(const QString& text) {
@@ -35,7 +37,7 @@ QString searchable(const QString& text) {
 
 void RowFilter::setNames(StructureNames names) {
   m_names = std::move(names);
-  m_texts.clear();
+  m_known.clear();
 }
 
 bool RowFilter::setText(const QString& text) {
@@ -46,17 +48,27 @@ bool RowFilter::setText(const QString& text) {
   return true;
 }
 
-const QString& RowFilter::textOf(const std::string& name) {
+const RowFilter::Names& RowFilter::namesOf(const std::string& name) {
   const QString key = QString::fromStdString(name);
-  const auto known = m_texts.constFind(key);
-  if (known != m_texts.cend())
+  const auto known = m_known.constFind(key);
+  if (known != m_known.cend())
     return *known;
+  Names names;
   QStringList called{key};
   if (m_names.shown)
     called << m_names.shown(key);
-  if (m_names.alsoCalled)
-    called << m_names.alsoCalled(key);
-  return *m_texts.insert(key, searchable(called.join(u'\n')));
+  for (const QString& other : m_names.alsoCalled ? m_names.alsoCalled(key) : QStringList()) {
+    QStringList words = other.split(u' ');
+    words.removeIf([&names](const QString& word) {
+      const bool side = model::sideOfWord(word.toLower().toStdString()) != model::Side::none;
+      if (side)
+        names.sides << searchable(word);
+      return side;
+    });
+    called << words.join(u' ');
+  }
+  names.text = searchable(called.join(u'\n'));
+  return *m_known.insert(key, std::move(names));
 }
 
 RowFilter::Left RowFilter::apply(const model::Scene& scene) {
@@ -67,9 +79,9 @@ RowFilter::Left RowFilter::apply(const model::Scene& scene) {
   Left left;
   for (const model::Node& node : scene.nodes()) {
     std::vector<bool> words = found.at(node.parent.value);
-    const QString& text = textOf(node.name);
+    const Names& names = namesOf(node.name);
     for (std::size_t i = 0; i < count; ++i)
-      words[i] = words[i] || text.contains(m_words[qsizetype(i)]);
+      words[i] = words[i] || names.have(m_words[qsizetype(i)]);
     if (std::all_of(words.begin(), words.end(), [](bool there) { return there; })) {
       left.rows.insert(node.id.value);
       if (!node.isGroup())

@@ -32,11 +32,18 @@ class RowFilter {
   Left apply(const model::Scene& scene);
 
  private:
-  const QString& textOf(const std::string& name);
+  /// All names of a structure, as they are compared.
+  struct Names {
+    QString text;
+    QStringList sides;  ///< "left" and "right" in other languages, which match as whole words:
+                        ///< "rec" asks for the rectum, not for all that is "rechts"
+    bool have(const QString& word) const { return text.contains(word) || sides.contains(word); }
+  };
+  const Names& namesOf(const std::string& name);
 
   StructureNames m_names;
   QStringList m_words;
-  QHash<QString, QString> m_texts;  ///< by name: all names of the structure, as they are compared
+  QHash<QString, Names> m_known;  ///< by name
 };
 
 }  // namespace sline::widgets

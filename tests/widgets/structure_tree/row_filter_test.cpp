@@ -33,6 +33,10 @@ class RowFilterTest : public QObject {
                                   << "left kidney;right kidney" << 3;
     QTest::newRow("another name, without its accent") << "rognon dr"
                                                       << "right kidney" << 2;
+    QTest::newRow("a side in another language, begun") << "lin"
+                                                       << "" << 0;
+    QTest::newRow("a side in another language") << "linke"
+                                                << "left kidney" << 2;
     QTest::newRow("joined letters") << "venae"
                                     << "ven\u00e6 renalis" << 2;
     QTest::newRow("words of different names") << "left niere"
@@ -60,6 +64,8 @@ class RowFilterTest : public QObject {
                        QStringList also;
                        if (name.contains("kidney"))
                          also << "Niere";
+                       if (name == "left kidney")
+                         also << "linke Niere";
                        if (name == "right kidney")
                          also << QString::fromUtf8("rognon dróit");
                        return also;
