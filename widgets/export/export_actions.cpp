@@ -55,7 +55,13 @@ ExportActions::ExportActions(const Context& context, QMainWindow& window)
     constexpr int readable = 4000;  // milliseconds
     m_window.statusBar()->showMessage(tr("The picture is on the clipboard"), readable);
   });
-  connect(&m_session, &Session::documentChanged, this, &ExportActions::showState);
+  connect(&m_session, &Session::documentChanged, this,
+          [this](const Document& before, const Document& now) {
+            showState();
+            // What was exported is no longer what is open.
+            if (before.opening != now.opening)
+              m_message.hideDone();
+          });
   connectActions();
 }
 

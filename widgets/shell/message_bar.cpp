@@ -131,6 +131,11 @@ void MessageBar::hideNotice() {
     hide();
 }
 
+void MessageBar::hideDone() {
+  if (m_kind == Kind::done)
+    hide();
+}
+
 void MessageBar::display(Kind kind, const QString& heading, const QString& body) {
   m_text->setText(headed(heading, body));
   m_kind = kind;

@@ -32,6 +32,8 @@ class MessageBar : public QFrame {
                 const QStringList& remarks = {});
   /// Hides a notice; other messages stay.
   void hideNotice();
+  /// Hides a reported success; other messages stay.
+  void hideDone();
   QString text() const;
 
  signals:
