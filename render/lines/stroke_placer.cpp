@@ -28,6 +28,9 @@ constexpr float roundTrip = 2.0f;
 // A stroke may not turn within the surface by more than this many radians in about a distance:
 // around the field's singular points strokes would curl.
 constexpr float sharpestBend = 0.7f;
+// Strokes follow directions that were estimated triangle by triangle: so often each point is moved
+// half way to the middle between its neighbours.
+constexpr int evenings = 3;
 // How far numbers of a unit normal are off in the rows of a tile.
 constexpr float rowRounding = 1.0f / LaidTile::normalSteps;
 
@@ -41,6 +44,20 @@ std::array<float, 6> bendingAt(const model::Surface& surface, const SurfacePoint
       sum[i] += at.barycentric[glm::length_t(corner)] * s[i];
   }
   return sum;
+}
+
+/// Takes a stroke's kinks away: its points move along the surface only, and its ends stay.
+void even(std::span<StrokeSpacing::Mark> marks) {
+  for (int round = 0; round < evenings; ++round) {
+    glm::vec3 before = marks.front().position;
+    for (std::size_t i = 1; i + 1 < marks.size(); ++i) {
+      const glm::vec3 here = marks[i].position;
+      const glm::vec3& n = marks[i].normal;
+      const glm::vec3 move = 0.25f * (before + marks[i + 1].position) - 0.5f * here;
+      marks[i].position += move - glm::dot(move, n) * n;
+      before = here;
+    }
+  }
 }
 
 }  // namespace
@@ -210,19 +227,22 @@ void StrokeLayout::Placer::describe(LaidStroke& stroke) {
   std::int16_t* shape = m_tile.shape.data() + LaidTile::shapeRows * stroke.firstRow;
   const auto rounded = [](float number) { return std::int16_t(std::lround(number)); };
   m_bendings.resize(count);
+  m_described.clear();
+  for (std::size_t i = 0; i < count; ++i)
+    m_described.push_back(m_layout.markAt(m_layout.at(m_tile.points[stroke.first + i])));
+  even(m_described);
   model::Box box;
   float largest = 0.0f;
   glm::vec3 sum(0.0f);
   for (std::size_t i = 0; i < count; ++i) {
-    const SurfacePoint at = m_layout.at(m_tile.points[stroke.first + i]);
-    const StrokeSpacing::Mark mark = m_layout.markAt(at);
+    const StrokeSpacing::Mark& mark = m_described[i];
     box.add(mark.position);
     sum += mark.normal;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       positions[axis * row + i] = mark.position[glm::length_t(axis)];
       shape[axis * row + i] = rounded(LaidTile::normalSteps * mark.normal[glm::length_t(axis)]);
     }
-    m_bendings[i] = bendingAt(m_layout.surface(), at);
+    m_bendings[i] = bendingAt(m_layout.surface(), m_layout.at(m_tile.points[stroke.first + i]));
     for (const float number : m_bendings[i])
       largest = std::max(largest, std::abs(number));
   }

@@ -44,6 +44,7 @@ class StrokeLayout::Placer {
   std::uint32_t m_seedPoint = 0;
   std::uint32_t m_rows = 0;  ///< how long those of the tile's strokes are together
   std::vector<std::array<float, 6>> m_bendings;
+  std::vector<StrokeSpacing::Mark> m_described;  ///< the points of the stroke in work, evened
   LaidTile m_tile;
 };
 

@@ -101,6 +101,7 @@ void StrokeMaker::hatching(std::span<const HatchPoint> points, float width, floa
 
 std::size_t StrokeMaker::farthestChord(std::span<const HatchPoint> points, std::size_t from) const {
   const float unit = m_view.outputUnit();
+  const float most = std::min(chordError, chordErrorPx / unit);
   const glm::vec2 start = m_seen[from].pixel / unit;
   std::size_t to = from + 1;
   for (std::size_t end = from + 2; end < points.size() && end - from <= longestChord; ++end) {
@@ -110,8 +111,7 @@ std::size_t StrokeMaker::farthestChord(std::span<const HatchPoint> points, std::
       const glm::vec2 d = m_seen[i].pixel / unit - start;
       const float t = std::clamp(glm::dot(d, chord) / length2, 0.0f, 1.0f);
       const float width = glm::mix(points[from].halfWidth, points[end].halfWidth, t);
-      if (glm::length(d - t * chord) > chordError ||
-          std::abs(points[i].halfWidth - width) > chordError)
+      if (glm::length(d - t * chord) > most || std::abs(points[i].halfWidth - width) > most)
         return to;
     }
     to = end;

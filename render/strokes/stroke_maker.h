@@ -50,6 +50,10 @@ class StrokeMaker {
   /// depths keep the surface's own order.
   std::vector<Stroke> take();
 
+  /// Tells whether contours end a fill with tones, which they must reach. Pens of pure line
+  /// drawings stay even instead.
+  void setToned(bool toned) { m_toned = toned; }
+
   /// Adds a contour, of which `inner` shares of width remain within the structure's own mask.
   void contour(const Segment& s, float width, float opacity, float inner) {
     Stroke stroke;
@@ -60,8 +64,13 @@ class StrokeMaker {
     stroke.kind = StrokeKind::contour;
     stroke.innerShare = inner;
     stroke.tolerance = 0.5f * m_surface.meanEdge + 1e-3f * m_surface.filigreeSize;
-    finish(stroke, devicePen(s.pressureA * width, s.opacityA * opacity),
-           devicePen(s.pressureB * width, s.opacityB * opacity));
+    Pen penA = devicePen(s.pressureA * width, s.opacityA * opacity);
+    Pen penB = devicePen(s.pressureB * width, s.opacityB * opacity);
+    if (m_toned) {
+      reachInwards(stroke.moveA, stroke.outwardA, penA);
+      reachInwards(stroke.moveB, stroke.outwardB, penB);
+    }
+    finish(stroke, penA, penB);
   }
 
   /// Adds the edge of a fill along a contour, one pixel wide, as opaque as said at a and b.
@@ -130,8 +139,24 @@ class StrokeMaker {
   void hatching(std::span<const HatchPoint> points, float width, float opacity);
 
  private:
-  // Limits within which points of hatching become one capsule: in λ and in points.
+  /// Widens a pen that draws beyond an outline as far as to the outline: in print, where λ is many
+  /// pixels, a gap would open to the surface's fill. Thin pens stay thin.
+  void reachInwards(glm::vec2& move, const glm::vec2& outward, Pen& pen) const {
+    constexpr float betweenSamples = 0.25f;  // λ by which a line may lie outside between its points
+    const float unit = m_view.outputUnit();
+    const float printed = std::clamp(unit - 1.0f, 0.0f, 1.0f);
+    const float gap =
+        std::min(printed * (glm::dot(move, outward) + betweenSamples * unit), 0.5f * pen.width);
+    if (!(gap > 0.0f))
+      return;
+    move -= gap * outward;
+    pen.width += gap;
+  }
+
+  // Limits within which points of hatching become one capsule: in λ, in pixels (for print) and in
+  // points.
   static constexpr float chordError = 0.12f;
+  static constexpr float chordErrorPx = 0.25f;
   static constexpr std::size_t longestChord = 8;
 
   Pen hatchPen(const HatchPoint& at, float width, float opacity) const {
@@ -213,6 +238,7 @@ class StrokeMaker {
   const model::Surface& m_surface;
   const PictureView& m_view;
   PixelRect m_area;
+  bool m_toned = false;
   std::vector<Stroke> m_strokes;
   SeenEnd m_from;  ///< of the segment in work
   SeenEnd m_to;

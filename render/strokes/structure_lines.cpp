@@ -77,6 +77,15 @@ bool showsEdges(const model::ResolvedStyle& style) {
   return transitions(gammaSpan(style).most).complete > 0.0f && style.opacity.value() > 0.0f;
 }
 
+namespace {
+
+bool showsTones(const model::ResolvedStyle& style) {
+  return style.opacity.value() > 0.0f &&
+         (style.fill == model::Fill::tint || transitions(gammaSpan(style).most).shading > 0.0f);
+}
+
+}  // namespace
+
 float evenInk(const model::ResolvedStyle& style) {
   return gammaVaries(style) ? 1.0f : transitions(style.gamma).lines;
 }
@@ -308,6 +317,7 @@ std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& vi
                             const model::ResolvedStyle& style, const StructureLines& drawn,
                             const PixelRect& area) {
   StrokeMaker maker(surface, view, area);
+  maker.setToned(showsTones(style));
   const Transitions t = transitions(style.gamma);
   const float pen = penWidth(surface, view, style.penWeight);
   const float innerShare = innerContourShare(style);
