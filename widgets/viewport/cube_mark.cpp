@@ -46,8 +46,9 @@ float CubeMark::half() const {
   return float(side) / 2.0f / 1.78f;  // √3, and a line's width
 }
 
-void CubeMark::setCamera(const model::Camera& camera) {
+void CubeMark::setCamera(const model::Camera& camera, bool sides) {
   m_camera = camera;
+  m_sides = sides;
   m_faces = cubeFaces(camera, half());
   update();
 }
@@ -176,8 +177,9 @@ void CubeMark::paintEvent(QPaintEvent*) {
     QColor ink = m_dark ? QColor(232, 232, 232) : QColor(58, 55, 50);
     ink.setAlphaF(std::min(1.0f, (face.facing - legible) / 0.35f));
     painter.setPen(ink);
-    painter.drawText(QRectF(-em, -em, 2 * em, 2 * em), Qt::AlignCenter,
-                     QString(QChar(face.letter)));
+    painter.drawText(
+        QRectF(-em, -em, 2 * em, 2 * em), Qt::AlignCenter,
+        m_sides ? QString(QChar(face.letter)) : QString::fromStdString(axisOf(face.part)));
     painter.restore();
   }
 }

@@ -13,7 +13,8 @@ class CubeMark : public QWidget {
   Q_OBJECT
  public:
   explicit CubeMark(QWidget* parent);
-  void setCamera(const model::Camera& camera);
+  /// Without sides of a body, faces have the names of the file's axes.
+  void setCamera(const model::Camera& camera, bool sides);
   void setDark(bool dark);
   QSize sizeHint() const override;
   /// Returns the pixel in the middle of a part that is seen; for tests.
@@ -44,6 +45,7 @@ class CubeMark : public QWidget {
   void paintFace(QPainter& painter, const CubeFace& face) const;
 
   model::Camera m_camera;
+  bool m_sides = true;
   std::vector<CubeFace> m_faces;
   bool m_dark = false;
   std::optional<CubeDirection> m_marked;

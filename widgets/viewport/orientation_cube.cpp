@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <string_view>
 
 namespace sline::widgets {
 
@@ -49,6 +50,14 @@ glm::vec2 strip(int step) {
 
 std::array<glm::vec2, 4> CubeFace::corners() const {
   return {centre - right - up, centre + right - up, centre + right + up, centre - right + up};
+}
+
+std::string axisOf(const CubeDirection& face) {
+  constexpr std::string_view names = "XYZ";
+  for (std::size_t axis = 0; axis < names.size(); ++axis)
+    if (const int step = face[glm::length_t(axis)]; step != 0)
+      return (step < 0 ? "\u2212" : "") + std::string(1, names[axis]);
+  return {};
 }
 
 std::vector<CubeFace> cubeFaces(const model::Camera& camera, float half) {

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "model/scene/camera.h"
@@ -29,6 +30,8 @@ struct CubeFace {
   std::array<glm::vec2, 4> corners() const;
 };
 
+/// Returns the axis along which a face lies, for what has no sides: "X", "−X" … (UTF-8).
+std::string axisOf(const CubeDirection& face);
 /// Returns the faces that look at the eye; `half` is half the cube's edge in pixels.
 std::vector<CubeFace> cubeFaces(const model::Camera& camera, float half);
 /// Returns the outline of a part on the faces that show it.

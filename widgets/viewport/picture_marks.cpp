@@ -145,7 +145,7 @@ void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot,
   if (std::exchange(m_letterPixels, letters) != letters)
     dress();
   placeLetters(camera, scene.sides);
-  m_cube->setCamera(camera);
+  m_cube->setCamera(camera, scene.sides);
   placeCorner(*m_cube, Qt::TopRightCorner);
   m_scaleBar->show(render::scaleLength(camera, pivot, m_picture.height(), ScaleBarMark::most),
                    scene.unit);

@@ -32,6 +32,12 @@ glm::vec3 sideOf(char letter) {
   }
 }
 
+glm::vec3 alongAxis(const std::string& axis) {
+  glm::vec3 direction(0.0f);
+  direction[glm::length_t(axis.back() - 'X')] = axis.size() > 1 ? -1.0f : 1.0f;
+  return direction;
+}
+
 model::Camera oblique(float turn, float tilt) {
   model::Camera camera = model::anatomicalCamera(model::AnatomicalView::anterior, {}, 1.0f);
   camera.projection = model::Projection::orthographic;
@@ -90,6 +96,7 @@ class OrientationCubeTest : public QObject {
         QVERIFY(!faces.empty() && faces.size() <= 3);
         for (const CubeFace& face : faces) {
           QVERIFY(glm::vec3(face.part) == sideOf(face.letter));
+          QVERIFY(glm::vec3(face.part) == alongAxis(axisOf(face.part)));
           QVERIFY(cross(face.right, face.up) < 0.0f);  // y goes down
           const glm::vec2 size(100.0f, 100.0f);
           const glm::vec2 drawn = *pixelOf(camera, sideOf(face.letter), size) - 0.5f * size;
