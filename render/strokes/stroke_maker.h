@@ -50,9 +50,9 @@ class StrokeMaker {
   /// depths keep the surface's own order.
   std::vector<Stroke> take();
 
-  /// Tells whether contours end a fill with tones, which they must reach. Pens of pure line
-  /// drawings stay even instead.
-  void setToned(bool toned) { m_toned = toned; }
+  /// Tells how far contours end a fill with tones, 0 … 1, which they must reach. Pens of pure line
+  /// drawings stay even instead; as tones enter, these change without a jump.
+  void setTones(float share) { m_tones = share; }
 
   /// Adds a contour, of which `inner` shares of width remain within the structure's own mask.
   void contour(const Segment& s, float width, float opacity, float inner) {
@@ -66,10 +66,8 @@ class StrokeMaker {
     stroke.tolerance = 0.5f * m_surface.meanEdge + 1e-3f * m_surface.filigreeSize;
     Pen penA = devicePen(s.pressureA * width, s.opacityA * opacity);
     Pen penB = devicePen(s.pressureB * width, s.opacityB * opacity);
-    if (m_toned) {
-      reachInwards(stroke.moveA, stroke.outwardA, penA);
-      reachInwards(stroke.moveB, stroke.outwardB, penB);
-    }
+    reachInwards(stroke.moveA, stroke.outwardA, penA);
+    reachInwards(stroke.moveB, stroke.outwardB, penB);
     finish(stroke, penA, penB);
   }
 
@@ -144,7 +142,7 @@ class StrokeMaker {
   void reachInwards(glm::vec2& move, const glm::vec2& outward, Pen& pen) const {
     constexpr float betweenSamples = 0.25f;  // λ by which a line may lie outside between its points
     const float unit = m_view.outputUnit();
-    const float printed = std::clamp(unit - 1.0f, 0.0f, 1.0f);
+    const float printed = m_tones * std::clamp(unit - 1.0f, 0.0f, 1.0f);
     const float gap =
         std::min(printed * (glm::dot(move, outward) + betweenSamples * unit), 0.5f * pen.width);
     if (!(gap > 0.0f))
@@ -238,7 +236,7 @@ class StrokeMaker {
   const model::Surface& m_surface;
   const PictureView& m_view;
   PixelRect m_area;
-  bool m_toned = false;
+  float m_tones = 0.0f;
   std::vector<Stroke> m_strokes;
   SeenEnd m_from;  ///< of the segment in work
   SeenEnd m_to;

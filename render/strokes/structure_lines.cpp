@@ -79,9 +79,12 @@ bool showsEdges(const model::ResolvedStyle& style) {
 
 namespace {
 
-bool showsTones(const model::ResolvedStyle& style) {
-  return style.opacity.value() > 0.0f &&
-         (style.fill == model::Fill::tint || transitions(gammaSpan(style).most).shading > 0.0f);
+/// Returns how far a fill has tones, 0 … 1: gaps beside them are seen as soon as they enter.
+float tonesOf(const model::ResolvedStyle& style) {
+  constexpr float soon = 4.0f;
+  const bool tinted = style.fill == model::Fill::tint;
+  const float shading = transitions(gammaSpan(style).most).shading;
+  return std::min(soon * style.opacity.value() * (tinted ? 1.0f : shading), 1.0f);
 }
 
 }  // namespace
@@ -317,7 +320,7 @@ std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& vi
                             const model::ResolvedStyle& style, const StructureLines& drawn,
                             const PixelRect& area) {
   StrokeMaker maker(surface, view, area);
-  maker.setToned(showsTones(style));
+  maker.setTones(tonesOf(style));
   const Transitions t = transitions(style.gamma);
   const float pen = penWidth(surface, view, style.penWeight);
   const float innerShare = innerContourShare(style);

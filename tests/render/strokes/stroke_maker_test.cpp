@@ -17,16 +17,17 @@ class StrokeMakerTest : public QObject {
   /// alone the pen stays as it is.
   void outlinesReachTheirFill_data() {
     QTest::addColumn<int>("height");
-    QTest::addColumn<bool>("toned");
+    QTest::addColumn<float>("tones");
     QTest::addColumn<float>("inner");  ///< px outside the line
-    QTest::newRow("screen") << 720 << true << 0.0f;
-    QTest::newRow("print") << 7200 << true << -3.0f;
-    QTest::newRow("large print") << 14400 << true << -5.5f;
-    QTest::newRow("print of lines alone") << 7200 << false << 4.5f;
+    QTest::newRow("screen") << 720 << 1.0f << 0.0f;
+    QTest::newRow("print") << 7200 << 1.0f << -3.0f;
+    QTest::newRow("large print") << 14400 << 1.0f << -5.5f;
+    QTest::newRow("print, tones half entered") << 7200 << 0.5f << 0.75f;
+    QTest::newRow("print of lines alone") << 7200 << 0.0f << 4.5f;
   }
   void outlinesReachTheirFill() {
     QFETCH(int, height);
-    QFETCH(bool, toned);
+    QFETCH(float, tones);
     QFETCH(float, inner);
     const float mm = 100.0f;
     const model::Camera camera{.projection = model::Projection::orthographic,
@@ -40,7 +41,7 @@ class StrokeMakerTest : public QObject {
     const PictureView view(camera, bounds, height, height);
     const model::Surface surface{};
     StrokeMaker maker(surface, view, view.whole());
-    maker.setToned(toned);
+    maker.setTones(tones);
     const float unit = view.outputUnit();
     const float beyond = 0.5f * unit;  // px
     const glm::vec3 move(0.0f, 0.0f, beyond * mm / float(height));
