@@ -74,10 +74,14 @@ class MeshPacker {
  public:
   explicit MeshPacker(const Mesh& mesh)
       : m_mesh(mesh), m_open(mesh.triangles()), m_numbers(mesh.vertexCount(), none) {
-    const glm::vec3 size = mesh.bounds().empty() ? glm::vec3(0.0f) : mesh.bounds().size();
-    const float side = std::max(size.x, std::max(size.y, size.z));
-    m_origin = mesh.bounds().empty() ? glm::vec3(0.0f) : mesh.bounds().low;
-    m_step = side > 0.0f ? side / steps : 1.0f;
+    const Box bounds =
+        mesh.bounds().empty() ? Box{glm::vec3(0.0f), glm::vec3(0.0f)} : mesh.bounds();
+    // The side of a box of floats may be longer than a float, and a step shorter than one.
+    const glm::dvec3 size = glm::dvec3(bounds.high) - glm::dvec3(bounds.low);
+    const double side = std::max(size.x, std::max(size.y, size.z));
+    m_origin = bounds.low;
+    m_step = side > 0.0 ? std::max(float(side / double(steps)), std::numeric_limits<float>::min())
+                        : 1.0f;
     m_packed.places.resize(mesh.triangleCount());
   }
 
@@ -220,8 +224,9 @@ class MeshUnpacker {
       return Error{.reason = "the packed mesh has vertices that no triangle uses"};
     std::vector<glm::vec3> positions;
     positions.reserve(m_at.size());
+    constexpr float most = std::numeric_limits<float>::max();
     for (const glm::ivec3& at : m_at)
-      positions.push_back(origin + step * glm::vec3(at));
+      positions.push_back(glm::clamp(origin + step * glm::vec3(at), -most, most));
     return Mesh::create(std::move(positions), std::move(m_triangles));
   }
 

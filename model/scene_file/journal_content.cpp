@@ -242,7 +242,7 @@ std::string stateText(const Scene& scene, BulkKeys& keys) {
 
 Result<Scene> sceneOfState(std::string_view text, const Bulk& bulk) {
   const auto [lines, json] = partsOf(text);
-  Result<Json> root = parseJson(json);
+  Result<Json> root = parseJson(json, sceneJsonLimits);
   if (!root.ok())
     return root.error();
   SceneParts parts;

@@ -5,25 +5,27 @@
 #include <string>
 #include <utility>
 
+#include "model/scene/scene_limits.h"
+
 namespace sline::model {
 
 namespace {
 using Ordered = nlohmann::ordered_json;
 
-/// Counts stay exact in programs that have no other numbers than doubles.
-constexpr std::int64_t largestCount = std::int64_t(1) << 53;
+constexpr auto largestCount = std::int64_t(largestId);
 
 SourceCredit creditFrom(JsonObject& object) {
   SourceCredit credit;
   for (const auto& [key, target] :
        {std::pair("authors", &credit.authors), std::pair("source", &credit.source),
         std::pair("licence", &credit.licence)})
-    if (const auto text = object.take(key)) {
-      *target = text->text();
-      if (target->size() > longestCredit)
-        text->fail("a line of at most " + std::to_string(longestCredit) +
+    readInto(object.take(key), *target, [](const JsonValue& value) {
+      std::string line = value.text();
+      if (line.size() > longestCredit)
+        value.fail("a line of at most " + std::to_string(longestCredit) +
                    " bytes is expected here");
-    }
+      return line;
+    });
   return credit;
 }
 
@@ -43,10 +45,8 @@ std::optional<IntensityRange> rangeFrom(JsonObject& object) {
     return std::nullopt;
   IntensityRange range;
   JsonObject inner(*value);
-  if (const auto low = inner.take("low"))
-    range.low = low->number();
-  if (const auto high = inner.take("high"))
-    range.high = high->number();
+  readInto(inner.take("low"), range.low, asNumber);
+  readInto(inner.take("high"), range.high, asNumber);
   object.giveBack("intensities", inner.rest());
   return range;
 }
@@ -55,17 +55,15 @@ std::optional<IntensityRange> rangeFrom(JsonObject& object) {
 Provenance provenanceFrom(JsonObject& object) {
   Provenance p;
   const auto text = [&object](std::string_view key, std::string& target) {
-    if (const auto value = object.take(key))
-      target = value->text();
+    readInto(object.take(key), target, asText);
   };
   const auto count = [&object](std::string_view key, int& target) {
-    constexpr auto most = std::numeric_limits<std::int32_t>::max();
-    if (const auto value = object.take(key))
-      target = int(value->whole(0, most));
+    readInto(object.take(key), target, [](const JsonValue& value) {
+      return int(value.whole(0, std::numeric_limits<std::int32_t>::max()));
+    });
   };
   const auto number = [&object](std::string_view key, float& target) {
-    if (const auto value = object.take(key))
-      target = value->number();
+    readInto(object.take(key), target, asNumber);
   };
   text("file", p.file);
   text("frame", p.frame);
@@ -81,14 +79,15 @@ Provenance provenanceFrom(JsonObject& object) {
   number("decimation_mm", p.decimationMm);
   text("part", p.part);
   p.intensities = rangeFrom(object);
-  if (const auto print = object.take("fingerprint")) {
-    JsonObject inner(*print);
-    p.fingerprint = Fingerprint{std::uint64_t(inner.need("bytes").whole(0, largestCount)),
-                                std::uint32_t(inner.need("crc32").whole(0, std::uint32_t(-1)))};
+  readInto(object.take("fingerprint"), p.fingerprint, [&object](const JsonValue& value) {
+    JsonObject inner(value);
+    const Fingerprint print{std::uint64_t(inner.need("bytes").whole(0, largestCount)),
+                            std::uint32_t(inner.need("crc32").whole(0, std::uint32_t(-1)))};
     object.giveBack("fingerprint", inner.rest());
-  }
-  if (const auto transform = object.take("transform"))
-    p.transform = transform->numbers<12>();
+    return print;
+  });
+  readInto(object.take("transform"), p.transform,
+           [](const JsonValue& value) { return value.numbers<12>(); });
   if (const auto credit = object.take("credit")) {
     JsonObject inner(*credit);
     p.credit = creditFrom(inner);

@@ -18,6 +18,7 @@
 #include "model/import/plan/scene_inputs.h"
 #include "model/import/plan/shape_parts.h"
 #include "model/import/plan/views_and_annotations.h"
+#include "model/scene/scene_limits.h"
 
 namespace sline::model {
 
@@ -113,6 +114,15 @@ Scene withSurfaces(const ImportPlan& plan, std::vector<Part> parts) {
   return gone.empty() ? scene : withoutNodes(std::move(scene), withEmptyGroups(plan.scene, gone));
 }
 
+/// Brings what was read within what a scene may hold, and reports what was mended.
+Status bringWithinLimits(Imported& imported) {
+  std::vector<SceneMending> mended;
+  const Status counts = bringWithinLimits(imported.scene, mended);
+  for (const SceneMending& each : mended)
+    imported.report.warnings.push_back({"", each.text()});
+  return counts;
+}
+
 Error cancelled() {
   return {.reason = "the import was cancelled"};
 }
@@ -185,6 +195,8 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   if (!read.scenes)
     warnOfTwins(imported, read);
   imported.scene.setScans(std::move(scans));
+  if (const Status kept = bringWithinLimits(imported); !kept.ok())
+    return kept.error();
   return imported;
 }
 

@@ -14,6 +14,7 @@
 #include "model/import/plan/load_parts.h"
 #include "model/import/plan/shape_parts.h"
 #include "model/meshing/repair.h"
+#include "model/scene/scene_limits.h"
 #include "model/scene_file/fingerprint.h"
 
 namespace sline::model {
@@ -333,7 +334,15 @@ Scene withNewMeshes(const Scene& scene, std::span<const NewMesh> meshes) {
 }
 
 Reloaded reload(const Scene& scene, std::span<const fs::path> places, const ReadOptions& options) {
-  return Reloader(scene, options).run(places);
+  Reloaded reloaded = Reloader(scene, options).run(places);
+  std::vector<SceneMending> mended;
+  // As many structures as before cannot be too many.
+  static_cast<void>(bringWithinLimits(reloaded.scene, mended));
+  for (const SceneMending& each : mended)
+    reloaded.warnings.push_back({"", each.text()});
+  for (NewMesh& change : reloaded.meshes)
+    change.provenance = reloaded.scene.find(change.structure)->provenance;
+  return reloaded;
 }
 
 }  // namespace sline::model
