@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "model/base/utf8.h"
 #include "model/edit/letter_style.h"
 #include "model/figure/figure_file.h"
 #include "model/import/credits/source_credit.h"
@@ -162,7 +163,7 @@ std::string sceneFile(std::string_view bytes) {
   const Result<model::SceneDocument> document = model::documentFromBytes(bytes);
   if (!document.ok())
     return faultOf(document.error());
-  return document->isNewer() ? "" : savedTwice(*document);
+  return savedTwice(*document);
 }
 
 std::string sceneJson(std::string_view bytes) {
@@ -182,11 +183,10 @@ std::string sceneJson(std::string_view bytes) {
     parts.meshes[name] = mesh;
   for (const std::string& name : model::paintsCalledFor(*root))
     parts.paints[name] = paint;
-  Result<model::Scene> scene = model::sceneFromJson(*root, parts);
+  std::vector<model::JsonRefusal> leftOut;
+  Result<model::Scene> scene = model::sceneFromJson(*root, parts, leftOut);
   if (!scene.ok())
     return faultOf(scene.error());
-  if (*schema > model::sceneSchema)
-    return {};
   return savedTwice({.scene = std::move(*scene)});
 }
 
@@ -246,9 +246,9 @@ std::string credit(std::string_view bytes) {
   const model::SourceCredit said =
       model::creditIn(bytes.substr(std::min<std::size_t>(1, bytes.size())), kind);
   for (const std::string* text : {&said.authors, &said.source, &said.licence})
-    if (text->size() > model::longestCredit ||
-        std::any_of(text->begin(), text->end(),
-                    [](char letter) { return std::uint8_t(letter) < ' ' || letter == 0x7f; }))
+    if (!isUtf8(*text) || std::any_of(text->begin(), text->end(), [](char letter) {
+          return std::uint8_t(letter) < ' ' || letter == 0x7f;
+        }))
       return "no line of text";
   return {};
 }

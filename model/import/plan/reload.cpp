@@ -339,7 +339,7 @@ Reloaded reload(const Scene& scene, std::span<const fs::path> places, const Read
   // As many structures as before cannot be too many.
   static_cast<void>(bringWithinLimits(reloaded.scene, mended));
   for (const SceneMending& each : mended)
-    reloaded.warnings.push_back({"", each.text()});
+    reloaded.warnings.push_back({each.where, each.fault + "; " + each.done});
   for (NewMesh& change : reloaded.meshes)
     change.provenance = reloaded.scene.find(change.structure)->provenance;
   return reloaded;
