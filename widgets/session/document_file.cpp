@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "model/disk/whole_file.h"
+#include "widgets/text/told.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -42,6 +43,16 @@ void lock(DocumentFile& file, std::shared_ptr<const model::FileLock> held) {
   deny(file, taken ? Writable::lockedElsewhere : Writable::notPermitted, reason);
 }
 
+/// Says what of a file is at fault and therefore not in the scene.
+QString reasonOf(const std::vector<std::string>& leftOut) {
+  const QString first = told(leftOut.front());
+  const auto more = int(leftOut.size()) - 1;
+  return more == 0
+             ? tr("Something in it is at fault and was left out: %1").arg(first)
+             : tr("Something in it is at fault and was left out: %1; and %n more", nullptr, more)
+                   .arg(first);
+}
+
 }  // namespace
 
 std::optional<FileStamp> stampOf(const fs::path& file) {
@@ -71,7 +82,10 @@ Result<ReadDocument> readDocument(const fs::path& path,
     return document.error();
   if (document->isNewer())
     deny(read.file, Writable::newerProgram,
-         tr("A newer version of the program has written it; what is unknown here is not shown"));
+         tr("A newer version of the program has written it; what is unknown here is not shown, and "
+            "a copy is saved in the form of this version"));
+  else if (document->isForReading())
+    deny(read.file, Writable::newerProgram, reasonOf(document->leftOut));
   read.file.thumbnail = textOrNone(std::move(document->thumbnail));
   if (!document->others.empty())
     read.file.others =

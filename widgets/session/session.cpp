@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/edit/annotations.h"
+#include "model/scene/scene_limits.h"
 
 namespace sline::widgets {
 
@@ -61,6 +62,10 @@ void Session::redo() {
 bool Session::apply(const QString& name, model::Edited edited, const QString& series) {
   if (!edited.changed)
     return false;
+  if (const std::optional<Error> fault = model::limitFault(edited.scene)) {
+    emit failed(*fault);
+    return false;
+  }
   if (m_beforePreview)
     commitPreview(name);
   Document after = m_document;
@@ -95,10 +100,15 @@ void Session::preview(model::Scene scene) {
 void Session::commitPreview(const QString& name) {
   if (!m_beforePreview)
     return;
-  if (*m_beforePreview == m_document)
+  const std::optional<Error> fault = model::limitFault(m_document.scene);
+  if (fault) {
+    cancelPreview();
+    emit failed(*fault);
+  } else if (*m_beforePreview == m_document) {
     m_beforePreview.reset();
-  else
+  } else {
     push(name, m_document, {});
+  }
 }
 
 void Session::cancelPreview() {

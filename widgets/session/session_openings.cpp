@@ -167,7 +167,8 @@ void Session::add(const LoadedDocument& loaded) {
       fresh.push_back(id);
   std::vector<std::filesystem::path>& sources = m_sources[m_document.opening];
   sources.insert(sources.end(), loaded.paths.begin(), loaded.paths.end());
-  apply(tr("Add %1").arg(loaded.title), {std::move(together), true});
+  if (!apply(tr("Add %1").arg(loaded.title), {std::move(together), true}))
+    return;
   select(fresh);
   if (!loaded.remarks.isEmpty())
     emit remarked(loaded.remarks);
