@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include "model/edit/look.h"
+#include "tests/model/scene_file/limit_cases.h"
+#include "tests/model/scene_file/sample_scene.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "widgets/session/recent_files.h"
@@ -183,14 +185,19 @@ class DocumentFileTest : public QObject {
     QTest::newRow("open in another window") << int(Writable::lockedElsewhere);
     QTest::newRow("no right to write") << int(Writable::notPermitted);
     QTest::newRow("of a newer program") << int(Writable::newerProgram);
+    QTest::newRow("at fault") << int(Writable::newerProgram);
   }
   void readOnly() {
     QFETCH(int, why);
+    const bool faulty = QLatin1String(QTest::currentDataTag()) == QLatin1String("at fault");
     const fs::path path = file("readonly.sline");
     fs::remove(path);
     Session other;
     if (why == int(Writable::newerProgram)) {
-      const std::string json = R"({"format":"sline scene","schema":99,"nodes":[],"more":1})";
+      const std::string json =
+          faulty ? R"({"format":"sline scene","schema":1,"nodes":[{"id":1,"name":"Liver",
+                     "style":{"gamma":7}}]})"
+                 : R"({"format":"sline scene","schema":99,"nodes":[],"more":1})";
       const model::ZipMember member{"scene.json", json};
       std::ofstream(path, std::ios::binary) << *model::zipped({&member});
     } else {
@@ -207,8 +214,62 @@ class DocumentFileTest : public QObject {
     QCOMPARE(int(session.file().writable), why);
     QVERIFY(!session.file().reason.isEmpty());
     QVERIFY(!session.file().lock);
+    if (faulty)
+      QVERIFY2(
+          session.file().reason.contains("Liver") && session.file().reason.contains("from 0 to 5"),
+          qPrintable(session.file().reason));
+    if (why == int(Writable::newerProgram))
+      QVERIFY(!save(session, path));  // not even where it is asked for
     QVERIFY(save(session, file("elsewhere.sline")));
     QVERIFY(session.file().writable == Writable::yes && session.file().reason.isEmpty());
+  }
+
+  /// Each value that a scene file refuses is refused as an edit, with a message; each other one is
+  /// kept, saved and opened.
+  void editsBeyondLimitsAreRefused() {
+    int kept = 0;
+    int refused = 0;
+    const fs::path path = file("limits.sline");
+    for (const test::LimitCase& each : test::limitCases()) {
+      if (each.slow)
+        continue;
+#ifndef NDEBUG
+      if (each.asserted)
+        continue;
+#endif
+      Session session;
+      session.openMade(
+          QStringLiteral("sample"),
+          [](const model::ImportProgress&, const std::stop_token&) -> Result<LoadedDocument> {
+            return LoadedDocument{.scene = test::sampleScene(), .title = "sample", .remarks = {}};
+          });
+      QVERIFY(idle(session));
+      const model::Scene before = session.scene();
+      model::Scene edited = before;
+      each.put(edited);
+      QSignalSpy failures(&session, &Session::failed);
+      const bool changed = !(edited == before);
+      const bool applied = session.apply("edit", {edited, changed});
+      const std::string name = each.field + " = " + each.value;
+      QVERIFY2(applied == (each.within && changed), name.c_str());
+      QVERIFY2(failures.count() == (each.within ? 0 : 1), name.c_str());
+      QVERIFY2(each.within || session.scene() == before, name.c_str());
+      // The same as a drag.
+      session.preview(edited);
+      session.commitPreview("drag");
+      QVERIFY2(failures.count() == (each.within ? 0 : 2), name.c_str());
+      QVERIFY2(each.within || session.scene() == before, name.c_str());
+      ++(each.within ? kept : refused);
+      if (!each.within)
+        continue;
+      fs::remove(path);
+      QVERIFY2(save(session, path), name.c_str());
+      const auto opened = model::readSceneFile(path);
+      QVERIFY2(opened.ok() && opened->leftOut.empty(), name.c_str());
+      QVERIFY2(test::difference(opened->scene, session.scene()).empty(), name.c_str());
+    }
+    qInfo("%d scenes kept, %d refused", kept, refused);
+    QVERIFY(kept > 150 && refused > 150);
   }
 
   void failuresLeaveTheOldFile_data() {
