@@ -404,7 +404,7 @@ const char* figureKeyHelp(std::string_view object, std::string_view id) {
     return note.object == object && note.id == id;
   });
   assert(found != all.end());
-  return found->help;
+  return found == all.end() ? "" : found->help;
 }
 
 }  // namespace sline::model

@@ -286,6 +286,11 @@ constexpr const char* messageRows[] = {
                       "the structures of this scene do not fit into the memory set aside for a "
                       "picture, not even piece by piece"),
     QT_TRANSLATE_NOOP("Told", "Hide some structures"),
+    QT_TRANSLATE_NOOP(
+        "Told",
+        "the program held %1 bytes for %2×%3 pixels of the picture, which is not what "
+        "they take"),
+    QT_TRANSLATE_NOOP("Told", "Save the scene and start the program again"),
     QT_TRANSLATE_NOOP("Told", "the driver %1 is too old: OpenGL 3.3 or OpenGL ES 3.0 is needed"),
     QT_TRANSLATE_NOOP("Told", "Update the graphics driver, or install Mesa (libgl1-mesa-dri)"),
     QT_TRANSLATE_NOOP("Told",

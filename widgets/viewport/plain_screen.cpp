@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <new>
+#include <stdexcept>
 #include <utility>
 
 namespace sline::widgets {
@@ -60,8 +61,11 @@ void PlainScreen::publish(std::uint64_t number) {
     m_drawn.image = QImage(size, QImage::Format_RGB32);
   if (m_drawn.image.isNull())
     throw std::bad_alloc();
-  m_readback.read({reinterpret_cast<std::uint32_t*>(m_drawn.image.bits()),
-                   std::size_t(m_size.width) * std::size_t(m_size.height)});
+  if (const Status read =
+          m_readback.read({reinterpret_cast<std::uint32_t*>(m_drawn.image.bits()),
+                           std::size_t(m_size.width) * std::size_t(m_size.height)});
+      !read)
+    throw std::length_error(read.error().reason);
   m_drawn.number = number;
   m_drawn.turn = ++m_turn;
   const std::lock_guard lock(m_mutex);
