@@ -17,6 +17,7 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told", "it cannot be put in its place: %1"),
     QT_TRANSLATE_NOOP("Told", "it cannot be read: %1"),
     QT_TRANSLATE_NOOP("Told", "its folder cannot be written to: %1"),
+    QT_TRANSLATE_NOOP("Told", "there is no folder %1"),
     QT_TRANSLATE_NOOP("Told", "it is open for writing in %1"),
     QT_TRANSLATE_NOOP("Told", "another program"),
     QT_TRANSLATE_NOOP("Told", "it is a folder"),

@@ -63,6 +63,7 @@ class JournalTest : public QObject {
   void deltas();
   void smallEditsGiveSmallDeltas();
   void keptAndRecovered();
+  void filesAreKeptWithTheirFolders();
   void history_data();
   void history();
   void tornAnywhere();
@@ -113,7 +114,7 @@ void JournalTest::smallEditsGiveSmallDeltas() {
 void JournalTest::keptAndRecovered() {
   const QTemporaryDir place;
   const fs::path folder = fs::path(place.path().toStdString()) / "new" / "journals";
-  const JournalSource source{"Pélvis", "/home/someone/pelvis.sline"};
+  const JournalSource source{"Pélvis", "/home/someone/pelvis.sline", Fingerprint{12, 0xfedcba98u}};
   const SceneDocument document{
       .scene = test::sampleScene(), .thumbnail = "picture", .others = {{"notes.txt", "mine"}}};
   Scene edited = document.scene;
@@ -147,6 +148,23 @@ void JournalTest::keptAndRecovered() {
   QCOMPARE(back->rest.others[0].bytes, std::string("mine"));
   forget(found[0]);
   QVERIFY(fs::is_empty(folder));
+}
+
+/// The next program may be started in another folder, where another file may have that name.
+void JournalTest::filesAreKeptWithTheirFolders() {
+  const QTemporaryDir place;
+  const fs::path folder = place.path().toStdString();
+  {
+    const auto journal = Journal::reserve(folder);
+    QVERIFY(journal.ok());
+    QVERIFY((*journal)->start({"here", "here.sline"}, {}, step(0, 0, test::sampleScene())).ok());
+    QVERIFY((*journal)->note(JournalSource{"there", "../there.sline"}).ok());
+  }
+  const auto found = recoverableIn(folder);
+  QCOMPARE(found.size(), std::size_t(1));
+  QVERIFY(found[0].source.file.is_absolute());
+  QVERIFY(found[0].source.file == fs::absolute("../there.sline"));
+  QVERIFY(!found[0].source.saved);
 }
 
 void JournalTest::history_data() {

@@ -34,6 +34,48 @@ class DocumentFileTest : public QObject {
   static bool idle(const Session& session) {
     return QTest::qWaitFor([&] { return !session.busy(); });
   }
+  /// What happens to a file while nobody has it open.
+  enum class Meanwhile {
+    nothing,
+    touched,
+    replaced,
+    replacedByAnOlder,
+    replacedByOneAsLarge,
+    gone,
+    goneWithItsFolder,
+  };
+  static void happen(Meanwhile what, const fs::path& path) {
+    const fs::file_time_type time = fs::last_write_time(path);
+    const bool older = what == Meanwhile::replacedByAnOlder;
+    if (what == Meanwhile::touched)
+      fs::last_write_time(path, time + std::chrono::hours(1));
+    if (what == Meanwhile::replaced || older) {
+      model::Scene other = balls();
+      other.append({.name = "three", .mesh = test::sphere(3, 1)});
+      if (!model::writeSceneFile(path, {.scene = other}).ok())
+        qFatal("no other scene");
+    }
+    if (what == Meanwhile::replacedByOneAsLarge) {
+      std::fstream stream(path, std::ios::binary | std::ios::in | std::ios::out);
+      stream.seekp(100).put('!');
+    }
+    if (older || what == Meanwhile::replacedByOneAsLarge)
+      fs::last_write_time(path, older ? time - std::chrono::hours(24) : time);
+    if (what == Meanwhile::gone)
+      fs::remove(path);
+    if (what == Meanwhile::goneWithItsFolder)
+      fs::remove_all(path.parent_path());
+  }
+  /// Leaves what a program leaves that was killed with unsaved work.
+  static void leaveJournal(const fs::path& journals, const model::JournalSource& source) {
+    const auto journal = model::Journal::reserve(journals);
+    if (!journal.ok() ||
+        !(*journal)
+             ->start(source, {}, {.scene = std::make_shared<const model::Scene>(balls())})
+             .ok() ||
+        !(*journal)->writeMeshes(std::chrono::minutes(1)).ok())
+      qFatal("no journal");
+  }
   static bool openMade(Session& session) {
     session.openMade(
         QStringLiteral("balls"),
@@ -215,10 +257,22 @@ class DocumentFileTest : public QObject {
     QTest::addColumn<QString>("kind");
     QTest::newRow("the folder has gone") << "gone";
     QTest::newRow("another program has changed it") << "changed";
+    QTest::newRow("another one, of its length and time") << "as large";
     QTest::newRow("another window has the new name") << "locked";
     QTest::newRow("no folder") << "proc";
     QTest::newRow("a disk without space") << "full";
   }
+  /// A file that is only newer by its time is the same file.
+  void aTouchedFileIsSaved() {
+    const fs::path path = file("touched.sline");
+    QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
+    Session session;
+    QVERIFY(open(session, path) && gamma(session, 4.0f));
+    fs::last_write_time(path, fs::last_write_time(path) + std::chrono::hours(1));
+    QVERIFY(save(session, path));
+    QVERIFY(same(onDisk(path), session.scene()));
+  }
+
   void failuresLeaveTheOldFile() {
     QFETCH(QString, kind);
     const fs::path folder = file("place");
@@ -233,6 +287,8 @@ class DocumentFileTest : public QObject {
       fs::remove_all(folder);
     } else if (kind == QLatin1String("changed")) {
       std::ofstream(path, std::ios::app) << "more";
+    } else if (kind == QLatin1String("as large")) {
+      happen(Meanwhile::replacedByOneAsLarge, path);
     } else if (kind == QLatin1String("locked")) {
       to = folder / "theirs.sline";
       QVERIFY(openMade(other) && save(other, to));
@@ -314,6 +370,102 @@ class DocumentFileTest : public QObject {
     QVERIFY(save(session, path));
     QVERIFY(!session.modified());
     QVERIFY(same(onDisk(path), scene));
+  }
+
+  void pathsAreAbsolute() {
+    const fs::path path = file("relative.sline");
+    QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
+    Session session;
+    QVERIFY(open(session, fs::relative(path)));
+    QVERIFY(session.file().path.is_absolute() && fs::equivalent(session.file().path, path));
+    const fs::path other = file("other.sline");
+    QVERIFY(gamma(session, 4.0f) && save(session, fs::relative(other)));
+    QVERIFY(session.file().path.is_absolute() && fs::equivalent(session.file().path, other));
+  }
+
+  void recoveredWhereTheFileMayHaveChanged_data() {
+    QTest::addColumn<int>("meanwhile");
+    QTest::addColumn<int>("writable");
+    const auto row = [](const char* name, Meanwhile meanwhile, Writable writable) {
+      QTest::newRow(name) << int(meanwhile) << int(writable);
+    };
+    row("nothing happened", Meanwhile::nothing, Writable::yes);
+    row("touched", Meanwhile::touched, Writable::yes);
+    row("another", Meanwhile::replaced, Writable::changedOnDisk);
+    row("another, from a backup", Meanwhile::replacedByAnOlder, Writable::changedOnDisk);
+    row("another, of its length and time", Meanwhile::replacedByOneAsLarge,
+        Writable::changedOnDisk);
+    row("gone", Meanwhile::gone, Writable::yes);
+    row("gone with its folder", Meanwhile::goneWithItsFolder, Writable::notPermitted);
+  }
+  void recoveredWhereTheFileMayHaveChanged() {
+    QFETCH(int, meanwhile);
+    QFETCH(int, writable);
+    const QTemporaryDir place;
+    const fs::path folder = fs::path(place.path().toStdString()) / "scenes";
+    const fs::path journals = fs::path(place.path().toStdString()) / "journals";
+    fs::create_directory(folder);
+    const fs::path path = folder / "work.sline";
+    QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
+    leaveJournal(journals, {"work.sline", path, stampOf(path)});
+    happen(Meanwhile(meanwhile), path);
+    const auto then = stampOf(path);
+    Session session;
+    session.openRecovered(model::recoverableIn(journals).at(0));
+    QVERIFY(idle(session));
+    QCOMPARE(int(session.file().writable), writable);
+    QVERIFY(session.modified());
+    if (writable == int(Writable::yes)) {
+      QVERIFY(save(session, path));
+      QVERIFY(same(onDisk(path), session.scene()));
+      return;
+    }
+    const QString reason = session.file().reason;
+    QCOMPARE(reason.contains(QLatin1String("has changed")),
+             writable == int(Writable::changedOnDisk));
+    QCOMPARE(reason.contains(QString::fromStdString("no folder " + folder.string())),
+             writable == int(Writable::notPermitted));
+    // Nor does coming back to it let it be written over.
+    QVERIFY(openMade(session));
+    session.undo();
+    QCOMPARE(int(session.file().writable), writable);
+    QCOMPARE(session.file().reason, reason);
+    QVERIFY(stampOf(path) == then);
+    QVERIFY(save(session, file("elsewhere.sline")));
+    QVERIFY(session.file().writable == Writable::yes);
+    QVERIFY(stampOf(path) == then);
+  }
+
+  /// Journals of older programs do not say what the file held, nor always where it was.
+  void whatAnOlderJournalDoesNotSayIsNotGuessed_data() {
+    QTest::addColumn<bool>("there");
+    QTest::addColumn<bool>("relative");
+    QTest::newRow("a file is there") << true << false;
+    QTest::newRow("no file is there") << false << false;
+    QTest::newRow("a name alone") << true << true;
+  }
+  void whatAnOlderJournalDoesNotSayIsNotGuessed() {
+    QFETCH(bool, there);
+    QFETCH(bool, relative);
+    const QTemporaryDir place;
+    const fs::path journals = place.path().toStdString();
+    const fs::path path = file("older.sline");
+    fs::remove(path);
+    if (there)
+      QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
+    leaveJournal(journals, {"older.sline", path, {}});
+    model::Recoverable found = model::recoverableIn(journals).at(0);
+    if (relative)
+      found.source.file = fs::relative(path);
+    Session session;
+    session.openRecovered(found);
+    QVERIFY(idle(session));
+    QVERIFY(session.modified());
+    QCOMPARE(session.title(), QStringLiteral("older.sline"));
+    QCOMPARE(session.file().path.empty(), relative);
+    QCOMPARE(session.file().writable == Writable::yes, !there || relative);
+    if (there && !relative)
+      QVERIFY(session.file().reason.contains(QLatin1String("not known")));
   }
 
   void recentFilesAreOrdered() {
