@@ -131,6 +131,11 @@ void MessageBar::hideNotice() {
     hide();
 }
 
+void MessageBar::hideError(const Error& error) {
+  if (m_kind == Kind::error && m_error == error)
+    hide();
+}
+
 void MessageBar::hideDone() {
   if (m_kind == Kind::done)
     hide();

@@ -32,6 +32,8 @@ class MessageBar : public QFrame {
                 const QStringList& remarks = {});
   /// Hides a notice; other messages stay.
   void hideNotice();
+  /// Hides the error, where that is what is shown: it is so no longer.
+  void hideError(const Error& error);
   /// Hides a reported success; other messages stay.
   void hideDone();
   QString text() const;

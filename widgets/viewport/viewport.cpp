@@ -142,6 +142,9 @@ void Viewport::documentChange(const Document& before, const Document& now) {
     m_quality = {};
     pivotToMiddle();
     stopFlight();
+    // Nothing of the document before stays on screen until this one has its picture.
+    m_screen->blank(m_asked);
+    m_marked = {};
     m_marksAwait = m_asked + 1;
     m_camera = firstCamera(now.scene);
   }

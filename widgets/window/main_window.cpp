@@ -216,6 +216,7 @@ void MainWindow::connectViews() {
             [this, i] { m_viewport->showFrom(model::AnatomicalView(i)); });
   }
   connect(m_viewport, &Viewport::failed, m_message, &MessageBar::showError);
+  connect(m_viewport, &Viewport::mended, m_message, &MessageBar::hideError);
   connect(m_viewport, &Viewport::pivotChosen, this, [this](const QString& structure) {
     constexpr int readable = 4000;  // milliseconds
     statusBar()->showMessage(tr("Turning around this place on %1").arg(structure), readable);
@@ -246,6 +247,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::documentChange(const Document& before, const Document& now) {
+  // What was said of another document, or of opening it, is not so of this one.
+  if (before.opening != now.opening)
+    m_message->hide();
   if (before.opening != now.opening || now.opening == 0) {
     m_summary->setText(now.opening == 0 ? QString() : summaryOf(now.scene));
     showStart();
