@@ -38,11 +38,17 @@ class OpenTriangles {
         m_sides.push_back(
             {triangles[i][corner], triangles[i][(corner + 1u) % 3u], std::uint32_t(i), corner});
     std::sort(m_sides.begin(), m_sides.end());
+    m_passed.resize(m_sides.size(), 0);
   }
 
-  PackedMesh::Place across(std::uint32_t from, std::uint32_t to) const {
-    auto side = std::lower_bound(m_sides.begin(), m_sides.end(), Side{from, to, 0, 0});
-    for (; side != m_sides.end() && side->from == from && side->to == to; ++side)
+  PackedMesh::Place across(std::uint32_t from, std::uint32_t to) {
+    const auto begin = std::lower_bound(m_sides.begin(), m_sides.end(), Side{from, to, 0, 0});
+    if (begin == m_sides.end())
+      return {none, 0};
+    // What is listed stays so: the sides of very many triangles at one edge are passed once.
+    std::uint32_t& passed = m_passed[std::size_t(begin - m_sides.begin())];
+    for (auto side = begin + passed; side != m_sides.end() && side->from == from && side->to == to;
+         ++side, ++passed)
       if (!m_listed[side->triangle])
         return {side->triangle, side->corner};
     return {none, 0};
@@ -67,6 +73,7 @@ class OpenTriangles {
   std::span<const Triangle> m_triangles;
   std::vector<bool> m_listed;
   std::vector<Side> m_sides;
+  std::vector<std::uint32_t> m_passed;  ///< at the first side of an edge: how many are listed
   std::size_t m_first = 0;
 };
 
