@@ -220,6 +220,17 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told",
                       "not laid over %1, since no chains match; it stays where its file has it"),
     QT_TRANSLATE_NOOP("Told", "its atoms lie too far apart for a lattice between them"),
+    QT_TRANSLATE_NOOP("Told", "it lies more than 100 km from the origin"),
+    QT_TRANSLATE_NOOP("Told", "Check the unit of its coordinates"),
+    QT_TRANSLATE_NOOP("Told", "\"%1\" is %2 across: an implausible size, check the unit"),
+    QT_TRANSLATE_NOOP("Told",
+                      "\"%1\" is %2 across, and %3 other is as unlikely: an implausible size, "
+                      "check the unit"),
+    QT_TRANSLATE_NOOP("Told",
+                      "\"%1\" is %2 across, and %3 others are as unlikely: an implausible size, "
+                      "check the unit"),
+    QT_TRANSLATE_NOOP("Told", "eye or target lies more than 100,000 km away"),
+    QT_TRANSLATE_NOOP("Told", "the height is too small or too large for where eye and target lie"),
     QT_TRANSLATE_NOOP("Told", "it has more than %1 atoms"),
     QT_TRANSLATE_NOOP("Told", "Find the pockets of fewer chains at a time"),
     QT_TRANSLATE_NOOP("Told", "its atoms lie closer together than those of matter do"),

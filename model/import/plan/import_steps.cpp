@@ -12,6 +12,7 @@
 #include "model/focus/twins.h"
 #include "model/import/plan/folder_tree.h"
 #include "model/import/plan/frame_and_unit.h"
+#include "model/import/plan/implausible_sizes.h"
 #include "model/import/plan/kept_scans.h"
 #include "model/import/plan/overlay.h"
 #include "model/import/plan/repair_notes.h"
@@ -44,6 +45,13 @@ void warnOfTwins(Imported& imported, const ReadInputs& read) {
   const std::string text = twinsText(imported.scene, twinsOf(imported.scene));
   if (!text.empty() && !read.inputs.empty())
     imported.report.warnings.push_back({read.inputs.front().filename().string(), text});
+}
+
+/// Says which structures are too small or too large for a body, of scene files too.
+void warnOfSizes(Imported& imported) {
+  std::string text = implausibleSizesText(imported.scene);
+  if (!text.empty())
+    imported.report.warnings.push_back({"", std::move(text)});
 }
 
 /// Returns the structures that are not wanted or did not come, and the groups that hold nothing
@@ -184,6 +192,7 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   imported.scene = withSurfaces(plan, std::move(parts));
   if (!read.scenes)
     warnOfTwins(imported, read);
+  warnOfSizes(imported);
   imported.scene.setScans(std::move(scans));
   return imported;
 }
