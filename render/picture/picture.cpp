@@ -9,6 +9,7 @@
 #include "model/scene/visible_structures.h"
 #include "render/picture/layer_painter.h"
 #include "render/picture/picture_canvas.h"
+#include "render/strokes/coinciding.h"
 #include "render/strokes/face_patterns.h"
 #include "render/strokes/gamma_offsets.h"
 
@@ -136,6 +137,9 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
   }
   std::sort(visible.begin(), visible.end(),
             [](const PreparedStructure& a, const PreparedStructure& b) { return a.id < b.id; });
+  Coinciding coinciding;
+  for (PreparedStructure& shown : visible)
+    shown.buried = coinciding.isBuried(shown);
   return visible;
 }
 
