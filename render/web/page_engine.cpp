@@ -111,10 +111,8 @@ void PageEngine::roll(float degrees) {
 }
 
 void PageEngine::zoom(float factor, const glm::vec2& at) {
-  const model::Camera nearer =
-      model::zoomed(m_camera, model::pointAtDepthOf(m_camera, pivot(), at, pageSize()), factor);
-  if (model::withinReach(nearer, pivot(), m_shown))
-    setCamera(nearer);
+  const glm::vec3 place = model::pointAtDepthOf(m_camera, pivot(), at, pageSize());
+  setCamera(model::zoomedWithin(m_camera, place, factor, model::zoomEnds(m_shown.visibleBounds())));
 }
 
 void PageEngine::fit(std::span<const model::NodeId> ids) {

@@ -112,6 +112,51 @@ class ViewportNavigationTest : public QObject {
     QVERIFY(kidney(f).height() < 0.5 * picture.height());
   }
 
+  /// The wheel over a place beside the pivot zoomed on between two floats, and no way led back.
+  void zoomHasEndsAndComesBack_data() {
+    QTest::addColumn<int>("notch");
+    QTest::addColumn<bool>("orthographic");
+    QTest::newRow("in") << 120 << false;
+    QTest::newRow("out") << -120 << false;
+    QTest::newRow("in, orthographic") << 120 << true;
+    QTest::newRow("out, orthographic") << -120 << true;
+  }
+  void zoomHasEndsAndComesBack() {
+    QFETCH(int, notch);
+    QFETCH(bool, orthographic);
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    if (orthographic) {
+      model::Camera camera = f.viewport().camera();
+      camera.projection = model::Projection::orthographic;
+      f.viewport().setCamera(camera);
+    }
+    const QPointF mouse = f.viewport().rect().center() + QPoint(90, 60);
+    const auto turn = [&](int angle) {
+      QWheelEvent wheel(mouse, f.viewport().mapToGlobal(mouse), {}, {0, angle}, Qt::NoButton,
+                        Qt::NoModifier, Qt::NoScrollPhase, false);
+      QCoreApplication::sendEvent(&f.viewport(), &wheel);
+    };
+    const auto shown = [&] {
+      return model::millimetresPerPixel(f.viewport().camera(), f.viewport().pivot(), 1.0f);
+    };
+    for (int i = 0; i < 250; ++i)
+      turn(notch);
+    const float whole = glm::length(f.session.scene().visibleBounds().size());
+    const float end = notch > 0 ? 1e-4f * whole : 100.0f * whole;
+    QVERIFY2(std::abs(shown() / end - 1.0f) < 0.05f, qPrintable(QString::number(shown() / whole)));
+    turn(notch);
+    QVERIFY(std::abs(shown() / end - 1.0f) < 0.05f);
+    turn(-notch);
+    const float back = notch > 0 ? 1.15f : 1.0f / 1.15f;
+    QVERIFY(std::abs(shown() / (back * end) - 1.0f) < 0.05f);
+    QTest::keyClick(&f.window, Qt::Key_Home);
+    QVERIFY(f.settled());
+    QVERIFY(shown() > 0.3f * whole && shown() < 3.0f * whole);
+    QVERIFY(f.viewport().rect().contains(kidney(f)));
+  }
+
   void presetsChangeTheHand() {
     WindowFixture f;
     QVERIFY(f.drop(m_body.path()));

@@ -41,6 +41,7 @@ class Viewport : public QWidget, public ViewControl {
   const model::Camera& camera() const override { return m_camera; }
   /// Returns the point that the camera turns around.
   glm::vec3 pivot() const override { return m_pivot; }
+  model::ZoomEnds zoomEnds() const override;
   void setPivot(const glm::vec3& pivot);
   /// Sets the camera at once.
   void setCamera(const model::Camera& camera);

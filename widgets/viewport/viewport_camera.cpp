@@ -134,6 +134,10 @@ void Viewport::setPivot(const glm::vec3& pivot) {
   placeMarks();
 }
 
+model::ZoomEnds Viewport::zoomEnds() const {
+  return model::zoomEnds(shownScene().visibleBounds());
+}
+
 model::FreeSides Viewport::freeSides(const model::Scene& scene, const model::Camera& camera) const {
   return m_labels->sidesBeside(scene, camera);
 }
