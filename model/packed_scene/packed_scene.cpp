@@ -77,6 +77,7 @@ Node published(Node node, bool names) {
   kept.smoothingSteps = node.provenance.smoothingSteps;
   kept.refinementSteps = node.provenance.refinementSteps;
   kept.sliceMm = node.provenance.sliceMm;
+  kept.evidence = node.provenance.evidence;
   node.provenance = kept;
   node.atoms = {};
   node.unread.clear();

@@ -29,4 +29,39 @@ DrawnUnit drawnUnit(const Scene& scene);
 /// Tells whether anything visible comes from files of known directions, or nothing is visible.
 bool hasSides(const Scene& scene);
 
+/// Holds what may be said of the body's sides where a scene is drawn.
+struct KnownSides {
+  bool any = true;        ///< there are sides at all: hasSides
+  SideEvidence evidence;  ///< the least sure of all that is drawn
+  /// Tells whether the directions along the axis of LPS are to carry a question mark.
+  bool inDoubt(int axis) const;
+  /// Tells whether any direction is.
+  bool inDoubt() const { return any && !evidence.isSure(); }
+  bool operator==(const KnownSides&) const = default;
+};
+
+/// Returns how sure the sides are of what is visible, and of the scans.
+KnownSides knownSides(const Scene& scene);
+
+/// Returns how sure the sides are of a structure, going by the reason that files of older programs
+/// give for its frame.
+SideEvidence evidenceOfReason(std::string_view frameReason);
+
+/// What the provenance gives as the reason for a frame where nothing tells it, and how that
+/// begins where names have voted: "vote: 20 of 22 left/right names".
+inline constexpr std::string_view nothingTellsFrame =
+    "no header and no left/right names: LPS assumed";
+inline constexpr std::string_view votedFrame = "vote: ";
+/// And where a person has chosen it.
+inline constexpr std::string_view chosenFrame = "chosen by the user";
+/// And where one has settled it afterwards.
+inline constexpr std::string_view confirmedFrame = "confirmed by hand";
+inline constexpr std::string_view mirroredFrame = "mirrored by hand";
+inline constexpr std::string_view turnedFrame = "turned by hand";
+
+/// Tells whether so few votes are against that they do not matter: at most one in four.
+constexpr bool isClearVote(int against, int all) {
+  return 4 * against <= all;
+}
+
 }  // namespace sline::model

@@ -20,6 +20,7 @@
 #include "model/scene/annotation.h"
 #include "model/scene/camera.h"
 #include "model/scene/credit.h"
+#include "model/scene/evidence.h"
 #include "model/scene/focus.h"
 #include "model/scene/light.h"
 #include "model/scene/look.h"
@@ -51,6 +52,7 @@ struct Provenance {
   std::string file;   ///< file name without its folder
   std::string frame;  ///< how the file's coordinates were read, a name of `frames` (laterality.h)
   std::string frameReason;   ///< what decided the frame
+  SideEvidence evidence;     ///< how sure that is
   int smoothingSteps = 0;    ///< 0: the mesh is the file's own
   int refinementSteps = 0;   ///< Loop subdivisions
   int repairedFaces = 0;     ///< turned, removed as duplicates or without area

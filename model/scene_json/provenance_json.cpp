@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "model/scene/known_frame.h"
+
 namespace sline::model {
 
 namespace {
@@ -52,6 +54,26 @@ std::optional<IntensityRange> rangeFrom(JsonObject& object) {
 }
 }  // namespace
 
+SideEvidence evidenceFrom(JsonObject& object, SideEvidence unsaid) {
+  for (const auto& [key, target] :
+       {std::pair("sides", &unsaid.sides), std::pair("front", &unsaid.front)})
+    if (const auto value = object.take(key)) {
+      const auto named = evidenceNamed(value->text());
+      if (named)
+        *target = *named;
+      else
+        value->fail("known, settled, voted, assumed or conflict is expected here");
+    }
+  return unsaid;
+}
+
+void putEvidence(Ordered& json, const SideEvidence& evidence, const SideEvidence& unsaid) {
+  if (evidence.sides != unsaid.sides)
+    json["sides"] = evidenceNames[std::size_t(evidence.sides)];
+  if (evidence.front != unsaid.front)
+    json["front"] = evidenceNames[std::size_t(evidence.front)];
+}
+
 Provenance provenanceFrom(JsonObject& object) {
   Provenance p;
   const auto text = [&object](std::string_view key, std::string& target) {
@@ -70,6 +92,7 @@ Provenance provenanceFrom(JsonObject& object) {
   text("file", p.file);
   text("frame", p.frame);
   text("frame_reason", p.frameReason);
+  p.evidence = evidenceFrom(object, evidenceOfReason(p.frameReason));
   number("mm_per_unit", p.mmPerUnit);
   text("unit_reason", p.unitReason);
   count("smoothing_steps", p.smoothingSteps);
@@ -107,6 +130,7 @@ Ordered provenanceJson(const Provenance& p) {
                   {"refinement_steps", p.refinementSteps},
                   {"repaired_faces", p.repairedFaces},
                   {"displacement_mm", jsonNumber(p.displacementMm)}};
+  putEvidence(json, p.evidence, evidenceOfReason(p.frameReason));
   if (p.sliceMm > 0.0f)
     json["slice_mm"] = jsonNumber(p.sliceMm);
   if (p.decimatedFrom != 0) {

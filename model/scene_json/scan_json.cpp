@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/scene_json/scan_json.h"
 
+#include "model/scene_json/provenance_json.h"
+
 namespace sline::model {
 
 namespace {
@@ -30,6 +32,7 @@ Scan scanFrom(const JsonValue& value, const VoxelsByName& voxels) {
     scan.intercept = intercept->real();
   if (const auto hounsfield = object.take("hounsfield"))
     scan.hounsfield = hounsfield->flag();
+  scan.evidence = evidenceFrom(object, {});
   const JsonValue member = object.need("voxels");
   const auto found = voxels.find(member.text());
   if (found == voxels.end())
@@ -59,6 +62,7 @@ nlohmann::ordered_json scanJson(const Scan& scan, const std::string& voxels) {
   json["slope"] = scan.slope;
   json["intercept"] = scan.intercept;
   json["hounsfield"] = scan.hounsfield;
+  putEvidence(json, scan.evidence, {});
   json["voxels"] = voxels;
   return json;
 }

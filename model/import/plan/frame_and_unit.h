@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "model/import/plan/parts.h"
-#include "model/import/plan/sources.h"
+#include "model/import/plan/read_inputs.h"
 
 namespace sline::model {
 
-/// Fixes each part's frame and says why: as chosen by hand, else as the file's format, header or
-/// scene says, else by the vote of the names (laterality.h). Warns where names contradict the
-/// files. A part that was skipped has a vote like any other.
-void decideFrames(std::vector<Part>& parts, const Sources& sources, const ImportOptions& options,
+/// Fixes each part's frame and says why and how sure that is: as chosen by hand, else as the file's
+/// format, header or scene says, else as it lies over others of the same names (frame_fit.h), by a
+/// clear vote of the names (laterality.h), as it fits in with the others, or by a weak vote. Warns
+/// where names contradict the files, or nothing fits. A part that was skipped has a vote like any
+/// other.
+void decideFrames(std::vector<Part>& parts, const ReadInputs& read, const ImportOptions& options,
                   ImportReport& report);
 
 /// Fixes each part's unit. Files without a unit of their own are taken as millimetres, but a body

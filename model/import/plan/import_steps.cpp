@@ -130,7 +130,7 @@ DecidedParts decideParts(std::vector<Part> parts, const ReadInputs& read,
   report.notes = overlayMolecules(parts, options.overlay);
   report.notes.insert(report.notes.end(), read.notes.begin(), read.notes.end());
   report.repairs = repairNotes(parts, read.sources);
-  decideFrames(parts, read.sources, options, report);
+  decideFrames(parts, read, options, report);
   decideUnits(parts, read.sources, options, report);
   return {std::move(parts), std::move(report)};
 }

@@ -38,4 +38,12 @@ struct Part {
   PartChoice choice;
 };
 
+/// Describes a structure of a label volume that was left out, because the folder holds it as a
+/// surface, too: it shows where that lies.
+struct LeftOutTwin {
+  std::string name;
+  std::size_t source = 0;  ///< in Sources::sources
+  glm::vec3 middle{0.0f};  ///< of its surface, in LPS, millimetres
+};
+
 }  // namespace sline::model

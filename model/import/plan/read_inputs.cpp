@@ -34,6 +34,7 @@ Status readMeshes(ReadInputs& read, const std::vector<fs::path>& meshes, ScansWa
   read.scans = std::move(loaded.scans);
   read.warnings = std::move(loaded.warnings);
   read.notes = std::move(loaded.notes);
+  read.twins = std::move(loaded.twins);
   if (meter.cancelled())
     return Error{.reason = "the import was cancelled"};
   std::vector<ImportWarning> all = read.sources.warnings;

@@ -64,7 +64,8 @@ std::vector<VoxelGrid> gridsOf(const std::vector<Part>& parts, const Sources& so
   return grids;
 }
 
-/// Maps file coordinates → millimetres LPS.
+}  // namespace
+
 glm::vec3 placed(const glm::vec3& p, const Provenance& as, const RawMesh& raw,
                  const std::optional<glm::dmat4>& toWorld) {
   glm::vec3 q = raw.yUp ? uprightToLps(p) : p;
@@ -79,7 +80,12 @@ glm::vec3 placed(const glm::vec3& p, const Provenance& as, const RawMesh& raw,
   return {float(-world.x), float(-world.y), float(world.z)};
 }
 
-}  // namespace
+std::optional<glm::dmat4> toWorldOf(const Part& part, const Sources& sources) {
+  const SourceFile& source = sources.files[part.file];
+  if (source.model)
+    return sources.sources[source.source].scene->models[*source.model].toWorld;
+  return source.told ? source.told->toWorld : std::nullopt;
+}
 
 void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,
                  ProgressMeter& meter) {
@@ -162,12 +168,10 @@ Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as) {
 void placeParts(std::vector<Part>& parts, const Sources& sources,
                 std::vector<ImportWarning>& warnings) {
   for (Part& part : parts) {
-    const SourceFile& source = sources.files[part.file];
     part.provenance.frame = frameName(part.frame);
     part.provenance.mmPerUnit = part.unit;
-    if (source.model)
-      if (const auto& toWorld = sources.sources[source.source].scene->models[*source.model].toWorld)
-        part.provenance.transform = rowsOf(*toWorld);
+    if (const auto toWorld = toWorldOf(part, sources))
+      part.provenance.transform = rowsOf(*toWorld);
     if (part.raw.molecule)
       part.raw.molecule->atoms = placedAtoms(part.raw, part.provenance);
     // Names, groups and colours are asked for later.

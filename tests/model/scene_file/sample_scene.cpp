@@ -40,6 +40,7 @@ Provenance sampleProvenance() {
   Provenance p{.file = "a.ply",
                .frame = "LPS",
                .frameReason = "said so",
+               .evidence = {Evidence::conflict, Evidence::voted},
                .smoothingSteps = 3,
                .refinementSteps = 2,
                .repairedFaces = 1,

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds out what scenes of 3D Slicer say of files that are read without them.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "model/import/plan/sources.h"
+
+namespace sline::model {
+
+/// Sets what the scenes say of those files that they name, by the path or, where only one of the
+/// files is called so, by the file's name: scenes are moved, and their files with them. Where
+/// scenes disagree none decides, and a warning says so. A scene that cannot be read says nothing.
+void tellFrames(std::span<SourceFile> files, std::vector<std::filesystem::path> scenes,
+                const ReadLimits& limits, std::vector<ImportWarning>& warnings);
+
+/// Returns the scenes of 3D Slicer in the folder, without those in folders of it.
+std::vector<std::filesystem::path> scenesIn(const std::filesystem::path& folder);
+/// Returns the folder that the folder lies in.
+std::filesystem::path folderAbove(const std::filesystem::path& folder);
+
+}  // namespace sline::model
