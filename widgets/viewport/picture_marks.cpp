@@ -42,7 +42,7 @@ PictureMarks::PictureMarks(QWidget& picture) : QObject(&picture), m_picture(pict
 }
 
 MarkedScene markedScene(const model::Scene& scene) {
-  return {.any = !scene.nodes().empty(), .sides = hasSides(scene), .unit = drawnUnit(scene)};
+  return {.any = !scene.nodes().empty(), .sides = knownSides(scene), .unit = drawnUnit(scene)};
 }
 
 void PictureMarks::choose(const MarkChoice& choice) {
@@ -116,7 +116,7 @@ std::vector<QRectF> PictureMarks::places() const {
   };
   if (m_choice.frameTime)
     add(cornerBox(sizeOf(*m_time, timeText(9999.0, 0.5f)), Qt::BottomRightCorner));
-  const QSize letters = sizeOf(*m_letters[0], QStringLiteral("SLA"));
+  const QSize letters = sizeOf(*m_letters[0], QStringLiteral("SL?A?"));
   const QPoint middle = m_picture.rect().center();
   for (std::size_t i = 0; i < m_letters.size(); ++i) {
     QRect box(QPoint(), letters);
@@ -154,8 +154,8 @@ void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot,
   choose(m_choice);
 }
 
-void PictureMarks::placeLetters(const model::Camera& camera, bool sides) {
-  const render::EdgeLetters letters = render::edgeLetters(camera);
+void PictureMarks::placeLetters(const model::Camera& camera, const model::KnownSides& sides) {
+  const render::EdgeLetters letters = render::edgeLetters(camera, sides);
   const std::array<const std::string*, 4> texts{&letters.left, &letters.right, &letters.top,
                                                 &letters.bottom};
   const QPoint middle = m_picture.rect().center();
@@ -167,7 +167,7 @@ void PictureMarks::placeLetters(const model::Camera& camera, bool sides) {
     box.moveCenter(middle);
     placeAtEdge(box, i);
     label.setGeometry(box);
-    label.setVisible(m_scene && sides);
+    label.setVisible(m_scene && sides.any);
   }
 }
 

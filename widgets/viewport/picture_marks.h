@@ -24,8 +24,8 @@ struct MarkChoice {
 
 /// What marks need to know of a scene.
 struct MarkedScene {
-  bool any = false;    ///< it holds something
-  bool sides = false;  ///< model::hasSides
+  bool any = false;  ///< it holds something
+  model::KnownSides sides{.any = false, .evidence = {}};
   model::DrawnUnit unit = model::DrawnUnit::millimetre;
   bool operator==(const MarkedScene&) const = default;
 };
@@ -43,7 +43,8 @@ class PictureMarks : public QObject {
   const MarkChoice& choice() const { return m_choice; }
   void setBackground(render::Background background);
   /// Places the marks for the camera and the point it turns around; without a scene there is
-  /// nothing to mark. Where nobody knows the scene's sides there are no letters.
+  /// nothing to mark. Where nobody knows the scene's sides there are no letters; those in doubt
+  /// have a question mark.
   void place(const model::Camera& camera, const glm::vec3& pivot, const MarkedScene& scene);
   /// Sets how many pixels at the upper edge are covered by something else.
   void setHeadroom(int pixels) { m_headroom = pixels; }
@@ -59,7 +60,7 @@ class PictureMarks : public QObject {
 
  private:
   void dress();
-  void placeLetters(const model::Camera& camera, bool sides);
+  void placeLetters(const model::Camera& camera, const model::KnownSides& sides);
   QRect cornerBox(const QSize& size, Qt::Corner corner) const;
   static QString timeText(double milliseconds, float scale);
   /// Moves a box, centred in the picture, to its left, right, upper or lower edge.

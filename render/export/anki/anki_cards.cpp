@@ -57,7 +57,7 @@ class Cards {
       for (const model::View& view : views) {
         const ExportOrder one = orderOfView(m_order, view);
         if (const Status added =
-                addView(one, titleOfView(view, language(), model::hasSides(one.scene)));
+                addView(one, titleOfView(view, language(), model::knownSides(one.scene)));
             !added.ok())
           return added.error();
         m_done += m_share;

@@ -305,7 +305,7 @@ Result<QuestionBook> pictureQuestions(const ExportOrder& order, const ExportProg
   else
     for (const model::View& view : order.scene.views()) {
       ExportOrder one = orderOfView(order, view);
-      std::string title = titleOfView(view, book.language, model::hasSides(one.scene));
+      std::string title = titleOfView(view, book.language, model::knownSides(one.scene));
       views.emplace_back(std::move(title), std::move(one));
     }
   for (std::size_t i = 0; i < views.size(); ++i) {

@@ -52,7 +52,8 @@ class MarkLayout {
       : m_order(order),
         m_size(order.page.sizeMm),
         m_colours(letteringColours(order.environment.background == Background::dark)),
-        m_words(order.labels.language),
+        m_sides(knownSides(order.scene)),
+        m_words(order.labels.language, m_sides),
         m_unit(drawnUnit(order.scene)),
         m_boxes(order.labels.reserved) {
     m_marks.lettering.ground = m_colours.ground;
@@ -61,7 +62,7 @@ class MarkLayout {
   Marks make() {
     if (m_order.sourcesInPicture())
       addSources();
-    if (m_order.marks.sides && hasSides(m_order.scene))
+    if (m_order.marks.sides && m_sides.any)
       addSides();
     else if (m_order.marks.sides && m_unit != model::DrawnUnit::angstrom)
       addNote(m_marks.notes, {.kind = ExportNote::Kind::sidesUnknown, .names = {}, .detail = {}});
@@ -131,7 +132,7 @@ class MarkLayout {
   }
 
   void addSides() {
-    const EdgeLetters letters = edgeLetters(m_order.camera);
+    const EdgeLetters letters = edgeLetters(m_order.camera, m_sides);
     const float middle = 0.5f * (m_size.y + letterCap());
     EdgeRoom& edges = m_marks.edges;
     if (const auto box = addLetter(letters.left, {margin, middle}, TextAnchor::start))
@@ -225,8 +226,7 @@ class MarkLayout {
     if (ownTitle().empty()) {
       const bool side =
           model::anatomicalViewNamed(model::normalisedName(m_order.viewName)).has_value();
-      return side && !hasSides(m_order.scene) ? QString()
-                                              : m_words.view(m_order.viewName, m_order.camera);
+      return side && !m_sides.any ? QString() : m_words.view(m_order.viewName, m_order.camera);
     }
     return m_order.marks.words ? QString() : QString::fromStdString(ownTitle()).simplified();
   }
@@ -285,6 +285,7 @@ class MarkLayout {
   const ExportOrder& m_order;
   glm::vec2 m_size;
   LetteringColours m_colours;
+  model::KnownSides m_sides;
   MarkWords m_words;
   model::DrawnUnit m_unit;
   Marks m_marks;

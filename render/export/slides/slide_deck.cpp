@@ -106,9 +106,10 @@ class Making {
   SlideWords titleOf(const ExportOrder& order, const model::View* view) const {
     if (view && !view->words.title.in(m_language).empty())
       return wordsIn(view->words.title, m_language);
-    if (!hasSides(order.scene))
-      return {view ? titleOfView(*view, m_language, false) : std::string(), {}};
-    return {MarkWords(m_language).view(order.viewName, order.camera).toStdString(), {}};
+    const model::KnownSides sides = knownSides(order.scene);
+    if (!sides.any)
+      return {view ? titleOfView(*view, m_language, sides) : std::string(), {}};
+    return {MarkWords(m_language, sides).view(order.viewName, order.camera).toStdString(), {}};
   }
 
   Result<std::size_t> addPicture(const ExportOrder& order, const Span& span) {

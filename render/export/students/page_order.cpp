@@ -46,6 +46,7 @@ model::Node published(model::Node node, model::DrawnUnit unit) {
   // And these what its coordinates stand for: never words of a file.
   if (node.provenance.frame == model::fileFrame)
     kept.frame = model::fileFrame;
+  kept.evidence = node.provenance.evidence;
   if (unit == model::DrawnUnit::angstrom && node.provenance.unitReason == model::angstromReason)
     kept.unitReason = model::angstromReason;
   node.provenance = kept;

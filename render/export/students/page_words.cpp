@@ -173,16 +173,16 @@ Json PageWords::linesOf(const model::Wording& wording) const {
 
 WordsByLanguage PageWords::titleOf(const model::View& view) const {
   WordsByLanguage words;
-  const bool sided = hasSides(m_scene);
+  const model::KnownSides sides = knownSides(m_scene);
   for (const std::string& tag : m_languages) {
     if (!m_silent) {
-      words[tag] = render::titleOfView(view, tag, sided);
+      words[tag] = render::titleOfView(view, tag, sides);
       continue;
     }
     const auto side = model::anatomicalViewOf(view.camera);
-    if (side && sided)
+    if (side && sides.any)
       words[tag] =
-          MarkWords(tag)
+          MarkWords(tag, sides)
               .view(std::string(model::anatomicalViewNames[std::size_t(*side)]), view.camera)
               .toStdString();
   }
