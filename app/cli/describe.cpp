@@ -31,6 +31,7 @@ Exit runDescribe(const DescribeFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  warnOfSides(imported->scene);
   render::ExportOrder order;
   const glm::vec2 page = order.page.sizeMm;
   spec->size = {int(std::lround(100.0f * page.x)), int(std::lround(100.0f * page.y))};

@@ -316,6 +316,7 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   const Result<model::Imported> imported = readInputs(flags.input, wish->import, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  warnOfSides(imported->scene);
   const Result<ArrangedScene> arranged =
       arrangeOnPage(wish->job.page.sizeMm, imported->scene, wish->spec);
   if (!arranged.ok())

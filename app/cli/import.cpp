@@ -60,6 +60,7 @@ Exit runImport(const ImportFlags& flags) {
   Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  warnOfSides(imported->scene);
   for (const model::Scan& scan : imported->scene.scans())
     tell("kept with the scene: " + scan.file + ": " + model::scanText(scan));
   progress.show(0.9, "drawing the thumbnail");

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/cli/flags/values.h"
+#include "model/scene/known_frame.h"
 
 namespace sline::cli {
 
@@ -19,7 +20,10 @@ Json nodeJson(const model::Node& node) {
     return json;
   const model::Provenance& origin = node.provenance;
   json["file"] = origin.file;
-  json["frame"] = origin.frame;
+  json["frame"] = origin.frame == model::fileFrame ? origin.frame : "LPS";
+  json["read_as"] = origin.frame;
+  json["sides"] = model::evidenceNames[std::size_t(origin.evidence.sides)];
+  json["front"] = model::evidenceNames[std::size_t(origin.evidence.front)];
   json["frame_reason"] = origin.frameReason;
   json["mm_per_unit"] = jsonNumber(origin.mmPerUnit);
   json["unit_reason"] = origin.unitReason;
@@ -39,7 +43,8 @@ std::string decision(const std::string& answer, const std::string& reason) {
 }
 
 std::string frameDecision(const model::Provenance& origin) {
-  return decision(origin.frame, origin.frameReason);
+  const std::string frame = decision(origin.frame, origin.frameReason);
+  return origin.evidence.isSure() ? frame : frame + ", which is not certain";
 }
 
 std::string unitDecision(const model::Provenance& origin) {

@@ -31,6 +31,7 @@ Exit runRender(const RenderFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  warnOfSides(imported->scene);
   return drawScene(imported->scene, *spec, progress);
 }
 

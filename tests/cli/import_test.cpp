@@ -156,6 +156,8 @@ void ImportTest::planAsJson() {
   QCOMPARE(kidney["mm_per_unit"].toDouble(), 10.0);
   QCOMPARE(kidney["unit_reason"].toString(), QString("chosen by the user"));
   QCOMPARE(kidney["frame"].toString(), QString("LPS"));
+  QCOMPARE(kidney["read_as"].toString(), QString("LPS"));
+  QCOMPARE(kidney["sides"].toString(), QString("assumed"));
   QVERIFY(!kidney["frame_reason"].toString().isEmpty());
   QCOMPARE(plan["bounds_mm"][1][0].toDouble(), 700.0);
   QVERIFY(!QFile::exists(at("never.sline")));

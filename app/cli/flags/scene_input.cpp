@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/flags/scene_input.h"
 
+#include <algorithm>
+
 #include "app/cli/flags/values.h"
 
 namespace sline::cli {
@@ -18,8 +20,19 @@ void tellNotes(const model::ImportReport& report, bool verbose) {
 }
 }  // namespace
 
+Result<std::optional<model::SideAnswer>> parseSides(const std::string& text) {
+  if (text.empty())
+    return std::optional<model::SideAnswer>();
+  const auto index = parseName(model::sideAnswerNames, "--sides", text);
+  if (!index.ok())
+    return index.error();
+  return std::optional(model::SideAnswer(*index));
+}
+
 Result<model::ImportOptions> importOptions(const InputFlags& flags) {
   model::ImportOptions options;
+  if (const auto sides = parseSides(flags.sides); !sides.ok())
+    return sides.error();
   if (!flags.frame.empty()) {
     const auto frame = parseFrame(flags.frame);
     if (!frame.ok())
@@ -72,7 +85,27 @@ Result<model::Imported> readInputs(const InputFlags& flags, const model::ImportO
   for (const model::ImportWarning& warning : imported->report.warnings)
     warn(warning.file.empty() ? warning.reason : warning.file + ": " + warning.reason);
   tellNotes(imported->report, flags.verbose);
+  if (const auto sides = parseSides(flags.sides); sides.ok() && *sides)
+    imported->scene = model::withSidesSettled(imported->scene, **sides).scene;
   return imported;
+}
+
+void warnOfSides(const model::Scene& scene) {
+  if (!model::hasDoubtedSides(scene))
+    return;
+  const auto doubted = [](const model::Node& node) {
+    return !node.isGroup() && !node.provenance.evidence.isSure();
+  };
+  const auto& nodes = scene.nodes();
+  const auto first = std::find_if(nodes.begin(), nodes.end(), doubted);
+  const auto count = std::count_if(nodes.begin(), nodes.end(), doubted);
+  std::string text = "left and right are not certain";
+  if (first != nodes.end())
+    text += " of " + std::to_string(count) + (count == 1 ? " structure (" : " structures (") +
+            first->provenance.frame + ": " + first->provenance.frameReason + ")";
+  warn(text +
+       "; marks of the sides carry a question mark until --sides right, mirror or turn, or "
+       "--frame, settles it");
 }
 
 Result<model::SceneDocument> openedScene(const std::string& file) {
