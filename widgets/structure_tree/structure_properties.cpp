@@ -89,8 +89,9 @@ void addOrigin(std::vector<Property>& rows, const model::Provenance& p) {
   if (!p.part.empty())
     rows.push_back(
         {QStringLiteral("part"), tr("Part of the file"), QString::fromStdString(p.part)});
+  const QString doubt = p.evidence.isSure() ? QString() : QStringLiteral("?");
   rows.push_back({QStringLiteral("frame"), tr("Coordinates"),
-                  withReason(QString::fromStdString(p.frame), p.frameReason)});
+                  withReason(QString::fromStdString(p.frame) + doubt, p.frameReason)});
   rows.push_back(
       {QStringLiteral("unit"), tr("Unit"),
        withReason(tr("%1 mm").arg(QLocale().toString(double(p.mmPerUnit), 'g', 6)), p.unitReason)});

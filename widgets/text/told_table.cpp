@@ -181,6 +181,15 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told",
                       "if left and right are swapped, choose %1 where front and back are swapped "
                       "too, else %2"),
+    QT_TRANSLATE_NOOP("Told",
+                      "names of front and back contradict the frame %1; if the files are mirrored, "
+                      "choose %2"),
+    QT_TRANSLATE_NOOP("Told",
+                      "surfaces whose files do not say their frame lie beside the others, whether "
+                      "they are read as LPS or as RAS; %1 was assumed"),
+    QT_TRANSLATE_NOOP("Told",
+                      "scenes of 3D Slicer beside it disagree about its coordinates; none of them "
+                      "was followed"),
     QT_TRANSLATE_NOOP("Told", "everything together is only %1 units large"),
     QT_TRANSLATE_NOOP("Told", "%1; the unit was taken as the metre (times 1000)"),
     QT_TRANSLATE_NOOP("Told", "no threshold made a structure: no scan was read that has it"),
@@ -236,6 +245,13 @@ constexpr const char* messageRows[] = {
     QT_TRANSLATE_NOOP("Told", "chosen by the user"),
     QT_TRANSLATE_NOOP("Told", "no header and no left/right names: LPS assumed"),
     QT_TRANSLATE_NOOP("Told", "vote: %1 of %2 left/right names"),
+    QT_TRANSLATE_NOOP("Told", "weak vote: %1 of %2 left/right names"),
+    QT_TRANSLATE_NOOP("Told", "names of front and back alone"),
+    QT_TRANSLATE_NOOP("Told", "laid over surfaces of the same names: %1 within 2 mm"),
+    QT_TRANSLATE_NOOP("Told", "fits in with the other surfaces"),
+    QT_TRANSLATE_NOOP("Told", "confirmed by hand"),
+    QT_TRANSLATE_NOOP("Told", "mirrored by hand"),
+    QT_TRANSLATE_NOOP("Told", "turned by hand"),
     QT_TRANSLATE_NOOP("Told", "header: %1"),
     QT_TRANSLATE_NOOP("Told", "coordinates left as they are"),
     QT_TRANSLATE_NOOP("Told", "scene of Slicer: millimetres"),
