@@ -112,6 +112,8 @@ class Settling {
 
   Scene run() {
     findMoved();
+    if (m_moved.empty() && m_scene.scans().empty())
+      return m_scene;
     Scene after = m_scene;
     if (m_flip.changes()) {
       after.setAnnotations(annotations());

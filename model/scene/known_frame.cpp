@@ -73,10 +73,12 @@ bool KnownSides::inDoubt(int axis) const {
 
 KnownSides knownSides(const Scene& scene) {
   KnownSides known{.any = hasSides(scene), .evidence = {}};
-  forEachVisible(scene, [&](const Provenance& from) {
-    add(known.evidence, from.evidence);
-    return true;
-  });
+  // This is asked for each picture: what adds no doubt need not be looked for.
+  for (const Node& node : scene.nodes())
+    if (const SideEvidence& own = node.provenance.evidence;
+        !node.isGroup() && (own.sides > known.evidence.sides || own.front > known.evidence.front) &&
+        scene.resolve(node.id).visible)
+      add(known.evidence, own);
   for (const Scan& scan : scene.scans())
     add(known.evidence, scan.evidence);
   return known;

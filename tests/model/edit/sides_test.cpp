@@ -155,6 +155,8 @@ class SidesTest : public QObject {
     Node node = bodyAt("chain", {10, 0, 0}, {});
     node.provenance.frame = fileFrame;
     scene.append(node);
+    scene.appendAnnotation(
+        {.kind = AnnotationKind::label, .anchors = {glm::vec3(1, 2, 3)}, .text = "there"});
     for (const SideAnswer answer : {SideAnswer::right, SideAnswer::mirror, SideAnswer::turn})
       QVERIFY(!withSidesSettled(scene, answer).changed);
   }
