@@ -15,20 +15,36 @@ void forEachVisible(const Scene& scene, const Body& body) {
 
 }  // namespace
 
+bool isUnitDoubted(const Provenance& from) {
+  return from.unitReason.ends_with(unlikelySizes);
+}
+
 std::string_view symbolOf(DrawnUnit unit) {
-  return unit == DrawnUnit::angstrom ? "Å" : "mm";
+  switch (unit) {
+    case DrawnUnit::angstrom:
+      return "Å";
+    case DrawnUnit::doubtedMillimetre:
+      return "mm?";
+    case DrawnUnit::millimetre:
+      break;
+  }
+  return "mm";
 }
 
 DrawnUnit drawnUnit(const Scene& scene) {
   bool molecules = false;
   bool others = false;
+  bool doubted = false;
   forEachVisible(scene, [&](const Provenance& from) {
+    doubted = doubted || isUnitDoubted(from);
     const bool molecule = from.unitReason == angstromReason;
     molecules = molecules || molecule;
     others = others || (!molecule &&
                         (!from.file.empty() || (!from.frame.empty() && from.frame != fileFrame)));
-    return !others;
+    return !doubted;
   });
+  if (doubted)
+    return DrawnUnit::doubtedMillimetre;
   return molecules && !others ? DrawnUnit::angstrom : DrawnUnit::millimetre;
 }
 

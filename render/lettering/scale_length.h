@@ -25,7 +25,8 @@ struct ScaleLength {
 std::optional<ScaleLength> scaleLength(const model::Camera& camera, const glm::vec3& at,
                                        double height, double most);
 /// Returns "5 mm", from 10 mm on "1 cm", from 1000 mm on "1 m", with the number as the locale
-/// writes it; for a scene that is drawn in another unit its number of those: "5 Å".
+/// writes it; for a scene that is drawn in another unit its number of those: "5 Å";
+/// where the unit is doubted "1 cm?".
 QString lengthText(double millimetres, const QLocale& locale,
                    model::DrawnUnit unit = model::DrawnUnit::millimetre);
 

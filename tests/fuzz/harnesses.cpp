@@ -12,6 +12,7 @@
 #include "model/import/dicom/dicom.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/import.h"
+#include "model/import/plan/patients.h"
 #include "model/import/slicer/bundle.h"
 #include "model/import/slicer/fiducials.h"
 #include "model/import/slicer/mrml_scene.h"
@@ -328,6 +329,16 @@ std::string wholeImport(std::string_view bytes) {
   return {};
 }
 
+/// Asks whose a file is, under each kind of name that is looked into.
+std::string patientMarks(std::string_view bytes) {
+  static const InputFolder folder;
+  for (const char* ending : {".dcm", ".nrrd", ".mha", ".hdr", ".mnc", ".mrml"})
+    for (const model::PatientMarks& marks : model::patientMarks(folder.put(ending, bytes), {}))
+      if (!marks.any())
+        return "marks that say nothing";
+  return {};
+}
+
 // A reader that stands in the table of kinds needs its row here and a folder of seeds.
 constexpr Harness table[] = {
     {"obj", surfaces<".obj">},
@@ -376,6 +387,7 @@ constexpr Harness table[] = {
     {"figure", figure},
     {"page_scene", pageScene},
     {"import", wholeImport},
+    {"patient_marks", patientMarks},
 };
 }  // namespace
 

@@ -15,9 +15,4 @@ namespace sline::model {
 void decideFrames(std::vector<Part>& parts, const Sources& sources, const ImportOptions& options,
                   ImportReport& report);
 
-/// Fixes each part's unit. Files without a unit of their own are taken as millimetres, but a body
-/// part smaller than 3 mm is taken to be in metres.
-void decideUnits(std::vector<Part>& parts, const Sources& sources, const ImportOptions& options,
-                 ImportReport& report);
-
 }  // namespace sline::model

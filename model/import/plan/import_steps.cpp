@@ -17,6 +17,7 @@
 #include "model/import/plan/repair_notes.h"
 #include "model/import/plan/scene_inputs.h"
 #include "model/import/plan/shape_parts.h"
+#include "model/import/plan/units.h"
 #include "model/import/plan/views_and_annotations.h"
 
 namespace sline::model {

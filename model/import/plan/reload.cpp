@@ -12,6 +12,7 @@
 #include "model/geometry/paint.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/load_parts.h"
+#include "model/import/plan/patients.h"
 #include "model/import/plan/shape_parts.h"
 #include "model/meshing/repair.h"
 #include "model/scene_file/fingerprint.h"
@@ -143,8 +144,8 @@ Result<MeshPtr> repeatImport(RawMesh raw, Provenance& as, const ReadOptions& opt
 
 class Reloader {
  public:
-  Reloader(const Scene& scene, const ReadOptions& options)
-      : m_options(options), m_nodes(scene.nodes()) {
+  Reloader(const Scene& scene, const ReadOptions& options, PatientsWanted patients)
+      : m_options(options), m_patients(patients), m_nodes(scene.nodes()) {
     m_result.scene = scene;
   }
 
@@ -154,13 +155,21 @@ class Reloader {
     for (const Origin& origin : origins)
       names.insert(origin.file);
     const auto found = filesNamed(names, places, m_result.warnings);
+    std::vector<Compared> fates;
     for (const Origin& origin : origins) {
       const auto candidates = found.find(origin.file);
-      if (candidates == found.end())
-        tell(origin, Fate::absent, "no file of this name was found");
-      else if (m_options.goesOn())
-        compareFiles(origin, candidates->second, origins);
+      fates.push_back(candidates == found.end()
+                          ? Compared{Fate::absent, "no file of this name was found"}
+                          : compareFiles(origin, candidates->second, origins));
+      // What stays says whose the scene is.
+      if (fates.back().fate == Fate::unchanged)
+        m_sorter.add(fates.back().file, patientMarks(fates.back().file, m_options.limits));
     }
+    for (std::size_t i = 0; i < origins.size() && m_options.goesOn(); ++i)
+      if (fates[i].fate == Fate::replaced)
+        read(origins[i], fates[i].file, fates[i].now);
+      else
+        tell(origins[i], fates[i].fate, fates[i].reason);
     m_result.changed = !m_result.meshes.empty();
     if (m_result.changed)
       m_result.scene = withNewMeshes(m_result.scene, m_result.meshes);
@@ -168,6 +177,14 @@ class Reloader {
   }
 
  private:
+  /// What is to become of the structures of a file; `replaced` where it is to be read again.
+  struct Compared {
+    Fate fate = Fate::failed;
+    std::string reason;
+    fs::path file = {};
+    Fingerprint now = {};
+  };
+
   void tell(const Origin& origin, Fate fate, std::string reason = {}) {
     ReloadedFile line{origin.file, fate, std::move(reason), {}};
     for (const std::size_t i : origin.nodes)
@@ -175,15 +192,15 @@ class Reloader {
     m_result.files.push_back(std::move(line));
   }
 
-  void compareFiles(const Origin& origin, const std::set<fs::path>& files,
-                    const std::vector<Origin>& origins) {
+  Compared compareFiles(const Origin& origin, const std::set<fs::path>& files,
+                        const std::vector<Origin>& origins) const {
     std::vector<std::pair<fs::path, Fingerprint>> changed;
     for (const fs::path& file : files) {
       const Result<Fingerprint> now = fingerprintOfFile(file);
       if (!now)
-        return tell(origin, Fate::failed, now.error().reason);
+        return {Fate::failed, now.error().reason};
       if (*now == origin.fingerprint)
-        return tell(origin, Fate::unchanged);
+        return {Fate::unchanged, {}, file, *now};
       // A file from which another structure of the same file name came is not meant.
       const bool another = std::any_of(origins.begin(), origins.end(), [&](const Origin& o) {
         return o.file == origin.file && o.fingerprint == *now;
@@ -192,16 +209,26 @@ class Reloader {
         changed.emplace_back(file, *now);
     }
     if (changed.empty())
-      return tell(origin, Fate::absent, "only files that other structures came from were found");
+      return {Fate::absent, "only files that other structures came from were found"};
     const auto rivals = std::count_if(origins.begin(), origins.end(),
                                       [&](const Origin& o) { return o.file == origin.file; });
     if (changed.size() > 1 || rivals > 1)
-      return tell(origin, Fate::failed,
-                  changed.size() > 1
-                      ? "there are " + std::to_string(changed.size()) +
-                            " files of this name; name the folder of the one that is meant"
-                      : "structures from several files of this name are in the scene");
-    read(origin, changed.front().first, changed.front().second);
+      return {Fate::failed,
+              changed.size() > 1
+                  ? "there are " + std::to_string(changed.size()) +
+                        " files of this name; name the folder of the one that is meant"
+                  : "structures from several files of this name are in the scene"};
+    return {Fate::replaced, {}, changed.front().first, changed.front().second};
+  }
+
+  /// Tells whether the file is of the same patient as those before it, which it then joins.
+  bool isOfThePatient(const fs::path& file) {
+    PatientSorter with = m_sorter;
+    with.add(file, patientMarks(file, m_options.limits));
+    if (m_patients == PatientsWanted::one && with.patients().several())
+      return false;
+    m_sorter = std::move(with);
+    return true;
   }
 
   /// Returns the smoothing that readers which smooth were told to do: none where nothing moved.
@@ -227,6 +254,8 @@ class Reloader {
   }
 
   void read(const Origin& origin, const fs::path& file, const Fingerprint& now) {
+    if (!isOfThePatient(file))
+      return tell(origin, Fate::failed, "it is of another patient than the other files now");
     ReadOptions options = m_options;
     options.smoothing = readersSmoothing(origin);
     options.thresholds = thresholdsOf(origin);
@@ -292,7 +321,9 @@ class Reloader {
   }
 
   const ReadOptions& m_options;
+  PatientsWanted m_patients;
   const std::vector<Node>& m_nodes;
+  PatientSorter m_sorter;
   Reloaded m_result;
 };
 
@@ -332,8 +363,9 @@ Scene withNewMeshes(const Scene& scene, std::span<const NewMesh> meshes) {
   return after;
 }
 
-Reloaded reload(const Scene& scene, std::span<const fs::path> places, const ReadOptions& options) {
-  return Reloader(scene, options).run(places);
+Reloaded reload(const Scene& scene, std::span<const fs::path> places, const ReadOptions& options,
+                PatientsWanted patients) {
+  return Reloader(scene, options, patients).run(places);
 }
 
 }  // namespace sline::model

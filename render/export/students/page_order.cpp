@@ -48,6 +48,8 @@ model::Node published(model::Node node, model::DrawnUnit unit) {
     kept.frame = model::fileFrame;
   if (unit == model::DrawnUnit::angstrom && node.provenance.unitReason == model::angstromReason)
     kept.unitReason = model::angstromReason;
+  else if (isUnitDoubted(node.provenance))
+    kept.unitReason = model::unlikelySizes;
   node.provenance = kept;
   node.atoms = {};
   node.unread.clear();

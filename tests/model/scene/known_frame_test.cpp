@@ -56,6 +56,21 @@ class KnownFrameTest : public QObject {
     QVERIFY(!hasSides(scene));
   }
 
+  void aDoubtedUnitIsSaidWithEachLength() {
+    Scene scene;
+    scene.append(structure("spleen.stl", "LPS", "the file says so"));
+    const NodeId organ = scene.append(
+        structure("liver.stl", "LPS", std::string("assumed") + std::string(unlikelySizes)));
+    QVERIFY(drawnUnit(scene) == DrawnUnit::doubtedMillimetre);
+    QCOMPARE(symbolOf(drawnUnit(scene)), std::string_view("mm?"));
+    std::vector<Node> nodes = scene.nodes();
+    for (Node& node : nodes)
+      if (node.id == organ)
+        node.style.visible = false;
+    scene.setNodes(std::move(nodes));
+    QVERIFY(drawnUnit(scene) == DrawnUnit::millimetre);
+  }
+
   void sidesAreThoseOfFilesThatSayThem() {
     Scene scene;
     QVERIFY(hasSides(scene));
