@@ -98,6 +98,12 @@ inline void addFrame(CLI::App& command, InputFlags& input) {
   command.add_option("--frame", input.frame, frameHelp)->type_name(names);
 }
 
+/// Declares the flag that makes one scene of what is not of one patient.
+inline void addTogether(CLI::App& command, InputFlags& input) {
+  command.add_flag("--together", input.together,
+                   "Takes files of several patients into one scene; else they are refused");
+}
+
 /// Declares the flag that reading a scan needs.
 inline void addThreshold(CLI::App& command, InputFlags& input) {
   command.add_option("--threshold", input.thresholds, thresholdHelp)

@@ -188,6 +188,7 @@ Exit runCompare(const CompareFlags& flags) {
 
 void declareCompare(CLI::App& command, CompareFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  addTogether(command, flags.input);
   command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   command
       .add_option("-o,--output", flags.picture.output,

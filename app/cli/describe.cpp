@@ -52,6 +52,7 @@ Exit runDescribe(const DescribeFlags& flags) {
 
 void declareDescribe(CLI::App& command, DescribeFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  addTogether(command, flags.input);
   command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   CLI::Option* view = command
                           .add_option("--view", flags.picture.view,

@@ -395,6 +395,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
       ->default_str("auto");
   command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "Lines are as wide as in a picture of the same shape: a contour is 1/360 of the page's\n"

@@ -90,13 +90,15 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("auto");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
   addThreshold(command, flags.input);
   command.add_flag("--keep-volume", flags.input.keepScans,
                    "Keeps scans with the scene, for slices: about as large as their packed files");
   command
       .add_option("--unit", flags.input.unit,
-                  "How long the files' unit is; overrides what they say or their size suggests")
-      ->type_name("mm|cm|m|inch");
+                  "How long the files' unit is, by its name or in millimetres; overrides what they "
+                  "say, and says that the sizes are right")
+      ->type_name("mm|cm|m|inch|um|MM");
   command
       .add_option(
           "--decimate-mm", flags.input.decimateMm,

@@ -61,6 +61,7 @@ void declareInfo(CLI::App& command, InfoFlags& flags) {
   command.add_flag("--json", flags.json, "For programs: one JSON object on standard output");
   command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "Counts are of the surfaces as repaired on reading, without smoothing. Scans are listed "

@@ -30,6 +30,17 @@ Json nodeJson(const model::Node& node) {
   return json;
 }
 
+Json doubtJson(const model::UnitDoubt& doubt) {
+  Json units = Json::array();
+  for (const float unit : doubt.units)
+    units.push_back(jsonNumber(unit));
+  return {{"file", doubt.file},
+          {"named", doubt.named},
+          {"fitting", doubt.fitting},
+          {"mm_per_unit", jsonNumber(doubt.unit)},
+          {"fitting_mm_per_unit", units}};
+}
+
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -74,6 +85,9 @@ Json planJson(const model::ImportPlan& plan) {
   root["left_out"] = Json::array();
   for (const model::ImportWarning& warning : plan.report.warnings)
     root["left_out"].push_back({{"file", warning.file}, {"reason", warning.reason}});
+  root["unit_doubts"] = Json::array();
+  for (const model::UnitDoubt& doubt : plan.report.unitDoubts)
+    root["unit_doubts"].push_back(doubtJson(doubt));
   root["notes"] = plan.report.notes;
   root["repaired"] = plan.report.repairs.surfaces;
   return root;

@@ -46,6 +46,7 @@ void declareRender(CLI::App& command, RenderFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("auto");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "NAME is a structure's or a group's name (`sline info` lists them); case and the difference\n"

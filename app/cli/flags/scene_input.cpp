@@ -16,6 +16,17 @@ void tellNotes(const model::ImportReport& report, bool verbose) {
     for (const std::string& surface : report.repairs.surfaces)
       tell("  " + surface);
 }
+
+/// Says how a doubted unit is settled.
+void tellUnits(const model::ImportReport& report) {
+  for (const model::UnitDoubt& doubt : report.unitDoubts) {
+    std::string flags;
+    for (const float unit : doubt.units)
+      flags += (flags.empty() ? "" : " or ") + unitFlag(unit);
+    tell((flags.empty() ? "" : "`sline import` with " + flags + " takes it so; ") + "with " +
+         unitFlag(doubt.unit) + " its size is right as it is, and scale bars stand without \"?\"");
+  }
+}
 }  // namespace
 
 Result<model::ImportOptions> importOptions(const InputFlags& flags) {
@@ -54,6 +65,8 @@ Result<model::ImportOptions> importOptions(const InputFlags& flags) {
     options.thresholds.push_back(*threshold);
   }
   options.keepScans = flags.keepScans;
+  if (flags.together)
+    options.patients = model::PatientsWanted::together;
   options.decimateMm = float(flags.decimateMm);
   return options;
 }
@@ -71,6 +84,7 @@ Result<model::Imported> readInputs(const InputFlags& flags, const model::ImportO
     return imported;
   for (const model::ImportWarning& warning : imported->report.warnings)
     warn(warning.file.empty() ? warning.reason : warning.file + ": " + warning.reason);
+  tellUnits(imported->report);
   tellNotes(imported->report, flags.verbose);
   return imported;
 }

@@ -23,7 +23,8 @@ struct InputFlags {
   std::string assembly;
   std::vector<std::string> thresholds;
   bool keepScans = false;
-  bool verbose = false;  ///< report each surface that was repaired
+  bool together = false;  ///< make one scene of several patients
+  bool verbose = false;   ///< report each surface that was repaired
 };
 
 /// Returns the importer's options; an error counts as wrong use.
