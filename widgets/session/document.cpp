@@ -38,7 +38,8 @@ LoadedDocument loadedDocument(model::Imported imported,
   LoadedDocument loaded{.scene = std::move(imported.scene),
                         .title = titleOf(paths),
                         .remarks = remarksOf(imported.report),
-                        .paths = paths};
+                        .paths = paths,
+                        .unitDoubts = imported.report.unitDoubts};
   if (!imported.others.empty())
     loaded.file = DocumentFile{.others = std::make_shared<const std::vector<model::ZipMember>>(
                                    std::move(imported.others))};

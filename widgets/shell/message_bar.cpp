@@ -118,6 +118,10 @@ void MessageBar::offer(QAction& action) {
   offerOn(*m_remedy, action);
 }
 
+void MessageBar::offerOther(QAction& action) {
+  offerOn(*m_other, action);
+}
+
 void MessageBar::offerOn(QPushButton& button, QAction& action) {
   button.setText(QString(action.text()).remove(QLatin1Char('&')));
   button.setToolTip(action.toolTip());

@@ -23,6 +23,8 @@ class MessageBar : public QFrame {
   void showRemarks(const QStringList& remarks);
   /// Adds a button for what can be done about the current message; it disappears with the message.
   void offer(QAction& action);
+  /// Adds a second button likewise.
+  void offerOther(QAction& action);
   /// Shows a notice that stays until it is closed or `hideNotice` is called; the button runs the
   /// action.
   void showNotice(const QString& heading, const QString& body, QAction& action);
