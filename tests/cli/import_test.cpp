@@ -108,6 +108,9 @@ void ImportTest::unitsAreAskedAbout() {
   for (const QByteArray& part : {QByteArray("\"left kidney\" is 10 mm large"),
                                  QByteArray("--unit cm"), QByteArray("--unit mm")})
     QVERIFY2(asked.err.contains(part), asked.err.constData());
+  const Finished later = runSline({"info", out});
+  QVERIFY2(later.out.contains("10.0 mm?") && later.err.contains("stand with a"),
+           later.out.constData());
   const QJsonObject plan = objectOf({"import", kidney, "--plan", "--json"});
   QCOMPARE(plan["unit_doubts"][0]["fitting_mm_per_unit"][0].toDouble(), 10.0);
   for (const QString& unit : QStringList{"cm", "mm", "10", "um", "0.5"}) {

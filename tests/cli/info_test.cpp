@@ -92,7 +92,7 @@ void InfoTest::jsonHasItsShape() {
   QStringList keys = root.keys();
   keys.sort();
   QCOMPARE(keys, QStringList({"annotations", "bounds_mm", "frame", "scans", "structures",
-                              "triangles", "vertices", "views", "warnings"}));
+                              "triangles", "unit_doubted", "vertices", "views", "warnings"}));
   QCOMPARE(root["structures"].toArray().size(), 3);
   QCOMPARE(root["triangles"].toInt(), 5120 + 2 * 1280);
   QCOMPARE(root["vertices"].toInt(), 2562 + 2 * 642);

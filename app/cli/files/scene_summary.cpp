@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/cli/files/names.h"
+#include "model/edit/settled_units.h"
 #include "model/geometry/topology.h"
 #include "model/import/plan/kept_scans.h"
 #include "model/scene/markup.h"
@@ -28,6 +29,7 @@ SceneSummary summaryOf(const model::Scene& scene) {
     summary.vertices += mesh.vertexCount();
     summary.bounds.add(mesh.bounds());
   }
+  summary.unitDoubted = model::hasDoubtedUnits(scene);
   summary.views = scene.views();
   static constexpr std::array<const char*, 4> kinds{"label", "callout", "pin", "distance"};
   for (const model::Annotation& annotation : scene.annotations()) {
@@ -70,6 +72,7 @@ Json summaryJson(const SceneSummary& summary, const std::string& frame) {
   root["vertices"] = summary.vertices;
   root["bounds_mm"] = jsonBox(summary.bounds);
   root["frame"] = frame;
+  root["unit_doubted"] = summary.unitDoubted;
   root["structures"] = Json::array();
   for (const StructureInfo& structure : summary.structures)
     root["structures"].push_back({{"name", structure.name},
@@ -145,7 +148,8 @@ void printSummary(const SceneSummary& summary, const std::string& frame) {
   const glm::vec3 size = summary.bounds.empty() ? glm::vec3(0.0f) : summary.bounds.size();
   std::cout << summary.structures.size() << " structures, " << summary.triangles << " triangles, "
             << summary.vertices << " vertices, " << std::fixed << std::setprecision(1) << size.x
-            << " × " << size.y << " × " << size.z << " mm; frame " << frame << '\n';
+            << " × " << size.y << " × " << size.z << (summary.unitDoubted ? " mm?" : " mm")
+            << "; frame " << frame << '\n';
   printViewsAndAnnotations(summary);
   printScans(summary);
 }

@@ -29,6 +29,7 @@ struct SceneSummary {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   model::Box bounds;
+  bool unitDoubted = false;  ///< lengths may be of another unit
   std::vector<StructureInfo> structures;
   std::vector<model::View> views;
   std::vector<AnnotationInfo> annotations;
@@ -37,8 +38,8 @@ struct SceneSummary {
 
 SceneSummary summaryOf(const model::Scene& scene);
 
-/// Returns "triangles", "vertices", "bounds_mm", "frame", "structures", "views", "annotations" and
-/// "scans".
+/// Returns "triangles", "vertices", "bounds_mm", "frame", "unit_doubted", "structures", "views",
+/// "annotations" and "scans".
 Json summaryJson(const SceneSummary& summary, const std::string& frame);
 /// Prints one line per structure and one for all, then saved views, annotations and scans; `frame`
 /// is printed as given.

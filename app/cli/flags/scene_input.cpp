@@ -2,6 +2,7 @@
 #include "app/cli/flags/scene_input.h"
 
 #include "app/cli/flags/values.h"
+#include "model/edit/settled_units.h"
 
 namespace sline::cli {
 
@@ -84,6 +85,10 @@ Result<model::Imported> readInputs(const InputFlags& flags, const model::ImportO
     return imported;
   for (const model::ImportWarning& warning : imported->report.warnings)
     warn(warning.file.empty() ? warning.reason : warning.file + ": " + warning.reason);
+  if (imported->report.unitDoubts.empty() && model::hasDoubtedUnits(imported->scene))
+    warn(
+        "nobody has said how long the unit of its files is: what is named has not the size of such "
+        "structures, and lengths stand with a \"?\"");
   tellUnits(imported->report);
   tellNotes(imported->report, flags.verbose);
   return imported;
