@@ -144,7 +144,7 @@ Result<Image> FilmPainter::drawAlone(const Film& film, int frame) {
   const FilmFrame shown = film.at(frame);
   Result<Image> image = m_data->drawFrame(shown, film.size());
   if (image.ok() && !m_data->bare())
-    m_data->paint(*image, m_data->labels.alone(shown));
+    m_data->paint(*image, m_data->labels.alone(film, frame));
   return image;
 }
 
