@@ -36,6 +36,7 @@ struct AnnotateFlags {
   std::string kind = "label";
   std::vector<std::string> texts;
   std::string view = "anterior";
+  bool viewGiven = false;
   bool onlyInView = false;
   bool list = false;
   std::vector<std::uint64_t> remove;
@@ -254,7 +255,9 @@ Result<model::Scene> addAnnotations(const model::Scene& scene, const AnnotateFla
     if (!made.ok())
       return made.error();
     if (!flags.onlyInView) {
-      after = model::withAnnotationMade(after, *made, view).scene;
+      after = (view && flags.viewGiven ? model::withAnnotationMade(after, *made, view)
+                                       : model::withAnnotationForAll(after, *made))
+                  .scene;
       continue;
     }
     after = model::withAnnotation(after, *made).scene;
@@ -353,7 +356,8 @@ void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {
       command
           .add_option("--view", flags.view,
                       "A saved view or an anatomical one: what is well seen is seen from there. A "
-                      "saved view that lists what it shows gets the label added")
+                      "saved view that is named gets the label, and no other")
+          ->each([&flags](const std::string&) { flags.viewGiven = true; })
           ->type_name("NAME")
           ->capture_default_str();
   command.add_flag("--only-in-view", flags.onlyInView, "Shown in that saved view alone")

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "model/edit/annotations.h"
 #include "model/scene/resolved_styles.h"
 #include "model/scene/style_fields.h"
 
@@ -127,6 +128,15 @@ Edited withView(const Scene& scene, View view) {
   std::vector<View> views = scene.views();
   views.push_back(std::move(view));
   return withViews(scene, std::move(views));
+}
+
+Edited withNewView(const Scene& scene, const Camera& camera, std::string name) {
+  View view = viewOf(scene, camera, std::move(name));
+  view.annotations = unclaimedAnnotations(scene);
+  Edited added = withView(scene, view);
+  if (added.changed)
+    showAnnotations(added.scene, *view.annotations);
+  return added;
 }
 
 Edited withViewUpdated(const Scene& scene, std::size_t index, const View& seen) {

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/colour_text.h"
+#include "model/scene/cut_place.h"
 #include "model/scene_json/atoms_json.h"
 #include "model/scene_json/camera_json.h"
 #include "model/scene_json/provenance_json.h"
@@ -110,7 +111,9 @@ Ordered annotationOf(const Annotation& annotation) {
   Ordered json = {{"id", annotation.id.value},
                   {"kind", annotationKindNames[std::size_t(annotation.kind)]},
                   {"at", anchorOf(annotation.anchors[0])}};
-  if (annotation.anchors.size() > 1)
+  if (const glm::vec3* cut = cutPlaceOf(annotation))
+    json["cut_mm"] = jsonPoint(*cut);
+  else if (annotation.anchors.size() > 1)
     json["to"] = anchorOf(annotation.anchors[1]);
   json["text"] = annotation.text;
   if (!annotation.texts.empty())

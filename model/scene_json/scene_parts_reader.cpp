@@ -102,6 +102,8 @@ Annotation SceneJsonReader::annotation(const JsonValue& value) const {
   place("at");
   if (anchorCount(annotation.kind) > 1)
     place("to");
+  else if (const auto cut = object.take("cut_mm"))
+    annotation.anchors.emplace_back(cut->point());
   if (const auto text = object.take("text"))
     annotation.text = text->text();
   if (const auto texts = object.take("texts"))

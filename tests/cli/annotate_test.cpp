@@ -99,8 +99,8 @@ void AnnotateTest::namesThatAreTheSame() {
   QVERIFY2(listed.contains("\tblob\tblob\n"), listed);
 }
 
-// A saved view that left out no label shows those made later; another view shows them only if it is
-// named.
+// A saved view that left out no label shows those made later for all; what is made for one view no
+// other shows. A new view takes what is no other's.
 void AnnotateTest::savedViewsGetThem() {
   QCOMPARE(annotate({"--on", "kidney"}).code, 0);
   const auto view = [this](const QStringList& flags) {
@@ -115,8 +115,12 @@ void AnnotateTest::savedViewsGetThem() {
       0);
   const QByteArray listed = runSline({"view", scene(), "--list", "--json"}).out;
   const QJsonArray views = QJsonDocument::fromJson(listed).object()["views"].toArray();
-  QCOMPARE(views.at(0)["labels"].toArray(), QJsonArray({1, 2, 3}));
+  QCOMPARE(views.at(0)["labels"].toArray(), QJsonArray({1, 2}));
   QCOMPARE(views.at(1)["labels"].toArray(), QJsonArray({3, 4}));
+  QCOMPARE(view({"--add", "New", "--from", "left"}), 0);
+  const QByteArray now = runSline({"view", scene(), "--list", "--json"}).out;
+  QCOMPARE(QJsonDocument::fromJson(now).object()["views"].toArray().at(2)["labels"].toArray(),
+           QJsonArray());
 }
 
 void AnnotateTest::removes() {

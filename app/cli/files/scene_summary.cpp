@@ -10,6 +10,7 @@
 #include "app/cli/files/names.h"
 #include "model/geometry/topology.h"
 #include "model/import/plan/kept_scans.h"
+#include "model/scene/cut_place.h"
 #include "model/scene/markup.h"
 
 namespace sline::cli {
@@ -35,7 +36,7 @@ SceneSummary summaryOf(const model::Scene& scene) {
                         model::plainText(annotation.kind, annotation.text),
                         {},
                         annotation.visible};
-    for (const model::Anchor& anchor : annotation.anchors)
+    for (const model::Anchor& anchor : model::pointedAt(annotation))
       if (const auto place = scene.placeOf(anchor))
         info.places.push_back(*place);
     summary.annotations.push_back(std::move(info));
