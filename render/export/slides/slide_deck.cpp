@@ -12,6 +12,7 @@
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/figure_plate.h"
+#include "render/export/plate/shown_questions.h"
 #include "render/export/plate/source_credits.h"
 #include "render/export/svg/svg_file.h"
 #include "render/lettering/mark_words.h"
@@ -186,12 +187,15 @@ class Making {
 
   /// Adds the slide with numbers in place of labels, and its key, where there is something to ask.
   void addTest(const ExportOrder& shown, Slide slide) {
-    const std::vector<model::Question> questions = questionsOf(shown);
-    if (questions.empty())
+    const ShownQuestions asked = shownQuestions(shown, m_trees);
+    m_progress.note(asked.notes);
+    if (asked.questions.empty())
       return;
-    ExportOrder order = askedAlone(shown, questions);
+    ExportOrder order = askedAlone(shown, asked.questions);
     order.labels.mode = LabelMode::numbers;
     const FigurePlate plate = figurePlate(order, m_trees);
+    if (plate.labels->layout.labels.empty())
+      return;
     const SheetWords& words = sheetWords(m_language);
     const SlideWords title = slide.title;
     const auto headed = [&title](const char* what) {

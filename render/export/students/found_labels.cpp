@@ -11,6 +11,7 @@
 #include "model/anatomy/laterality_words.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/legend.h"
+#include "render/export/students/page_order.h"
 #include "render/labels/seen_map.h"
 
 namespace sline::render {
@@ -19,7 +20,6 @@ namespace {
 
 /// As many as have room beside a still picture; the quiz asks for as many of each view.
 constexpr std::size_t mostSeen = 30;
-constexpr glm::vec2 usualPageMm{160.0f, 90.0f};
 
 model::Annotation labelFor(const model::Node& node, const std::optional<SeenPlace>& place) {
   model::Annotation label;
@@ -52,7 +52,7 @@ class LabelFinder {
 
   /// Returns the largest structures that one sees in the order's picture, and finds their places.
   std::set<model::NodeId> look(const ExportOrder& order) {
-    const SeenMap map(order.scene, Screen(order.camera, usualPageMm));
+    const SeenMap map(order.scene, Screen(order.camera, pagePictureMm));
     std::set<model::NodeId> seen;
     for (const model::Node* node : m_structures) {
       const std::optional<SeenPlace> place = map.find(node->id);
