@@ -142,15 +142,19 @@ void PageEngine::goTo(std::size_t view, double share) {
   const std::vector<model::View>& views = m_unpacked.scene().views();
   if (view >= views.size())
     return;
-  if (share <= 0.0) {
+  if (share <= 0.0 || m_flyingTo != view) {
     m_flightFrom = m_camera;
+    m_flyingTo = view;
     m_view = view;
     m_changes.clear();
     show();
-    return;
   }
+  if (share <= 0.0)
+    return;
   const model::Camera to = model::withSides(views[view].camera, aspect(), freeSides());
   setCamera(model::CameraFlight(m_flightFrom, to).at(std::min(share, 1.0)));
+  if (share >= 1.0)
+    m_flyingTo.reset();
 }
 
 void PageEngine::setGamma(std::span<const model::NodeId> ids, float gamma) {
