@@ -159,7 +159,7 @@ void ExportActions::prepareDraft() {
   if (folder.isEmpty() || !QFileInfo(folder).isDir())
     folder = file.empty() ? QDir::homePath() : textOf(file.parent_path());
   const QString name = QString::fromStdString(
-      render::safeFileName(QFileInfo(m_session.title()).completeBaseName().toStdString()));
+      render::safeFileName(m_session.publicTitle().toStdString()));
   m_draft.target = withEndingOf(QDir(folder).filePath(name), m_draft.kind);
 }
 

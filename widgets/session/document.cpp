@@ -4,6 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include "model/anatomy/shown_names.h"
+#include "model/import/kinds/file_kinds.h"
+#include "model/scene_file/scene_file.h"
 #include "widgets/session/session.h"
 
 namespace sline::widgets {
@@ -28,7 +31,10 @@ QString titleOf(const std::vector<std::filesystem::path>& paths) {
   std::filesystem::path path = paths.empty() ? std::filesystem::path() : paths.front();
   if (!path.has_filename())  // "folder/"
     path = path.parent_path();
-  const QString name = QString::fromStdString(path.filename().string());
+  // Whoever saved a scene has named it; what is imported is often named after a patient.
+  const std::string shown =
+      model::isSceneFile(path) ? path.filename().string() : model::shownName(model::stemOf(path));
+  const QString name = shown.empty() ? Session::tr("Untitled") : QString::fromStdString(shown);
   return paths.size() < 2 ? name
                           : Session::tr("%1 and %n more", nullptr, int(paths.size()) - 1).arg(name);
 }

@@ -37,7 +37,9 @@ struct LoadedDocument {
   int reverts = 0;     ///< the opening that returns to the state on disk; 0: a new opening
 };
 
-/// Returns a title for files and folders: "pelvis", or "liver.stl and 3 more".
+/// Returns a title for files and folders of what of their names may be shown to others
+/// (model/anatomy/shown_names.h): "pelvis", or "liver and 3 more"; that of a scene file is its
+/// name.
 QString titleOf(const std::vector<std::filesystem::path>& paths);
 
 /// Returns what was imported from the paths, ready to become a document.

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/anatomy/shown_names.h"
 #include "model/edit/annotations.h"
+#include "model/scene_file/scene_file.h"
+#include "widgets/text/path_text.h"
 
 namespace sline::widgets {
 
@@ -177,6 +180,16 @@ const DocumentFile& Session::file() const {
 QString Session::title() const {
   return file().path.empty() ? m_document.title
                              : QString::fromStdString(file().path.filename().string());
+}
+
+QString Session::publicTitle() const {
+  const std::filesystem::path name = pathOf(m_document.title);
+  // The program itself has given names that are no files'.
+  if (file().path.empty() && !model::isSceneFile(name))
+    return m_document.title;
+  const std::filesystem::path& named = file().path.empty() ? name : file().path;
+  const std::string shown = model::shownName(named.stem().string());
+  return shown.empty() ? tr("Untitled") : QString::fromStdString(shown);
 }
 
 void Session::noteSaved(int opening, DocumentFile file) {

@@ -55,6 +55,9 @@ class Session : public QObject {
   const DocumentFile& file() const;
   /// Returns the file's name if there is a file, otherwise the document's title.
   QString title() const;
+  /// Returns of the title what may be shown to others (model/anatomy/shown_names.h), for names of
+  /// what is made of the document.
+  QString publicTitle() const;
   /// Tells whether there is unsaved work: the scene differs from what the file has or, where there
   /// is none, from what came in. A drag under way counts.
   bool modified() const { return m_modified; }

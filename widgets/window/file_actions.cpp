@@ -283,7 +283,7 @@ QString FileActions::lastFolder() const {
 QString FileActions::suggestedPath() const {
   if (!m_session.file().path.empty())
     return textOf(m_session.file().path);
-  QString name = QFileInfo(m_session.document().title).completeBaseName();
+  QString name = m_session.publicTitle();
   name.replace(QLatin1Char('/'), QLatin1Char('-'));
   const QString folder = lastFolder().isEmpty() ? QDir::homePath() : lastFolder();
   return folder + QLatin1Char('/') + name + QStringLiteral(".sline");

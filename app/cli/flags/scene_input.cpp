@@ -54,6 +54,7 @@ Result<model::ImportOptions> importOptions(const InputFlags& flags) {
     options.thresholds.push_back(*threshold);
   }
   options.keepScans = flags.keepScans;
+  options.keepFileNames = flags.keepFileNames;
   options.decimateMm = float(flags.decimateMm);
   return options;
 }

@@ -23,6 +23,7 @@ struct InputFlags {
   std::string assembly;
   std::vector<std::string> thresholds;
   bool keepScans = false;
+  bool keepFileNames = false;
   bool verbose = false;  ///< report each surface that was repaired
 };
 

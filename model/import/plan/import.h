@@ -37,6 +37,9 @@ struct ImportOptions {
   std::uint64_t memoryBytes = 0;
   std::vector<Threshold> thresholds = {};  ///< structures that are made of scans
   bool keepScans = false;                  ///< scans become part of the scene (Scene::scans)
+  /// Files' and folders' names become names of structures and groups and stay in the scene whatever
+  /// their words; else only what may be shown to others does (model/anatomy/shown_names.h).
+  bool keepFileNames = false;
 };
 
 /// Is called from any thread with done in [0, 1]; returns false to cancel.

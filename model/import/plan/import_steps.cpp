@@ -10,6 +10,7 @@
 #include "model/anatomy/body_systems.h"
 #include "model/edit/tree.h"
 #include "model/focus/twins.h"
+#include "model/import/plan/file_marks.h"
 #include "model/import/plan/folder_tree.h"
 #include "model/import/plan/frame_and_unit.h"
 #include "model/import/plan/kept_scans.h"
@@ -101,6 +102,10 @@ Scene withSurfaces(const ImportPlan& plan, std::vector<Part> parts) {
     if (part != byNumber.end()) {
       node.mesh = std::move(part->second->mesh);
       node.provenance = std::move(part->second->provenance);
+      // Molecules are no one's; without a fingerprint it is no file's name.
+      const bool named = node.provenance.fingerprint && !part->second->raw.molecule;
+      if (named && !plan.options.keepFileNames)
+        node.provenance.file = fileMark(node.provenance.file);
       if (part->second->raw.molecule)
         node.atoms = part->second->raw.molecule->atoms;
     }
@@ -137,7 +142,7 @@ DecidedParts decideParts(std::vector<Part> parts, const ReadInputs& read,
 
 ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
                       const ImportOptions& options) {
-  BuiltScene built = buildScene(decided.parts, read.sources, AnatomyTable());
+  BuiltScene built = buildScene(decided.parts, read.sources, AnatomyTable(), options.keepFileNames);
   const auto numbers = std::move(built.numbers);
   Imported imported{.scene = withViewsAndAnnotations(std::move(built), read.sources, options.frame),
                     .report = decided.report};

@@ -65,7 +65,7 @@ std::vector<Scan> keptScans(const std::vector<ReadScan>& scans, const std::vecto
   for (const ReadScan& read : scans) {
     const GreyVolume& volume = *read.raw.volume;
     Scan scan{.name = volume.name,
-              .file = read.raw.file,
+              .file = options.keepFileNames ? read.raw.file : fileMark(read.raw.file),
               .size = volume.size,
               .toLps = placeOf(volume, readingOf(read, parts, options)),
               .slope = volume.slope,

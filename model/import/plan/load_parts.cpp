@@ -79,7 +79,7 @@ class SurfaceTwins {
   }
   void addSurfaces(const std::vector<Part>& parts) {
     for (const Part& part : parts)
-      if (!fromVolume(part.file))
+      if (!fromVolume(part.file) && !part.name.ends_with(unnamedStructure))
         m_surfaces.insert(key(part.file, part.name));
   }
   bool holdsSurface(std::size_t file, const std::string& name) const {
@@ -141,12 +141,32 @@ struct Loading {
   const SurfaceTwins* twins = nullptr;  ///< of the surfaces, where these were read before
 };
 
-/// Returns the name of a part.
+/// Returns what a surface is called whose file's name has nothing to show but perhaps a side.
+std::string unnamed(std::string_view stem) {
+  const Side side = sidedName(stem).side;
+  return side == Side::none   ? std::string(unnamedStructure)
+         : side == Side::left ? "left " + std::string(unnamedStructure)
+                              : "right " + std::string(unnamedStructure);
+}
+
+/// Returns the name of a part: that in its file or, where there is none, what may be shown of the
+/// file's name.
 std::string partName(const RawMesh& raw, const SourceFile& source, const Sources& sources,
-                     bool only) {
+                     bool only, bool keepFileNames) {
+  const std::filesystem::path file =
+      raw.file.empty() ? source.file : std::filesystem::path(raw.file);
+  const std::string stem = stemOf(file);
   std::string name = raw.molecule ? raw.name : nameInFile(raw.name);
-  if (name.empty())
-    name = readableName(stemOf(source.file));
+  // An STL's name is its title, which programs fill with that of its file.
+  const std::string called = file.filename().string();
+  const bool titled = endsLike(called, ".stl") || endsLike(called, ".stl.gz");
+  const bool ofFile = name.empty() || name == readableName(stem) || titled;
+  if (ofFile && !raw.molecule) {
+    const std::string whole = name.empty() ? readableName(stem) : name;
+    name = keepFileNames ? whole : shownFileName(whole);
+    if (name.empty())
+      name = unnamed(whole);
+  }
   if (!source.model)
     return name;
   const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
@@ -195,7 +215,8 @@ LoadedParts partsFrom(const Sources& sources, std::size_t index, Result<RawMeshe
     Part part;
     part.file = index;
     part.surface = names[i];
-    part.name = partName(meshes[i], source, sources, meshes.size() == 1);
+    part.name =
+        partName(meshes[i], source, sources, meshes.size() == 1, loading.options.keepFileNames);
     part.raw = std::move(meshes[i]);
     const std::string& file = part.raw.file.empty() ? shown : part.raw.file;
     part.provenance.file = part.raw.origin.empty() ? file : part.raw.origin;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "model/import/plan/import.h"
 #include "model/meshing/repair.h"
@@ -11,6 +12,9 @@
 #include "model/scene/scene.h"
 
 namespace sline::model {
+
+/// The name of a structure whose file has none that may be shown.
+inline constexpr std::string_view unnamedStructure = "structure";
 
 /// Holds the decisions made by hand for one surface; a member that is not set follows the options
 /// for all.

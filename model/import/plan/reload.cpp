@@ -11,6 +11,7 @@
 #include "model/geometry/nearest_point.h"
 #include "model/geometry/paint.h"
 #include "model/import/kinds/file_kinds.h"
+#include "model/import/plan/file_marks.h"
 #include "model/import/plan/load_parts.h"
 #include "model/import/plan/shape_parts.h"
 #include "model/meshing/repair.h"
@@ -28,16 +29,16 @@ constexpr std::size_t mostFiles = 200'000;
 /// It is said where more than this share of what was painted is lost.
 constexpr float muchPaint = 0.05f;
 
-/// Returns the files that have one of the names, by name.
+/// Returns the files that have one of the names or marks (file_marks.h), by these.
 std::map<std::string, std::set<fs::path>> filesNamed(const std::set<std::string>& names,
                                                      std::span<const fs::path> places,
                                                      std::vector<ImportWarning>& warnings) {
   std::map<std::string, std::set<fs::path>> found;
   const auto search = [&](const fs::path& file) {
     std::error_code fault;
-    const std::string name = file.filename().string();
-    if (names.contains(name) && fs::is_regular_file(file, fault))
-      found[name].insert(fs::weakly_canonical(file, fault));
+    for (const std::string& name : std::set{file.filename().string(), fileMark(file)})
+      if (names.contains(name) && fs::is_regular_file(file, fault))
+        found[name].insert(fs::weakly_canonical(file, fault));
   };
   for (const fs::path& place : places) {
     std::error_code fault;
@@ -64,6 +65,7 @@ struct Origin {
   std::string file;
   Fingerprint fingerprint;
   std::vector<std::size_t> nodes;  ///< in Scene::nodes
+  std::string shown = file;        ///< the name of the file that was found, else what is known
 };
 
 std::vector<Origin> originsOf(const Scene& scene) {
@@ -79,7 +81,7 @@ std::vector<Origin> originsOf(const Scene& scene) {
     if (known != origins.end())
       known->nodes.push_back(i);
     else
-      origins.push_back({from.file, *from.fingerprint, {i}});
+      origins.push_back({from.file, *from.fingerprint, {i}, from.file});
   }
   std::stable_sort(origins.begin(), origins.end(),
                    [](const Origin& a, const Origin& b) { return a.file < b.file; });
@@ -149,11 +151,14 @@ class Reloader {
   }
 
   Reloaded run(std::span<const fs::path> places) {
-    const std::vector<Origin> origins = originsOf(m_result.scene);
+    std::vector<Origin> origins = originsOf(m_result.scene);
     std::set<std::string> names;
     for (const Origin& origin : origins)
       names.insert(origin.file);
     const auto found = filesNamed(names, places, m_result.warnings);
+    for (Origin& origin : origins)
+      if (const auto candidates = found.find(origin.file); candidates != found.end())
+        origin.shown = candidates->second.begin()->filename().string();
     for (const Origin& origin : origins) {
       const auto candidates = found.find(origin.file);
       if (candidates == found.end())
@@ -169,7 +174,7 @@ class Reloader {
 
  private:
   void tell(const Origin& origin, Fate fate, std::string reason = {}) {
-    ReloadedFile line{origin.file, fate, std::move(reason), {}};
+    ReloadedFile line{origin.shown, fate, std::move(reason), {}};
     for (const std::size_t i : origin.nodes)
       line.structures.push_back(m_nodes[i].id);
     m_result.files.push_back(std::move(line));
@@ -237,7 +242,7 @@ class Reloader {
       return tell(origin, Fate::failed, error.text());
     }
     for (ImportWarning& warning : read->warnings)
-      m_result.warnings.push_back({origin.file, std::move(warning.reason)});
+      m_result.warnings.push_back({origin.shown, std::move(warning.reason)});
     const FileNow contents{now, read->meshes, partNames(read->meshes)};
     const std::vector<std::string>& parts = contents.parts;
     std::vector<bool> taken(parts.size(), false);
@@ -249,13 +254,13 @@ class Reloader {
         others += (others.empty() ? "" : ", ") + parts[k];
     if (!others.empty())
       m_result.warnings.push_back(
-          {origin.file, "no structure of the scene came from these of its surfaces: " + others});
+          {origin.shown, "no structure of the scene came from these of its surfaces: " + others});
   }
 
   void replace(std::size_t index, const Origin& origin, const FileNow& file,
                std::vector<bool>& taken) {
     const Node& node = m_nodes[index];
-    const Origin alone{origin.file, origin.fingerprint, {index}};
+    const Origin alone{origin.file, origin.fingerprint, {index}, origin.shown};
     const std::string& wanted = node.provenance.part;
     const std::optional<std::size_t> k = partNamed(file.parts, wanted);
     if (!k)
@@ -269,7 +274,7 @@ class Reloader {
     Result<MeshPtr> mesh = repeatImport(file.meshes[*k], as, m_options);
     if (!mesh)
       return tell(alone, Fate::failed, mesh.error().reason);
-    PaintPtr paint = repainted(node, *mesh, origin.file);
+    PaintPtr paint = repainted(node, *mesh, origin.shown);
     m_result.meshes.push_back({.structure = node.id,
                                .before = node.mesh,
                                .mesh = std::move(*mesh),

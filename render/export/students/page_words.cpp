@@ -6,6 +6,7 @@
 
 #include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
+#include "model/anatomy/shown_names.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
@@ -203,7 +204,8 @@ std::string PageWords::title() const {
   const std::vector<model::NodeId> top = m_scene.children(model::rootId);
   if (top.size() == 1 && m_scene.find(top.front())->isGroup())
     return structureName(m_scene.find(top.front())->name, language());
-  return m_fileTitle.empty() ? "Anatomy" : m_fileTitle;
+  const std::string shown = model::shownName(m_fileTitle);
+  return shown.empty() ? "Anatomy" : shown;
 }
 
 }  // namespace sline::render

@@ -132,9 +132,9 @@ void FolderTreeTest::systemsByName() {
               {"aorta", "left_renal_artery", "left_renal_vein", "vena_cava", "liver", "xyz"});
   const auto imported = importInputs(std::array{path(folder)}, {});
   QVERIFY(imported.ok());
-  QCOMPARE(tree(imported->scene),
-           (QStringList{"Arteries > aorta", "Arteries > left renal artery",
-                        "Veins > left renal vein", "Veins > vena cava", " > liver", " > xyz"}));
+  QCOMPARE(tree(imported->scene), (QStringList{"Arteries > aorta", "Arteries > left renal artery",
+                                               "Veins > left renal vein", "Veins > vena cava",
+                                               " > liver", " > structure"}));
   const Scene& scene = imported->scene;
   const Colour red = scene.resolve(test::named(scene, "aorta").id).colour;
   const Colour blue = scene.resolve(test::named(scene, "vena cava").id).colour;
