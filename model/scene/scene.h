@@ -46,9 +46,16 @@ struct IntensityRange {
   bool operator==(const IntensityRange&) const = default;
 };
 
+/// Holds what was measured on a structure before import changed it.
+struct ReadExtent {
+  std::optional<float> areaMm2;    ///< absent where there was no surface, but voxels
+  std::optional<float> volumeMm3;  ///< absent where the surface was not closed
+  bool operator==(const ReadExtent&) const = default;
+};
+
 /// Says where a structure came from and what import did to it.
 struct Provenance {
-  std::string file;   ///< file name without its folder
+  std::string file;   ///< file name without its folder, or "#" and a checksum of it
   std::string frame;  ///< how the file's coordinates were read, a name of `frames` (laterality.h)
   std::string frameReason;   ///< what decided the frame
   int smoothingSteps = 0;    ///< 0: the mesh is the file's own
@@ -68,6 +75,8 @@ struct Provenance {
   /// millimetres.
   std::optional<std::array<float, 12>> transform;
   SourceCredit credit;  ///< as its file or the folder around it says, or as a person does
+  /// Set where import smoothed, refined or decimated what it read; absent in older scenes, too.
+  std::optional<ReadExtent> asRead;
   bool operator==(const Provenance&) const = default;
 };
 

@@ -50,6 +50,29 @@ std::optional<IntensityRange> rangeFrom(JsonObject& object) {
   object.giveBack("intensities", inner.rest());
   return range;
 }
+
+std::optional<ReadExtent> extentFrom(JsonObject& object) {
+  const auto value = object.take("as_read");
+  if (!value)
+    return std::nullopt;
+  ReadExtent extent;
+  JsonObject inner(*value);
+  if (const auto area = inner.take("area_mm2"))
+    extent.areaMm2 = area->number();
+  if (const auto volume = inner.take("volume_mm3"))
+    extent.volumeMm3 = volume->number();
+  object.giveBack("as_read", inner.rest());
+  return extent;
+}
+
+Ordered extentJson(const ReadExtent& extent) {
+  Ordered json = Ordered::object();
+  if (extent.areaMm2)
+    json["area_mm2"] = jsonNumber(*extent.areaMm2);
+  if (extent.volumeMm3)
+    json["volume_mm3"] = jsonNumber(*extent.volumeMm3);
+  return json;
+}
 }  // namespace
 
 Provenance provenanceFrom(JsonObject& object) {
@@ -94,6 +117,7 @@ Provenance provenanceFrom(JsonObject& object) {
     p.credit = creditFrom(inner);
     object.giveBack("credit", inner.rest());
   }
+  p.asRead = extentFrom(object);
   return p;
 }
 
@@ -131,6 +155,8 @@ Ordered provenanceJson(const Provenance& p) {
   }
   if (!p.credit.empty())
     json["credit"] = creditJson(p.credit);
+  if (p.asRead)
+    json["as_read"] = extentJson(*p.asRead);
   return json;
 }
 

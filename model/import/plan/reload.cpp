@@ -15,6 +15,7 @@
 #include "model/import/plan/load_parts.h"
 #include "model/import/plan/shape_parts.h"
 #include "model/meshing/repair.h"
+#include "model/scene/measured_extent.h"
 #include "model/scene_file/fingerprint.h"
 
 namespace sline::model {
@@ -113,6 +114,7 @@ Result<MeshPtr> repeatImport(RawMesh raw, Provenance& as, const ReadOptions& opt
   as.repairedFaces = repair(raw.positions, raw.triangles).faces();
   if (raw.triangles.empty())
     return Error{.reason = "it has no face with area any more"};
+  const std::optional<ReadExtent> before = extentAsRead(raw, as);
   float displacement = raw.displacement;
   const float sliceMm = raw.smooth ? raw.sliceDistance * as.mmPerUnit : as.sliceMm;
   if (!raw.smooth) {
@@ -139,7 +141,8 @@ Result<MeshPtr> repeatImport(RawMesh raw, Provenance& as, const ReadOptions& opt
     return mesh;
   // As many triangles are removed as before, within the bound of the earlier decimation.
   if (as.decimatedFrom > 0 && as.decimationMm > 0.0f)
-    return decimated(*mesh, as.decimationMm, as, options.goesOn);
+    mesh = decimated(*mesh, as.decimationMm, as, options.goesOn);
+  as.asRead = isAsRead(as) ? std::nullopt : before;
   return mesh;
 }
 

@@ -20,6 +20,9 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
 /// Returns the surface in millimetres LPS, by the frame, unit and transform in `as`. Its
 /// displacement is scaled with it.
 Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as);
+/// Returns what the surface, or the voxels that its reader made it of, measure in millimetres,
+/// placed like that; nothing where its reader smoothed it and tells no voxels.
+std::optional<ReadExtent> extentAsRead(const RawMesh& raw, const Provenance& as);
 /// Returns the atoms that it keeps in the same frame.
 KeptAtoms placedAtoms(const RawMesh& raw, const Provenance& as);
 
