@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "model/import/naming/laterality.h"
+#include "model/import/plan/file_marks.h"
 #include "model/import/volumes/grey_volume.h"
 
 namespace sline::model {
@@ -57,6 +58,12 @@ std::string textOf(const std::string& name, const glm::ivec3& size, const glm::d
   return text.str();
 }
 
+/// Returns what the scene keeps of the scan's file: slices are called after their scanner, which is
+/// no file's name and has no ending.
+std::string nameKept(const std::string& file, bool whole) {
+  return whole || !std::filesystem::path(file).has_extension() ? file : fileMark(file);
+}
+
 }  // namespace
 
 std::vector<Scan> keptScans(const std::vector<ReadScan>& scans, const std::vector<Part>& parts,
@@ -65,7 +72,7 @@ std::vector<Scan> keptScans(const std::vector<ReadScan>& scans, const std::vecto
   for (const ReadScan& read : scans) {
     const GreyVolume& volume = *read.raw.volume;
     Scan scan{.name = volume.name,
-              .file = options.keepFileNames ? read.raw.file : fileMark(read.raw.file),
+              .file = nameKept(read.raw.file, options.keepFileNames),
               .size = volume.size,
               .toLps = placeOf(volume, readingOf(read, parts, options)),
               .slope = volume.slope,
