@@ -381,6 +381,14 @@ Exit runAnnotate(const AnnotateFlags& flags) {
   return Exit::done;
 }
 
+void addEnd(CLI::App& command, AnnotateFlags& flags) {
+  command
+      .add_option("--to", flags.to,
+                  "Where a distance ends: a place, or a structure. Between two structures it is "
+                  "the shortest one, or with --at the shortest from there")
+      ->type_name("X,Y,Z|STRUCTURE");
+}
+
 void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {
   const auto repeatable = [](CLI::Option* option) {
     return option->take_all()->type_size(1)->expected(1)->allow_extra_args(false);
@@ -400,11 +408,7 @@ void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {
                   "Where: the nearest place on the structure, or without one in space, mm, LPS. "
                   "Else where the structure is well seen in the view")
       ->type_name("X,Y,Z");
-  command
-      .add_option("--to", flags.to,
-                  "Where a distance ends: a place, or a structure. Between two structures it is "
-                  "the shortest one, or with --at the shortest from there")
-      ->type_name("X,Y,Z|STRUCTURE");
+  addEnd(command, flags);
   command
       .add_option("--kind", flags.kind,
                   "label: beside the anatomy at the end of a line; callout: framed; pin: a mark "
