@@ -10,8 +10,8 @@ namespace sline::model {
 
 /// Returns of a name what may be shown: the words that the tables of anatomy or the program itself
 /// know, sides and numbers of one or two digits. A name of such words alone stays as it is; of
-/// others the rest is left out ("Doe_Jane_liver" → "liver"), and all of it where only numbers, sides
-/// and letters would be left.
+/// others the rest is left out ("Doe_Jane_liver" → "liver"), and all of it where only numbers,
+/// sides and letters would be left.
 std::string shownName(std::string_view name);
 
 }  // namespace sline::model
