@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests what of a file's name may be shown: words of anatomy and of the program, no person's.
+#include <QFile>
 #include <QTest>
 
 #include "model/anatomy/shown_names.h"
@@ -51,6 +52,25 @@ class ShownNamesTest : public QObject {
     QCOMPARE(QString::fromStdString(shownName(QTest::currentDataTag())), shown);
     // What is shown may be shown.
     QCOMPARE(shownName(shown.toStdString()), shown.toStdString());
+  }
+
+  /// What anatomists call things is no person's name.
+  void anatomyIsShown() {
+    QFile list(QStringLiteral(SLINE_TEST_DATA "/terminology/bodyparts3d/fj_element_names.tsv"));
+    if (!list.open(QIODevice::ReadOnly))
+      SLINE_ABSENT("the terminology is not there");
+    list.readLine();  // headings
+    QStringList hidden;
+    int count = 0;
+    while (!list.atEnd()) {
+      const std::string name = list.readLine().trimmed().split('\t').at(2).toStdString();
+      ++count;
+      if (shownName(name) != name)
+        hidden << QString::fromStdString(name);
+    }
+    qInfo("%d of %d names are shown whole", count - int(hidden.size()), count);
+    QVERIFY(count > 2000);
+    QVERIFY2(hidden.size() < count / 50, qPrintable(hidden.join('\n')));
   }
 };
 
