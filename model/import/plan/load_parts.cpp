@@ -165,7 +165,9 @@ std::string partName(const RawMesh& raw, const SourceFile& source, const Sources
     const std::string whole = name.empty() ? readableName(stem) : name;
     name = keepFileNames ? whole : shownFileName(whole);
     if (name.empty())
-      name = unnamed(whole);
+      name = shownFileName(stem);
+    if (name.empty())
+      name = unnamed(stem);
   }
   if (!source.model)
     return name;
