@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "model/scene/in_focus.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
 #include "render/labels/seen_map.h"
@@ -66,6 +67,7 @@ class Finder {
   std::optional<LabelItem> itemOf(const model::Annotation& annotation) {
     LabelItem item{.id = annotation.id, .kind = annotation.kind};
     const auto* point = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
+    item.focus = point && model::isInFocus(m_scene, point->structure);
     const bool one = annotation.kind != model::AnnotationKind::distance && point;
     if (!(one ? pointAt(item, annotation, *point) : pointAtAll(item, annotation)))
       return std::nullopt;

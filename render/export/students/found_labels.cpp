@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/anatomy/laterality_words.h"
+#include "model/scene/in_focus.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/legend.h"
 #include "render/labels/seen_map.h"
@@ -33,15 +34,17 @@ model::Annotation labelFor(const model::Node& node, const std::optional<SeenPlac
   return label;
 }
 
-/// The structures of a scene, the largest first.
+/// The structures of a scene: those in focus before others, the largest first.
 std::vector<const model::Node*> structuresBySize(const model::Scene& scene) {
   std::vector<const model::Node*> all;
   for (const model::Node& node : scene.nodes())
     if (!node.isGroup() && node.mesh->triangleCount() > 0)
       all.push_back(&node);
-  std::stable_sort(all.begin(), all.end(), [](const model::Node* a, const model::Node* b) {
-    return glm::length(a->mesh->bounds().size()) > glm::length(b->mesh->bounds().size());
-  });
+  const auto rank = [&scene](const model::Node* node) {
+    return std::pair(model::isInFocus(scene, node->id), glm::length(node->mesh->bounds().size()));
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const model::Node* a, const model::Node* b) { return rank(a) > rank(b); });
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "model/scene/in_focus.h"
 #include "model/scene/known_frame.h"
 #include "render/export/description/alt_text.h"
 #include "render/export/order/view_orders.h"
@@ -87,13 +88,6 @@ class FactsMaker {
   }
 
  private:
-  bool isInFocus(model::NodeId id) const {
-    const auto& targets = m_scene.focus().targets;
-    return std::any_of(targets.begin(), targets.end(), [&](model::NodeId target) {
-      return target == id || m_scene.isBelow(id, target);
-    });
-  }
-
   Json nodeFacts(const model::Node& node) const {
     const model::ResolvedStyle style = m_scene.resolve(node.id);
     Json facts{{"id", node.id.value},
@@ -103,7 +97,7 @@ class FactsMaker {
                {"colour", hexColour(style.colour)},
                {"gamma", rounded(style.gamma.value())},
                {"visible", style.visible},
-               {"focus", isInFocus(node.id)}};
+               {"focus", model::isInFocus(m_scene, node.id)}};
     if (Json note = noteOf(node.id); !note.empty())
       facts["note"] = std::move(note);
     return facts;

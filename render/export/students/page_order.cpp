@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "model/edit/views.h"
+#include "model/scene/in_focus.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/students/found_labels.h"
@@ -146,10 +147,7 @@ std::set<model::NodeId> laterStructures(const model::Scene& scene) {
   std::set<model::NodeId> later;
   bool focus = false;
   for (const model::NodeId id : scene.structuresBelow(model::rootId)) {
-    const auto& targets = scene.focus().targets;
-    const bool inFocus = std::any_of(targets.begin(), targets.end(), [&](model::NodeId target) {
-      return target == id || scene.isBelow(id, target);
-    });
+    const bool inFocus = model::isInFocus(scene, id);
     focus = focus || (inFocus && scene.resolve(id).visible);
     if (!inFocus)
       later.insert(id);
