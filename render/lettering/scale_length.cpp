@@ -22,6 +22,11 @@ std::optional<ScaleLength> scaleLength(const model::Camera& camera, const glm::v
   return ScaleLength{.millimetres = millimetres, .drawn = millimetres / scale};
 }
 
+std::optional<glm::vec3> scalePlace(const model::Scene& scene) {
+  const model::Box bounds = scene.visibleBounds();
+  return bounds.empty() ? std::nullopt : std::optional(bounds.centre());
+}
+
 QString lengthText(double millimetres, const QLocale& locale, model::DrawnUnit unit) {
   const int digits = unit == model::DrawnUnit::millimetre ? 4 : 9;
   const auto text = [&](double value, std::string_view symbol) {

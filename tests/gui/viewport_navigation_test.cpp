@@ -210,6 +210,41 @@ class ViewportNavigationTest : public QObject {
     QVERIFY(f.viewport().rect().contains(time.geometry()));
   }
 
+  /// The bar is true in the middle of what is visible, whatever the camera turns around: the same
+  /// picture has the same bar.
+  void scaleBarIsTrueInEveryView() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    auto& mark = f.control<widgets::ScaleBarMark>("scaleBar");
+    const auto scale = [&] { return mark.bar()->millimetres / mark.bar()->drawn; };
+    const auto truth = [&] {
+      return double(model::millimetresPerPixel(f.viewport().camera(),
+                                               f.session.scene().visibleBounds().centre(),
+                                               float(f.viewport().height())));
+    };
+    QVERIFY(mark.bar());
+    QVERIFY2(mark.accessibleName().contains("mid-depth"), qPrintable(mark.accessibleName()));
+    QCOMPARE(scale(), truth());
+    const double before = scale();
+
+    model::Camera nearer = f.viewport().camera();
+    QVERIFY(nearer.projection == model::Projection::perspective);
+    nearer.target = glm::mix(nearer.target, nearer.eye, 0.3f);
+    f.viewport().setPivot(nearer.target);
+    QVERIFY(f.settled());
+    QCOMPARE(scale(), before);
+    f.viewport().travelTo(nearer, f.session.scene(), f.session.scene());
+    QVERIFY(f.settled());
+    QVERIFY2(std::abs(scale() / before - 1.0) < 1e-4, qPrintable(QString::number(scale())));
+
+    nearer.eye = glm::mix(nearer.eye, nearer.target, 0.4f);
+    f.viewport().travelTo(nearer, f.session.scene(), f.session.scene());
+    QVERIFY(f.settled());
+    QVERIFY(scale() < 0.9 * before);
+    QCOMPARE(scale(), truth());
+  }
+
   /// A flight ends at its view, and grasping the picture ends it before.
   void flightsCanBeInterrupted() {
     WindowFixture f;

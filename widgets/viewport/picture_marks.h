@@ -4,6 +4,7 @@
 #include <QObject>
 #include <array>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "render/strokes/picture_settings.h"
@@ -27,6 +28,7 @@ struct MarkedScene {
   bool any = false;    ///< it holds something
   bool sides = false;  ///< model::hasSides
   model::DrawnUnit unit = model::DrawnUnit::millimetre;
+  std::optional<glm::vec3> middle;  ///< where the scale bar is true: render::scalePlace
   bool operator==(const MarkedScene&) const = default;
 };
 MarkedScene markedScene(const model::Scene& scene);
@@ -42,9 +44,9 @@ class PictureMarks : public QObject {
   void choose(const MarkChoice& choice);
   const MarkChoice& choice() const { return m_choice; }
   void setBackground(render::Background background);
-  /// Places the marks for the camera and the point it turns around; without a scene there is
-  /// nothing to mark. Where nobody knows the scene's sides there are no letters.
-  void place(const model::Camera& camera, const glm::vec3& pivot, const MarkedScene& scene);
+  /// Places the marks for the camera; without a scene there is nothing to mark. Where nobody knows
+  /// the scene's sides there are no letters.
+  void place(const model::Camera& camera, const MarkedScene& scene);
   /// Sets how many pixels at the upper edge are covered by something else.
   void setHeadroom(int pixels) { m_headroom = pixels; }
   /// Makes the letters grow with the picture's height, and keeps labels off the covered rectangle.

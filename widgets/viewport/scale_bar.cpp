@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "render/lettering/mark_words.h"
+
 namespace sline::widgets {
 
 namespace {
@@ -17,9 +19,11 @@ ScaleBarMark::ScaleBarMark(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
 }
 
-void ScaleBarMark::show(const std::optional<render::ScaleLength>& bar, model::DrawnUnit unit) {
+void ScaleBarMark::show(const std::optional<render::ScaleLength>& bar, const ScaleWords& words) {
   m_bar = bar;
-  m_text = bar ? render::lengthText(bar->millimetres, QLocale(), unit) : QString();
+  m_text = bar ? render::lengthText(bar->millimetres, QLocale(), words.unit) : QString();
+  if (bar && words.atMidDepth)
+    m_text = render::MarkWords(QLocale().bcp47Name().toStdString()).atMidDepth(m_text);
   setAccessibleName(bar ? tr("Scale: %1").arg(m_text) : QString());
   update();
 }

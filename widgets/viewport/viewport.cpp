@@ -161,9 +161,8 @@ void Viewport::documentChange(const Document& before, const Document& now) {
 void Viewport::placeMarks() {
   if (m_marksAwait == 0)
     m_marked = {.camera = m_moving ? m_drawnCamera.value_or(m_camera) : m_camera,
-                .pivot = m_pivot,
                 .scene = markedScene(m_session.scene())};
-  m_marks->place(m_marked.camera, m_marked.pivot, m_marked.scene);
+  m_marks->place(m_marked.camera, m_marked.scene);
   showTools();
 }
 

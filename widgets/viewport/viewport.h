@@ -230,7 +230,6 @@ class Viewport : public QWidget, public ViewControl {
   /// Holds what the marks show.
   struct Marked {
     model::Camera camera;
-    glm::vec3 pivot{0.0f};
     MarkedScene scene;
   };
   Marked m_marked;

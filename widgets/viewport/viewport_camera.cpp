@@ -131,7 +131,6 @@ void Viewport::pivotToMiddle() {
 
 void Viewport::setPivot(const glm::vec3& pivot) {
   m_pivot = pivot;
-  placeMarks();
 }
 
 model::FreeSides Viewport::freeSides(const model::Scene& scene, const model::Camera& camera) const {
