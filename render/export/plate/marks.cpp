@@ -3,10 +3,12 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
+#include "render/export/plate/free_places.h"
 #include "render/export/plate/gamma_key.h"
 #include "render/export/plate/legend.h"
 #include "render/export/plate/legend_row.h"
@@ -36,6 +38,27 @@ constexpr float smallSize = legendShare;
 
 constexpr std::size_t mostSectionLines = 3;
 
+// Ways that marks may be moved where anatomy lies in their place.
+constexpr std::array<glm::vec2, 1> upAndDown{glm::vec2{0.0f, 1.0f}};
+constexpr std::array<glm::vec2, 1> sideways{glm::vec2{1.0f, 0.0f}};
+constexpr std::array<glm::vec2, 2> sidewaysElseUp{glm::vec2{1.0f, 0.0f}, glm::vec2{0.0f, 1.0f}};
+using Ways = std::span<const glm::vec2>;
+
+LetteringItem movedBy(LetteringItem item, const glm::vec2& by) {
+  if (item.text)
+    item.text->at += by;
+  for (LetteringShape& shape : item.shapes)
+    for (Curve& curve : shape.path) {
+      curve.start += by;
+      for (Cubic& piece : curve.pieces) {
+        piece.control1 += by;
+        piece.control2 += by;
+        piece.end += by;
+      }
+    }
+  return item;
+}
+
 bool visibleIn(const model::Scene& scene, const model::Node& node) {
   return !node.isGroup() && scene.resolve(node.id).visible;
 }
@@ -48,13 +71,14 @@ bool takesAway(const model::Plane& plane, const model::Box& box) {
 
 class MarkLayout {
  public:
-  explicit MarkLayout(const ExportOrder& order)
+  MarkLayout(const ExportOrder& order, const SeenArea* drawn)
       : m_order(order),
+        m_drawn(drawn),
         m_size(order.page.sizeMm),
         m_colours(letteringColours(order.environment.background == Background::dark)),
         m_words(order.labels.language),
         m_unit(drawnUnit(order.scene)),
-        m_boxes(order.labels.reserved) {
+        m_places(m_size, order.labels.reserved, drawn) {
     m_marks.lettering.ground = m_colours.ground;
   }
 
@@ -91,22 +115,26 @@ class MarkLayout {
     return {{left, text.at.y - capHeightMm(text.points)}, {left + width, text.at.y + 0.22f * em}};
   }
 
-  /// Adds the item; returns false and adds nothing where the page or another mark leaves no room.
-  bool add(LetteringItem item, const LabelBox& box) {
-    const bool within = box.low.x >= 0.5f * margin && box.low.y >= 0.5f * margin &&
-                        box.high.x <= m_size.x - 0.5f * margin &&
-                        box.high.y <= m_size.y - 0.5f * margin;
-    if (!within || std::any_of(m_boxes.begin(), m_boxes.end(),
-                               [&](const LabelBox& other) { return overlap(box, other); })) {
+  /// Keeps the box for what was put there.
+  void take(const LabelBox& box) {
+    m_places.take(box);
+    m_marks.boxes.push_back(box.grown(gap));
+  }
+
+  /// Adds the item, moved as far as anatomy makes it move; returns its box, or adds nothing where
+  /// there is no room for it.
+  std::optional<LabelBox> add(LetteringItem item, const LabelBox& box, Ways ways) {
+    const std::optional<glm::vec2> by = m_places.shift(box, ways);
+    if (!by) {
       addNote(m_marks.notes, {.kind = ExportNote::Kind::marksWithoutRoom,
                               .names = {std::move(item.name)},
                               .detail = {}});
-      return false;
+      return std::nullopt;
     }
-    m_boxes.push_back(box);
-    m_marks.boxes.push_back(box.grown(gap));
-    m_marks.lettering.items.push_back(std::move(item));
-    return true;
+    const LabelBox there{box.low + *by, box.high + *by};
+    take(there);
+    m_marks.lettering.items.push_back(movedBy(std::move(item), *by));
+    return there;
   }
 
   LetteringText text(const QString& line, const glm::vec2& at, float size,
@@ -119,15 +147,14 @@ class MarkLayout {
             .ink = m_colours.ink};
   }
 
+  /// Adds the letter of an edge, at whose middle it stands unless anatomy reaches there.
   std::optional<LabelBox> addLetter(const std::string& letters, const glm::vec2& at,
                                     TextAnchor anchor) {
     if (letters.empty())
       return std::nullopt;
     const LetteringText line = text(QString::fromStdString(letters), at, letterSize, anchor);
-    const LabelBox box = boxOf(line);
-    if (!add({.name = "side " + letters, .shapes = {}, .text = line}, box))
-      return std::nullopt;
-    return box;
+    return add({.name = "side " + letters, .shapes = {}, .text = line}, boxOf(line),
+               anchor == TextAnchor::middle ? Ways(sideways) : Ways(upAndDown));
   }
 
   void addSides() {
@@ -197,7 +224,7 @@ class MarkLayout {
             m_marks.notes,
             {.kind = ExportNote::Kind::textShortened, .names = {line.toStdString()}, .detail = {}});
       const LetteringText one = text(fitted, {left, baseline}, size, TextAnchor::start);
-      if (add({.name = name, .shapes = {}, .text = one}, boxOf(one))) {
+      if (add({.name = name, .shapes = {}, .text = one}, boxOf(one), sideways)) {
         above = baseline;
         m_marks.edges.top = std::max(m_marks.edges.top, baseline + gap);
       }
@@ -242,10 +269,10 @@ class MarkLayout {
   /// Adds the scale bar for the depth of the middle of what is visible; elsewhere a perspective
   /// picture has another scale.
   void addScaleBar() {
-    const model::Box bounds = m_order.scene.visibleBounds();
-    if (bounds.empty())
+    const std::optional<glm::vec3> place = scalePlace(m_order.scene);
+    if (!place)
       return;
-    const auto length = scaleLength(m_order.camera, bounds.centre(), double(m_size.y),
+    const auto length = scaleLength(m_order.camera, *place, double(m_size.y),
                                     double(std::min(widestBar, 0.22f * m_size.x)));
     if (!length)
       return;
@@ -273,7 +300,7 @@ class MarkLayout {
                            .halo = barHalo});
     LabelBox box = boxOf(words);
     box.low.x = margin - 0.5f * barWidth;
-    if (add(std::move(item), box))
+    if (add(std::move(item), box, sidewaysElseUp))
       m_marks.edges.bottom = std::max(m_marks.edges.bottom, m_size.y - baseline + cap + gap);
   }
 
@@ -281,14 +308,16 @@ class MarkLayout {
   void addGammaKeys();
   void addCaption();
   void addLegend();
+  std::optional<glm::vec2> cornerFor(const glm::vec2& size) const;
 
   const ExportOrder& m_order;
+  const SeenArea* m_drawn;
   glm::vec2 m_size;
   LetteringColours m_colours;
   MarkWords m_words;
   model::DrawnUnit m_unit;
   Marks m_marks;
-  std::vector<LabelBox> m_boxes;
+  FreePlaces m_places;
   std::optional<LabelBox> m_top;
   std::optional<LabelBox> m_bottom;
 };
@@ -318,10 +347,11 @@ void MarkLayout::addSources() {
   for (const TextLine& line : one.lines)
     box.high.x = std::max(box.high.x, margin + textWidthMm(line, one.points));
   box.high.y += below;
-  if (!add({.name = "sources", .shapes = {}, .text = one}, box))
+  if (!add({.name = "sources", .shapes = {}, .text = one}, box, sideways))
     return;
   m_marks.foot = capHeightMm(points(sourcesSize)) + below + gap;
   m_size.y -= m_marks.foot;
+  m_places.setPage(m_size);
 }
 
 /// Adds keys in the upper right corner, one below the other.
@@ -333,13 +363,31 @@ void MarkLayout::addGammaKeys() {
   for (GammaKey key : gammaKeys(m_order, m_words)) {
     key.title = elided(key.title, smallSize, 1.5f * widest * m_size.x);
     const glm::vec2 size = gammaKeySize(key, style);
-    const glm::vec2 corner{m_size.x - margin - size.x, top};
+    glm::vec2 corner{m_size.x - margin - size.x, top};
+    const std::optional<glm::vec2> by = m_places.shift(
+        {corner, corner + size}, std::array{glm::vec2{0.0f, 1.0f}, glm::vec2{1.0f, 0.0f}});
+    if (by)
+      corner += *by;
     std::vector<LetteringItem> items = drawnGammaKey(key, corner, style, m_words);
-    if (!add(std::move(items.front()), {corner, corner + size}))
+    if (!add(std::move(items.front()), {corner, corner + size}, {}))
       return;
     std::move(items.begin() + 1, items.end(), std::back_inserter(m_marks.lettering.items));
     top += size.y + gap;
   }
+}
+
+/// Returns the upper left corner of a legend of that size: in the picture's lower right corner,
+/// else in one of the others, else nothing.
+std::optional<glm::vec2> MarkLayout::cornerFor(const glm::vec2& size) const {
+  const glm::vec2 far = m_size - margin - size;
+  const std::array<glm::vec2, 4> corners{far, glm::vec2{margin, far.y}, glm::vec2{far.x, margin},
+                                         glm::vec2{margin, margin}};
+  if (!m_drawn)
+    return far;
+  for (const glm::vec2& corner : corners)
+    if (const auto by = m_places.shift({corner, corner + size}, upAndDown))
+      return corner + *by;
+  return std::nullopt;
 }
 
 /// Adds swatches and names in the lower right corner, in columns no higher than to the letter at
@@ -375,20 +423,24 @@ void MarkLayout::addLegend() {
   const std::size_t down = (shown + across - 1) / across;
   const glm::vec2 size{float(across) * (width + measure.between) - measure.between,
                        float(down) * measure.row};
-  const glm::vec2 corner = m_size - margin - size;
+  const std::optional<glm::vec2> corner = cornerFor(size);
+  if (!corner) {
+    addNote(m_marks.notes,
+            {.kind = ExportNote::Kind::marksWithoutRoom, .names = {"legend"}, .detail = {}});
+    return;
+  }
   for (std::size_t i = 0; i < shown; ++i) {
     const std::size_t column = i / down;
     m_marks.lettering.items.push_back(legendRow(
         {.name = structures[i]->name,
          .text = names[i],
          .colour = m_order.scene.resolve(structures[i]->id).colour},
-        corner +
+        *corner +
             glm::vec2(float(column) * (width + measure.between), float(i % down + 1) * measure.row),
         points(smallSize), m_colours));
   }
-  m_boxes.push_back({corner, corner + size});
-  m_marks.legend = m_boxes.back().grown(gap);
-  m_marks.boxes.push_back(*m_marks.legend);
+  take({*corner, *corner + size});
+  m_marks.legend = m_marks.boxes.back();
 }
 
 /// Adds what the view says, in the middle above the marks at the foot, left of the legend.
@@ -413,9 +465,9 @@ void MarkLayout::addCaption() {
     addNote(m_marks.notes, {.kind = ExportNote::Kind::textShortened,
                             .names = {plainText(caption->item.text->lines.front()).toStdString()},
                             .detail = {}});
-  if (!add(caption->item, caption->box))
+  if (!add(caption->item, caption->box, upAndDown))
     return;
-  m_marks.caption = m_boxes.back().grown(gap);
+  m_marks.caption = m_marks.boxes.back();
   m_marks.edges.bottom = std::max(m_marks.edges.bottom, m_size.y - caption->box.low.y + gap);
 }
 
@@ -441,8 +493,8 @@ std::vector<const model::Section*> sectionsSeen(const model::Scene& scene) {
   return seen;
 }
 
-Marks marksOf(const ExportOrder& order) {
-  return MarkLayout(order).make();
+Marks marksOf(const ExportOrder& order, const SeenArea* drawn) {
+  return MarkLayout(order, drawn).make();
 }
 
 void paintMarks(QPainter& painter, const Marks& marks) {

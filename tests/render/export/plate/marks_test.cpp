@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
+#include <set>
+#include <string>
 
 #include "render/export/plate/figure_plate.h"
 #include "render/labels/screen.h"
@@ -152,6 +154,8 @@ class MarksTest : public QObject {
   void words();
   void nothingCoversAnything_data();
   void nothingCoversAnything();
+  void marksKeepOffAnatomy_data();
+  void marksKeepOffAnatomy();
   void whatIsPaintedIsInItsPlace();
 
  private:
@@ -449,6 +453,65 @@ void MarksTest::nothingCoversAnything() {
     QVERIFY(!plate.labels->layout.labels.empty());
   if (page.width() > 30.0)
     QVERIFY(boxes.size() >= 5);
+}
+
+void MarksTest::marksKeepOffAnatomy_data() {
+  QTest::addColumn<int>("seed");
+  for (int seed = 0; seed < 40; ++seed)
+    QTest::addRow("camera %d", seed) << seed;
+}
+
+/// Where a ball reaches under the usual place of a mark, the mark stands beside the ball, a letter
+/// at its own edge; what has no such place is left out and told. The ball's outline is known: a
+/// circle.
+void MarksTest::marksKeepOffAnatomy() {
+  QFETCH(int, seed);
+  constexpr float radius = 50.0f;
+  std::mt19937 random(std::uint32_t(seed) + 1);
+  std::uniform_real_distribution<float> any(-1.0f, 1.0f);
+  ExportOrder order = orderOf(sphereScene());
+  order.legend = LegendList::all;
+  order.scene.appendSection(coronal(-12.0f));
+  order.words.text.text = "What the view says";
+  order.camera.projection = model::Projection::orthographic;
+  order.camera.heightMm = 100.0f + 60.0f * any(random);
+  order.camera.target += glm::vec3(90.0f * any(random), 0.0f, 60.0f * any(random));
+  order.camera.eye = order.camera.target + glm::vec3(0.0f, -400.0f, 0.0f);
+
+  const Marks usual = marksOf(order);
+  const FigurePlate plate = figurePlate(order);
+  const Screen screen(order.camera, order.page.sizeMm);
+  const glm::vec2 middle = *screen.place({0.0f, 0.0f, 0.0f});
+  const float outline = radius * order.page.sizeMm.y / order.camera.heightMm;
+  const auto touches = [&](const QRectF& box) {
+    const glm::vec2 nearest{std::clamp(middle.x, float(box.left()), float(box.right())),
+                            std::clamp(middle.y, float(box.top()), float(box.bottom()))};
+    // The mesh lies within the ball.
+    return glm::distance(nearest, middle) < 0.995f * outline;
+  };
+  bool inTheWay = false;
+  for (const LetteringItem& item : usual.lettering.items)
+    inTheWay = inTheWay || touches(boxOf(item));
+  std::set<std::string> told;
+  for (const ExportNote& note : plate.marks.notes)
+    if (note.kind == ExportNote::Kind::marksWithoutRoom)
+      told.insert(note.names.begin(), note.names.end());
+  for (const LetteringItem& item : plate.marks.lettering.items) {
+    const QRectF box = boxOf(item);
+    QVERIFY2(!touches(box), item.name.c_str());
+    QVERIFY(QRectF(0, 0, 160, 90).contains(box));
+    if (const LetteringItem* before = find(usual, item.name); item.name == "side R")
+      QCOMPARE(box.left(), boxOf(*before).left());
+    if (const LetteringItem* before = find(usual, item.name); item.name == "side S")
+      QCOMPARE(box.top(), boxOf(*before).top());
+  }
+  for (const LetteringItem& item : usual.lettering.items)
+    if (!find(plate.marks, item.name))
+      QVERIFY2(
+          told.contains(item.name) || (item.name.starts_with("legend") && told.contains("legend")),
+          item.name.c_str());
+  if (!inTheWay)
+    QCOMPARE(plate.marks.lettering.items.size(), usual.lettering.items.size());
 }
 
 void MarksTest::whatIsPaintedIsInItsPlace() {
