@@ -528,14 +528,6 @@
         <translation>die Datei hat sich geändert oder ist fort</translation>
     </message>
     <message>
-        <source>everything together is only %1 units large</source>
-        <translation>alles zusammen ist nur %1 Einheiten groß</translation>
-    </message>
-    <message>
-        <source>%1; the unit was taken as the metre (times 1000)</source>
-        <translation>%1; als Einheit wurde der Meter angenommen (mal 1000)</translation>
-    </message>
-    <message>
         <source>no threshold made a structure: no scan was read that has it</source>
         <translation>kein Schwellenwert hat eine Struktur ergeben: keine gelesene Aufnahme hat ihn</translation>
     </message>
@@ -698,10 +690,6 @@
     <message>
         <source>no unit in the file: millimetres assumed</source>
         <translation>keine Einheit in der Datei: Millimeter angenommen</translation>
-    </message>
-    <message>
-        <source>everything together is only %1 units large: metres</source>
-        <translation>alles zusammen ist nur %1 Einheiten groß: Meter</translation>
     </message>
     <message>
         <source>SPACE in the header</source>
@@ -902,10 +890,6 @@
     <message>
         <source>Too many open files</source>
         <translation>zu viele offene Dateien</translation>
-    </message>
-    <message>
-        <source>a newer version of the program has written it (schema %1, known here: %2); what is unknown is not shown, and it can only be saved under another name</source>
-        <translation>eine neuere Version des Programms hat sie geschrieben (Schema %1, hier bekannt: %2); Unbekanntes wird nicht gezeigt, und sie lässt sich nur unter anderem Namen speichern</translation>
     </message>
     <message>
         <source>it is no scene of Sline</source>
@@ -1362,6 +1346,390 @@
     <message>
         <source>Take fewer pixels to the inch, or a smaller sheet</source>
         <translation>Nimm weniger Pixel je Zoll oder ein kleineres Blatt</translation>
+    </message>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>es gibt keinen Ordner %1</translation>
+    </message>
+    <message>
+        <source>names of front and back contradict the frame %1; if the files are mirrored, choose %2</source>
+        <translation>Namen mit vorn und hinten widersprechen dem Koordinatensystem %1; sind die Dateien gespiegelt, wählen Sie %2</translation>
+    </message>
+    <message>
+        <source>surfaces whose files do not say their frame lie beside the others, whether they are read as LPS or as RAS; %1 was assumed</source>
+        <translation>Flächen, deren Dateien ihr Koordinatensystem nicht nennen, liegen neben den anderen, ob als LPS oder als RAS gelesen; %1 wurde angenommen</translation>
+    </message>
+    <message>
+        <source>scenes of 3D Slicer beside it disagree about its coordinates; none of them was followed</source>
+        <translation>Szenen von 3D Slicer daneben sind sich über die Koordinaten uneinig; keiner wurde gefolgt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 structures are not as large as their names say: &quot;%3&quot; is %4 mm large, and such structures are %5 to %6 mm; %7</source>
+        <translation>%1 von %2 Strukturen sind nicht so groß, wie ihre Namen sagen: „%3“ ist %4 mm groß, und solche Strukturen sind %5 bis %6 mm groß; %7</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 mm large, and such structures are %3 to %4 mm; %5</source>
+        <translation>„%1“ ist %2 mm groß, und solche Strukturen sind %3 bis %4 mm groß; %5</translation>
+    </message>
+    <message>
+        <source>no usual unit would make it right</source>
+        <translation>keine übliche Einheit würde es richtig machen</translation>
+    </message>
+    <message>
+        <source>it would be right if the file&apos;s unit were %1 mm</source>
+        <translation>es wäre richtig, wenn die Einheit der Datei %1 mm wäre</translation>
+    </message>
+    <message>
+        <source>it would be right if the file&apos;s unit were %1 or %2 mm</source>
+        <translation>es wäre richtig, wenn die Einheit der Datei %1 oder %2 mm wäre</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is flat: it has no extent in a direction</source>
+        <translation>„%1“ ist flach: In einer Richtung hat es keine Ausdehnung</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; beside it gives none of its labels a name that is understood</source>
+        <translation>„%1“ daneben gibt keinem seiner Labels einen Namen, der verstanden wird</translation>
+    </message>
+    <message>
+        <source>holds %1 label volumes of one place, as points in time; structures of all of them lie over each other</source>
+        <translation>enthält %1 Labelvolumen eines Ortes, etwa Zeitpunkte; die Strukturen aller liegen übereinander</translation>
+    </message>
+    <message>
+        <source>sform and qform place it differently, by up to %1 of its units; the sform was taken</source>
+        <translation>sform und qform legen es an verschiedene Orte, bis zu %1 seiner Einheiten auseinander; die sform wurde genommen</translation>
+    </message>
+    <message>
+        <source>sform and qform place it differently, by up to %1 of its units and with left and right swapped; the sform was taken</source>
+        <translation>sform und qform legen es an verschiedene Orte, bis zu %1 seiner Einheiten auseinander und mit links und rechts vertauscht; die sform wurde genommen</translation>
+    </message>
+    <message>
+        <source>is drawn on one slice; made %1 mm thick, as the file says</source>
+        <translation>ist auf einer Schicht gezeichnet; %1 mm dick gemacht, wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>is drawn on one slice; made %1 mm thick, as slices of other structures are</source>
+        <translation>ist auf einer Schicht gezeichnet; %1 mm dick gemacht, wie Schichten anderer Strukturen es sind</translation>
+    </message>
+    <message>
+        <source>is drawn on one slice; made %1 mm thick, which nothing tells</source>
+        <translation>ist auf einer Schicht gezeichnet; %1 mm dick gemacht, was nichts sagt</translation>
+    </message>
+    <message>
+        <source>is of another patient than the files before it; left out</source>
+        <translation>gehört zu einem anderen Patienten als die Dateien davor; weggelassen</translation>
+    </message>
+    <message>
+        <source>files of one patient lie in different frames of reference: nothing says that what is laid over each other fits</source>
+        <translation>Dateien eines Patienten liegen in verschiedenen Bezugssystemen: Nichts sagt, dass zusammenpasst, was übereinanderliegt</translation>
+    </message>
+    <message>
+        <source>it is of another patient than the other files now</source>
+        <translation>sie gehört jetzt zu einem anderen Patienten als die übrigen Dateien</translation>
+    </message>
+    <message>
+        <source>it lies more than 100 km from the origin</source>
+        <translation>er liegt mehr als 100 km vom Ursprung entfernt</translation>
+    </message>
+    <message>
+        <source>Check the unit of its coordinates</source>
+        <translation>Prüfen Sie die Einheit der Koordinaten</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 across: an implausible size, check the unit</source>
+        <translation>„%1“ misst %2: eine unwahrscheinliche Größe, prüfen Sie die Einheit</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 across, and %3 other is as unlikely: an implausible size, check the unit</source>
+        <translation>„%1“ misst %2, und %3 weitere Struktur ist ebenso unwahrscheinlich: prüfen Sie die Einheit</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 across, and %3 others are as unlikely: an implausible size, check the unit</source>
+        <translation>„%1“ misst %2, und %3 weitere sind ebenso unwahrscheinlich: prüfen Sie die Einheit</translation>
+    </message>
+    <message>
+        <source>eye or target lies more than 100,000 km away</source>
+        <translation>Auge oder Ziel liegt mehr als 100.000 km entfernt</translation>
+    </message>
+    <message>
+        <source>the height is too small or too large for where eye and target lie</source>
+        <translation>die Höhe ist zu klein oder zu groß für die Lage von Auge und Ziel</translation>
+    </message>
+    <message>
+        <source>weak vote: %1 of %2 left/right names</source>
+        <translation>schwache Abstimmung: %1 von %2 Namen mit links/rechts</translation>
+    </message>
+    <message>
+        <source>names of front and back alone</source>
+        <translation>allein Namen mit vorn und hinten</translation>
+    </message>
+    <message>
+        <source>laid over surfaces of the same names: %1 within 2 mm</source>
+        <translation>über Flächen gleichen Namens gelegt: %1 innerhalb von 2 mm</translation>
+    </message>
+    <message>
+        <source>fits in with the other surfaces</source>
+        <translation>passt zu den anderen Flächen</translation>
+    </message>
+    <message>
+        <source>confirmed by hand</source>
+        <translation>von Hand bestätigt</translation>
+    </message>
+    <message>
+        <source>mirrored by hand</source>
+        <translation>von Hand gespiegelt</translation>
+    </message>
+    <message>
+        <source>turned by hand</source>
+        <translation>von Hand gedreht</translation>
+    </message>
+    <message>
+        <source>%1; sizes are not those of what is named</source>
+        <translation>%1; die Größen sind nicht die des Benannten</translation>
+    </message>
+    <message>
+        <source>the program held %1 bytes for %2×%3 pixels of the picture, which is not what they take</source>
+        <translation>das Programm hatte %1 Bytes für %2×%3 Pixel des Bildes, was nicht das ist, was sie brauchen</translation>
+    </message>
+    <message>
+        <source>Save the scene and start the program again</source>
+        <translation>Speichern Sie die Szene und starten Sie das Programm neu</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot;: %2</source>
+        <translation>Struktur „%1“: %2</translation>
+    </message>
+    <message>
+        <source>group &quot;%1&quot;: %2</source>
+        <translation>Gruppe „%1“: %2</translation>
+    </message>
+    <message>
+        <source>view &quot;%1&quot;: %2</source>
+        <translation>Ansicht „%1“: %2</translation>
+    </message>
+    <message>
+        <source>label &quot;%1&quot;: %2</source>
+        <translation>Beschriftung „%1“: %2</translation>
+    </message>
+    <message>
+        <source>scan &quot;%1&quot;: %2</source>
+        <translation>Scan „%1“: %2</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot;</source>
+        <translation>Struktur „%1“</translation>
+    </message>
+    <message>
+        <source>group &quot;%1&quot;</source>
+        <translation>Gruppe „%1“</translation>
+    </message>
+    <message>
+        <source>view &quot;%1&quot;</source>
+        <translation>Ansicht „%1“</translation>
+    </message>
+    <message>
+        <source>label &quot;%1&quot;</source>
+        <translation>Beschriftung „%1“</translation>
+    </message>
+    <message>
+        <source>scan &quot;%1&quot;</source>
+        <translation>Scan „%1“</translation>
+    </message>
+    <message>
+        <source>%1; it was cut there</source>
+        <translation>%1; dort wurde gekürzt</translation>
+    </message>
+    <message>
+        <source>%1; it was left out</source>
+        <translation>%1; es wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>%1; they became signs for unknown letters</source>
+        <translation>%1; sie wurden zu Zeichen für Unbekanntes</translation>
+    </message>
+    <message>
+        <source>%1; the rest was left out</source>
+        <translation>%1; der Rest wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>%1; the section was left out</source>
+        <translation>%1; der Schnitt wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>%1; the atoms were left out</source>
+        <translation>%1; die Atome wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>%1; what is in it went to the group above</source>
+        <translation>%1; was darin ist, kam in die Gruppe darüber</translation>
+    </message>
+    <message>
+        <source>the name is longer than %1 bytes</source>
+        <translation>der Name ist länger als %1 Byte</translation>
+    </message>
+    <message>
+        <source>the text is longer than %1 bytes</source>
+        <translation>der Text ist länger als %1 Byte</translation>
+    </message>
+    <message>
+        <source>a text is longer than %1 bytes</source>
+        <translation>ein Text ist länger als %1 Byte</translation>
+    </message>
+    <message>
+        <source>its credit is longer than %1 bytes</source>
+        <translation>die Angabe zur Herkunft ist länger als %1 Byte</translation>
+    </message>
+    <message>
+        <source>%1 is longer than %2 bytes</source>
+        <translation>%1 ist länger als %2 Byte</translation>
+    </message>
+    <message>
+        <source>the name has bytes that are no letters in UTF-8</source>
+        <translation>der Name enthält Bytes, die in UTF-8 keine Zeichen sind</translation>
+    </message>
+    <message>
+        <source>%1 has bytes that are no letters in UTF-8</source>
+        <translation>%1 enthält Bytes, die in UTF-8 keine Zeichen sind</translation>
+    </message>
+    <message>
+        <source>%1 is in more than %2 languages</source>
+        <translation>%1 steht in mehr als %2 Sprachen</translation>
+    </message>
+    <message>
+        <source>%1 is in a language that has no name</source>
+        <translation>%1 steht in einer Sprache ohne Namen</translation>
+    </message>
+    <message>
+        <source>%1 is no finite number</source>
+        <translation>%1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the value of %1 is out of range</source>
+        <translation>der Wert von %1 liegt außerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>the time is out of range</source>
+        <translation>die Zeit liegt außerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>it lies more than %1 groups deep</source>
+        <translation>sie liegt mehr als %1 Gruppen tief</translation>
+    </message>
+    <message>
+        <source>it is on a triangle that no structure of the scene has</source>
+        <translation>sie zeigt auf ein Dreieck, das keine Struktur der Szene hat</translation>
+    </message>
+    <message>
+        <source>what is painted on it is of another surface</source>
+        <translation>was darauf gemalt ist, gehört zu einer anderen Oberfläche</translation>
+    </message>
+    <message>
+        <source>an atom lies nowhere, or there are too many</source>
+        <translation>ein Atom liegt nirgends, oder es sind zu viele</translation>
+    </message>
+    <message>
+        <source>a scene holds no more than %1 %2, and these would be %3</source>
+        <translation>eine Szene fasst höchstens %1 %2, und dies wären %3</translation>
+    </message>
+    <message>
+        <source>structures and groups</source>
+        <translation>Strukturen und Gruppen</translation>
+    </message>
+    <message>
+        <source>Take fewer of them into one scene</source>
+        <translation>Nimm weniger davon in eine Szene</translation>
+    </message>
+    <message>
+        <source>Change it so that a scene file can keep it</source>
+        <translation>Ändere es so, dass eine Szenendatei es aufnehmen kann</translation>
+    </message>
+    <message>
+        <source>Undo what brought it into the scene, and save again</source>
+        <translation>Mach rückgängig, was es in die Szene brachte, und speichere erneut</translation>
+    </message>
+    <message>
+        <source>the scene is too large for a scene file</source>
+        <translation>die Szene ist zu groß für eine Szenendatei</translation>
+    </message>
+    <message>
+        <source>the scene is too large for a scene file: %1</source>
+        <translation>die Szene ist zu groß für eine Szenendatei: %1</translation>
+    </message>
+    <message>
+        <source>Save fewer views, or fewer structures in one scene</source>
+        <translation>Speichere weniger Ansichten oder weniger Strukturen in einer Szene</translation>
+    </message>
+    <message>
+        <source>Put fewer structures or scans into one scene</source>
+        <translation>Nimm weniger Strukturen oder Scans in eine Szene</translation>
+    </message>
+    <message>
+        <source>something in it is at fault and not in the scene; it would be lost</source>
+        <translation>etwas darin ist fehlerhaft und nicht in der Szene; es ginge verloren</translation>
+    </message>
+    <message>
+        <source>something in it is at fault: %1</source>
+        <translation>etwas darin ist fehlerhaft: %1</translation>
+    </message>
+    <message>
+        <source>Open it by itself and save it under another name</source>
+        <translation>Öffne sie für sich und speichere sie unter anderem Namen</translation>
+    </message>
+    <message>
+        <source>something in it is at fault and was left out (%1); the file stays as it is, and the scene can only be saved under another name</source>
+        <translation>etwas darin ist fehlerhaft und wurde weggelassen (%1); die Datei bleibt, wie sie ist, und die Szene kann nur unter anderem Namen gespeichert werden</translation>
+    </message>
+    <message>
+        <source>a newer version of the program has written it (schema %1, known here: %2); what is unknown is not shown, and it can only be saved under another name, as schema %3</source>
+        <translation>eine neuere Version des Programms hat sie geschrieben (Schema %1, hier bekannt: %2); Unbekanntes wird nicht gezeigt, und sie kann nur unter anderem Namen gespeichert werden, als Schema %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; (%2): %3</source>
+        <translation>„%1“ (%2): %3</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2 is expected here</source>
+        <translation>hier wird eine Zahl von %1 bis %2 erwartet</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2 is expected here</source>
+        <translation>hier wird eine ganze Zahl von %1 bis %2 erwartet</translation>
+    </message>
+    <message>
+        <source>a text is expected here</source>
+        <translation>hier wird ein Text erwartet</translation>
+    </message>
+    <message>
+        <source>a number is expected here</source>
+        <translation>hier wird eine Zahl erwartet</translation>
+    </message>
+    <message>
+        <source>true or false is expected here</source>
+        <translation>hier wird true oder false erwartet</translation>
+    </message>
+    <message>
+        <source>a list is expected here</source>
+        <translation>hier wird eine Liste erwartet</translation>
+    </message>
+    <message>
+        <source>an object is expected here</source>
+        <translation>hier wird ein Objekt erwartet</translation>
+    </message>
+    <message>
+        <source>a line of at most %1 bytes is expected here</source>
+        <translation>hier wird eine Zeile von höchstens %1 Byte erwartet</translation>
+    </message>
+    <message>
+        <source>a colour as &quot;#rrggbb&quot; is expected here</source>
+        <translation>hier wird eine Farbe als „#rrggbb“ erwartet</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; or another word of this format is expected here</source>
+        <translation>hier wird „%1“ oder ein anderes Wort dieses Formats erwartet</translation>
+    </message>
+    <message>
+        <source>the file holds no such mesh</source>
+        <translation>die Datei enthält kein solches Netz</translation>
     </message>
 </context>
 <context>
@@ -2784,14 +3152,6 @@
         <translation>Im Fokus</translation>
     </message>
     <message>
-        <source>Vessel or duct</source>
-        <translation>Gefäß oder Gang</translation>
-    </message>
-    <message>
-        <source>Vessels and ducts</source>
-        <translation>Gefäße und Gänge</translation>
-    </message>
-    <message>
         <source>Neighbour</source>
         <translation>Nachbar</translation>
     </message>
@@ -2822,10 +3182,6 @@
     <message>
         <source>Its rights do not let it be written to</source>
         <translation>Ihre Rechte erlauben kein Schreiben</translation>
-    </message>
-    <message>
-        <source>A newer version of the program has written it; what is unknown here is not shown</source>
-        <translation>Eine neuere Version des Programms hat sie geschrieben; was hier unbekannt ist, wird nicht gezeigt</translation>
     </message>
     <message>
         <source>Another program has changed it since</source>
@@ -4717,10 +5073,6 @@
         <translation>Jede Änderung wird sofort aufgehoben und nach einem Absturz angeboten</translation>
     </message>
     <message>
-        <source>It was saved after the last of these changes was made</source>
-        <translation>Sie wurde gespeichert, nachdem die letzte dieser Änderungen gemacht war</translation>
-    </message>
-    <message>
         <source>%1 seconds, %2 × %3 pixels, %4 pictures a second.</source>
         <translation>%1 Sekunden, %2 × %3 Pixel, %4 Bilder je Sekunde.</translation>
     </message>
@@ -5067,6 +5419,113 @@
     <message>
         <source>No name of a structure can be read in the file; answers are there as checksums. No paths, user names, dates or patient data are.</source>
         <translation>Kein Name einer Struktur ist in der Datei lesbar; Antworten stehen als Prüfsummen darin. Pfade, Benutzernamen, Daten und Patientendaten nicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels are not asked for, as one does not see there what is named: %1.</source>
+        <translation>
+            <numerusform>%n Beschriftung wird nicht abgefragt, weil man dort nicht sieht, was sie benennt: %1.</numerusform>
+            <numerusform>%n Beschriftungen werden nicht abgefragt, weil man dort nicht sieht, was sie benennen: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, between smoothed surfaces</source>
+        <translation>%1, zwischen geglätteten Oberflächen</translation>
+    </message>
+    <message>
+        <source>Vessel, nerve or duct</source>
+        <translation>Gefäß, Nerv oder Gang</translation>
+    </message>
+    <message>
+        <source>Vessels, nerves and ducts</source>
+        <translation>Gefäße, Nerven und Gänge</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 and %n more</source>
+        <translation>
+            <numerusform>%1: %2 und %n weitere</numerusform>
+            <numerusform>%1: %2 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>These files are of %n patients. Put them into one scene?</source>
+        <translation>
+            <numerusform>Diese Dateien gehören zu %n Patienten. Sollen sie eine Szene werden?</numerusform>
+            <numerusform>Diese Dateien gehören zu %n Patienten. Sollen sie eine Szene werden?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>These files are of %n studies, and nothing says that they are of one patient. Put them into one scene?</source>
+        <translation>
+            <numerusform>Diese Dateien gehören zu %n Studie, und nichts sagt, dass sie von einem Patienten sind. Sollen sie eine Szene werden?</numerusform>
+            <numerusform>Diese Dateien gehören zu %n Studien, und nichts sagt, dass sie von einem Patienten sind. Sollen sie eine Szene werden?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import Together</source>
+        <translation>Zusammen importieren</translation>
+    </message>
+    <message>
+        <source>Only the First</source>
+        <translation>Nur den ersten</translation>
+    </message>
+    <message>
+        <source>Something in it is at fault and was left out: %1</source>
+        <translation>Etwas darin ist fehlerhaft und wurde weggelassen: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Something in it is at fault and was left out: %1; and %n more</source>
+        <translation>
+            <numerusform>Etwas darin ist fehlerhaft und wurde weggelassen: %1; und %n weiteres</numerusform>
+            <numerusform>Etwas darin ist fehlerhaft und wurde weggelassen: %1; und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A newer version of the program has written it; what is unknown here is not shown, and a copy is saved in the form of this version</source>
+        <translation>Eine neuere Version des Programms hat sie geschrieben; was hier unbekannt ist, wird nicht gezeigt, und eine Kopie wird in der Form dieser Version gespeichert</translation>
+    </message>
+    <message>
+        <source>It has changed since the program ended with these changes unsaved</source>
+        <translation>Sie hat sich geändert, seit das Programm endete und diese Änderungen nicht gespeichert waren</translation>
+    </message>
+    <message>
+        <source>Whether it has changed since the program ended is not known</source>
+        <translation>Ob sie sich geändert hat, seit das Programm endete, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Left and Ri&amp;ght</source>
+        <translation>&amp;Links und rechts</translation>
+    </message>
+    <message>
+        <source>Sides Are &amp;Right</source>
+        <translation>Seiten &amp;stimmen</translation>
+    </message>
+    <message>
+        <source>What was assumed of left and right is so; marks lose their question marks</source>
+        <translation>Was über links und rechts angenommen wurde, stimmt; die Zeichen verlieren ihre Fragezeichen</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror Left and Right</source>
+        <translation>Links und rechts s&amp;piegeln</translation>
+    </message>
+    <message>
+        <source>Left and right are swapped, front and back are not: the scene becomes its mirror image</source>
+        <translation>Links und rechts sind vertauscht, vorn und hinten nicht: Die Szene wird zu ihrem Spiegelbild</translation>
+    </message>
+    <message>
+        <source>&amp;Turn About the Body&apos;s Axis</source>
+        <translation>Um die Körperachse &amp;drehen</translation>
+    </message>
+    <message>
+        <source>Left and right are swapped, and front and back, too, as where RAS was taken for LPS: half a turn</source>
+        <translation>Links und rechts sind vertauscht, vorn und hinten auch, wie wo RAS für LPS gehalten wurde: eine halbe Drehung</translation>
+    </message>
+    <message>
+        <source>%1, of the smoothed surface</source>
+        <translation>%1, der geglätteten Oberfläche</translation>
     </message>
 </context>
 <context>
@@ -6507,6 +6966,21 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::ImportActions</name>
+    <message>
+        <source>The Size Is Right</source>
+        <translation>Die Größe stimmt</translation>
+    </message>
+    <message>
+        <source>The size is right</source>
+        <translation>Die Größe stimmt</translation>
+    </message>
+    <message>
+        <source>Take %1 as the Unit</source>
+        <translation>%1 als Einheit nehmen</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::ImportDialog</name>
     <message>
         <source>Import %1</source>
@@ -6579,6 +7053,14 @@ OpenGL: %3</translation>
     <message>
         <source>Scan</source>
         <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>The Size Is Right</source>
+        <translation>Die Größe stimmt</translation>
+    </message>
+    <message>
+        <source>Take %1 as the Unit</source>
+        <translation>%1 als Einheit nehmen</translation>
     </message>
 </context>
 <context>
@@ -6865,6 +7347,14 @@ OpenGL: %3</translation>
             <numerusform>%n hat in diesem Bild keinen Platz: Das Feld „Beschriftungen“ sagt, welche</numerusform>
             <numerusform>%n haben in diesem Bild keinen Platz: Das Feld „Beschriftungen“ sagt, welche</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Add Distance</source>
+        <translation>Abstand hinzufügen</translation>
+    </message>
+    <message>
+        <source>The shortest distance between the two selected structures was added; with another selection you choose two places</source>
+        <translation>Der kürzeste Abstand zwischen den zwei gewählten Strukturen wurde hinzugefügt; bei anderer Auswahl wählst du zwei Orte</translation>
     </message>
 </context>
 <context>
@@ -7763,6 +8253,10 @@ OpenGL: %3</translation>
         <source>It cannot be brought back.</source>
         <translation>Sie lässt sich nicht zurückholen.</translation>
     </message>
+    <message>
+        <source>%1, in an unknown folder</source>
+        <translation>%1, in einem unbekannten Ordner</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::SavePresetDialog</name>
@@ -8106,6 +8600,61 @@ OpenGL: %3</translation>
     <message>
         <source>Structures that differ keep their differences; with Shift all become equal</source>
         <translation>Strukturen, die sich unterscheiden, behalten ihre Unterschiede; mit Umschalt werden alle gleich</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Ohne Titel</translation>
+    </message>
+    <message>
+        <source>Nobody has said how long the unit of its files is: what is named has not the size of such structures, and lengths stand with a “?”</source>
+        <translation>Niemand hat gesagt, wie lang die Einheit der Dateien ist: Was benannt ist, hat nicht die Größe solcher Strukturen, und Längen stehen mit einem „?“</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SidesActions</name>
+    <message>
+        <source>Left and right</source>
+        <translation>Links und rechts</translation>
+    </message>
+    <message>
+        <source>Sides are right</source>
+        <translation>Seiten stimmen</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Ask later</source>
+        <translation>Später fragen</translation>
+    </message>
+    <message>
+        <source>Ask later: the menu Edit has the same answers</source>
+        <translation>Später fragen: Das Menü Bearbeiten hat dieselben Antworten</translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation>Links und rechts spiegeln</translation>
+    </message>
+    <message>
+        <source>Turn about the body&apos;s axis</source>
+        <translation>Um die Körperachse drehen</translation>
+    </message>
+    <message>
+        <source>Left and right are not certain: names or places contradict the frame.</source>
+        <translation>Links und rechts sind nicht sicher: Namen oder Orte widersprechen dem Koordinatensystem.</translation>
+    </message>
+    <message>
+        <source>Left and right are not certain: they were assumed.</source>
+        <translation>Links und rechts sind nicht sicher: Sie wurden angenommen.</translation>
+    </message>
+    <message>
+        <source>Read as %1 (%2).</source>
+        <translation>Gelesen als %1 (%2).</translation>
     </message>
 </context>
 <context>

@@ -164,6 +164,41 @@
             <numerusform>At most %n questions with pictures.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n labels are not asked for, as one does not see there what is named: %1.</source>
+        <translation>
+            <numerusform>%n label is not asked for, as one does not see there what is named: %1.</numerusform>
+            <numerusform>%n labels are not asked for, as one does not see there what is named: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 and %n more</source>
+        <translation>
+            <numerusform>%1: %2 and %n more</numerusform>
+            <numerusform>%1: %2 and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>These files are of %n patients. Put them into one scene?</source>
+        <translation>
+            <numerusform>These files are of %n patient. Put them into one scene?</numerusform>
+            <numerusform>These files are of %n patients. Put them into one scene?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>These files are of %n studies, and nothing says that they are of one patient. Put them into one scene?</source>
+        <translation>
+            <numerusform>These files are of %n study, and nothing says that they are of one patient. Put them into one scene?</numerusform>
+            <numerusform>These files are of %n studies, and nothing says that they are of one patient. Put them into one scene?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Something in it is at fault and was left out: %1; and %n more</source>
+        <translation>
+            <numerusform>Something in it is at fault and was left out: %1; and %n more</numerusform>
+            <numerusform>Something in it is at fault and was left out: %1; and %n more</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::BrushBar</name>

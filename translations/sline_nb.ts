@@ -528,14 +528,6 @@
         <translation>filen er endret eller borte</translation>
     </message>
     <message>
-        <source>everything together is only %1 units large</source>
-        <translation>alt til sammen er bare %1 enheter stort</translation>
-    </message>
-    <message>
-        <source>%1; the unit was taken as the metre (times 1000)</source>
-        <translation>%1; som enhet ble meteren tatt (ganger 1000)</translation>
-    </message>
-    <message>
         <source>no threshold made a structure: no scan was read that has it</source>
         <translation>ingen terskel ga en struktur: det er ikke lest noen skanning som har den</translation>
     </message>
@@ -698,10 +690,6 @@
     <message>
         <source>no unit in the file: millimetres assumed</source>
         <translation>ingen enhet i filen: millimeter antatt</translation>
-    </message>
-    <message>
-        <source>everything together is only %1 units large: metres</source>
-        <translation>alt til sammen er bare %1 enheter stort: meter</translation>
     </message>
     <message>
         <source>SPACE in the header</source>
@@ -902,10 +890,6 @@
     <message>
         <source>Too many open files</source>
         <translation>for mange åpne filer</translation>
-    </message>
-    <message>
-        <source>a newer version of the program has written it (schema %1, known here: %2); what is unknown is not shown, and it can only be saved under another name</source>
-        <translation>en nyere versjon av programmet har skrevet den (skjema %1, kjent her: %2); det ukjente vises ikke, og den kan bare lagres under et annet navn</translation>
     </message>
     <message>
         <source>it is no scene of Sline</source>
@@ -1362,6 +1346,390 @@
     <message>
         <source>Take fewer pixels to the inch, or a smaller sheet</source>
         <translation>Ta færre piksler per tomme eller et mindre ark</translation>
+    </message>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>det finnes ingen mappe %1</translation>
+    </message>
+    <message>
+        <source>names of front and back contradict the frame %1; if the files are mirrored, choose %2</source>
+        <translation>navn med foran og bak motsier koordinatsystemet %1; velg %2 hvis filene er speilvendt</translation>
+    </message>
+    <message>
+        <source>surfaces whose files do not say their frame lie beside the others, whether they are read as LPS or as RAS; %1 was assumed</source>
+        <translation>flater der filene ikke oppgir koordinatsystemet, ligger ved siden av de andre, enten de leses som LPS eller RAS; %1 ble antatt</translation>
+    </message>
+    <message>
+        <source>scenes of 3D Slicer beside it disagree about its coordinates; none of them was followed</source>
+        <translation>scener fra 3D Slicer ved siden av er uenige om koordinatene; ingen av dem ble fulgt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 structures are not as large as their names say: &quot;%3&quot; is %4 mm large, and such structures are %5 to %6 mm; %7</source>
+        <translation>%1 av %2 strukturer er ikke så store som navnene sier: «%3» er %4 mm stor, og slike strukturer er %5 til %6 mm; %7</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 mm large, and such structures are %3 to %4 mm; %5</source>
+        <translation>«%1» er %2 mm stor, og slike strukturer er %3 til %4 mm; %5</translation>
+    </message>
+    <message>
+        <source>no usual unit would make it right</source>
+        <translation>ingen vanlig enhet ville gjøre det riktig</translation>
+    </message>
+    <message>
+        <source>it would be right if the file&apos;s unit were %1 mm</source>
+        <translation>det ville stemme hvis filens enhet var %1 mm</translation>
+    </message>
+    <message>
+        <source>it would be right if the file&apos;s unit were %1 or %2 mm</source>
+        <translation>det ville stemme hvis filens enhet var %1 eller %2 mm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is flat: it has no extent in a direction</source>
+        <translation>«%1» er flat: den har ingen utstrekning i én retning</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; beside it gives none of its labels a name that is understood</source>
+        <translation>«%1» ved siden av gir ingen av etikettene et navn som forstås</translation>
+    </message>
+    <message>
+        <source>holds %1 label volumes of one place, as points in time; structures of all of them lie over each other</source>
+        <translation>inneholder %1 etikettvolumer av ett sted, som tidspunkter; strukturene i alle ligger oppå hverandre</translation>
+    </message>
+    <message>
+        <source>sform and qform place it differently, by up to %1 of its units; the sform was taken</source>
+        <translation>sform og qform plasserer det forskjellig, opptil %1 av dets enheter fra hverandre; sform ble brukt</translation>
+    </message>
+    <message>
+        <source>sform and qform place it differently, by up to %1 of its units and with left and right swapped; the sform was taken</source>
+        <translation>sform og qform plasserer det forskjellig, opptil %1 av dets enheter fra hverandre og med venstre og høyre byttet om; sform ble brukt</translation>
+    </message>
+    <message>
+        <source>is drawn on one slice; made %1 mm thick, as the file says</source>
+        <translation>er tegnet på ett snitt; gjort %1 mm tykk, som filen sier</translation>
+    </message>
+    <message>
+        <source>is drawn on one slice; made %1 mm thick, as slices of other structures are</source>
+        <translation>er tegnet på ett snitt; gjort %1 mm tykk, som snittene til andre strukturer</translation>
+    </message>
+    <message>
+        <source>is drawn on one slice; made %1 mm thick, which nothing tells</source>
+        <translation>er tegnet på ett snitt; gjort %1 mm tykk, noe ingenting sier</translation>
+    </message>
+    <message>
+        <source>is of another patient than the files before it; left out</source>
+        <translation>er av en annen pasient enn filene før den; utelatt</translation>
+    </message>
+    <message>
+        <source>files of one patient lie in different frames of reference: nothing says that what is laid over each other fits</source>
+        <translation>filer av én pasient ligger i ulike referansesystemer: ingenting sier at det som ligger oppå hverandre, passer</translation>
+    </message>
+    <message>
+        <source>it is of another patient than the other files now</source>
+        <translation>den er nå av en annen pasient enn de andre filene</translation>
+    </message>
+    <message>
+        <source>it lies more than 100 km from the origin</source>
+        <translation>det ligger mer enn 100 km fra origo</translation>
+    </message>
+    <message>
+        <source>Check the unit of its coordinates</source>
+        <translation>Kontroller enheten til koordinatene</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 across: an implausible size, check the unit</source>
+        <translation>«%1» måler %2: en usannsynlig størrelse, kontroller enheten</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 across, and %3 other is as unlikely: an implausible size, check the unit</source>
+        <translation>«%1» måler %2, og %3 annen er like usannsynlig: kontroller enheten</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 across, and %3 others are as unlikely: an implausible size, check the unit</source>
+        <translation>«%1» måler %2, og %3 andre er like usannsynlige: kontroller enheten</translation>
+    </message>
+    <message>
+        <source>eye or target lies more than 100,000 km away</source>
+        <translation>øye eller mål ligger mer enn 100 000 km unna</translation>
+    </message>
+    <message>
+        <source>the height is too small or too large for where eye and target lie</source>
+        <translation>høyden er for liten eller for stor for hvor øye og mål ligger</translation>
+    </message>
+    <message>
+        <source>weak vote: %1 of %2 left/right names</source>
+        <translation>svak avstemning: %1 av %2 navn med venstre/høyre</translation>
+    </message>
+    <message>
+        <source>names of front and back alone</source>
+        <translation>bare navn med foran og bak</translation>
+    </message>
+    <message>
+        <source>laid over surfaces of the same names: %1 within 2 mm</source>
+        <translation>lagt over flater med samme navn: %1 innenfor 2 mm</translation>
+    </message>
+    <message>
+        <source>fits in with the other surfaces</source>
+        <translation>passer med de andre flatene</translation>
+    </message>
+    <message>
+        <source>confirmed by hand</source>
+        <translation>bekreftet for hånd</translation>
+    </message>
+    <message>
+        <source>mirrored by hand</source>
+        <translation>speilvendt for hånd</translation>
+    </message>
+    <message>
+        <source>turned by hand</source>
+        <translation>dreid for hånd</translation>
+    </message>
+    <message>
+        <source>%1; sizes are not those of what is named</source>
+        <translation>%1; størrelsene er ikke dem det navngitte har</translation>
+    </message>
+    <message>
+        <source>the program held %1 bytes for %2×%3 pixels of the picture, which is not what they take</source>
+        <translation>programmet hadde %1 byte for %2×%3 piksler av bildet, og det er ikke det de trenger</translation>
+    </message>
+    <message>
+        <source>Save the scene and start the program again</source>
+        <translation>Lagre scenen og start programmet på nytt</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot;: %2</source>
+        <translation>Struktur «%1»: %2</translation>
+    </message>
+    <message>
+        <source>group &quot;%1&quot;: %2</source>
+        <translation>Gruppe «%1»: %2</translation>
+    </message>
+    <message>
+        <source>view &quot;%1&quot;: %2</source>
+        <translation>Visning «%1»: %2</translation>
+    </message>
+    <message>
+        <source>label &quot;%1&quot;: %2</source>
+        <translation>Etikett «%1»: %2</translation>
+    </message>
+    <message>
+        <source>scan &quot;%1&quot;: %2</source>
+        <translation>Skann «%1»: %2</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot;</source>
+        <translation>Struktur «%1»</translation>
+    </message>
+    <message>
+        <source>group &quot;%1&quot;</source>
+        <translation>Gruppe «%1»</translation>
+    </message>
+    <message>
+        <source>view &quot;%1&quot;</source>
+        <translation>Visning «%1»</translation>
+    </message>
+    <message>
+        <source>label &quot;%1&quot;</source>
+        <translation>Etikett «%1»</translation>
+    </message>
+    <message>
+        <source>scan &quot;%1&quot;</source>
+        <translation>Skann «%1»</translation>
+    </message>
+    <message>
+        <source>%1; it was cut there</source>
+        <translation>%1; det ble kuttet der</translation>
+    </message>
+    <message>
+        <source>%1; it was left out</source>
+        <translation>%1; det ble utelatt</translation>
+    </message>
+    <message>
+        <source>%1; they became signs for unknown letters</source>
+        <translation>%1; de ble til tegn for ukjente bokstaver</translation>
+    </message>
+    <message>
+        <source>%1; the rest was left out</source>
+        <translation>%1; resten ble utelatt</translation>
+    </message>
+    <message>
+        <source>%1; the section was left out</source>
+        <translation>%1; snittet ble utelatt</translation>
+    </message>
+    <message>
+        <source>%1; the atoms were left out</source>
+        <translation>%1; atomene ble utelatt</translation>
+    </message>
+    <message>
+        <source>%1; what is in it went to the group above</source>
+        <translation>%1; det som er i den, gikk til gruppen over</translation>
+    </message>
+    <message>
+        <source>the name is longer than %1 bytes</source>
+        <translation>navnet er lengre enn %1 byte</translation>
+    </message>
+    <message>
+        <source>the text is longer than %1 bytes</source>
+        <translation>teksten er lengre enn %1 byte</translation>
+    </message>
+    <message>
+        <source>a text is longer than %1 bytes</source>
+        <translation>en tekst er lengre enn %1 byte</translation>
+    </message>
+    <message>
+        <source>its credit is longer than %1 bytes</source>
+        <translation>kildeangivelsen er lengre enn %1 byte</translation>
+    </message>
+    <message>
+        <source>%1 is longer than %2 bytes</source>
+        <translation>%1 er lengre enn %2 byte</translation>
+    </message>
+    <message>
+        <source>the name has bytes that are no letters in UTF-8</source>
+        <translation>navnet har byte som ikke er tegn i UTF-8</translation>
+    </message>
+    <message>
+        <source>%1 has bytes that are no letters in UTF-8</source>
+        <translation>%1 har byte som ikke er tegn i UTF-8</translation>
+    </message>
+    <message>
+        <source>%1 is in more than %2 languages</source>
+        <translation>%1 finnes på mer enn %2 språk</translation>
+    </message>
+    <message>
+        <source>%1 is in a language that has no name</source>
+        <translation>%1 er på et språk uten navn</translation>
+    </message>
+    <message>
+        <source>%1 is no finite number</source>
+        <translation>%1 er ikke et endelig tall</translation>
+    </message>
+    <message>
+        <source>the value of %1 is out of range</source>
+        <translation>verdien av %1 er utenfor grensene</translation>
+    </message>
+    <message>
+        <source>the time is out of range</source>
+        <translation>tiden er utenfor grensene</translation>
+    </message>
+    <message>
+        <source>it lies more than %1 groups deep</source>
+        <translation>den ligger mer enn %1 grupper dypt</translation>
+    </message>
+    <message>
+        <source>it is on a triangle that no structure of the scene has</source>
+        <translation>det peker på en trekant som ingen struktur i scenen har</translation>
+    </message>
+    <message>
+        <source>what is painted on it is of another surface</source>
+        <translation>det som er malt på den, hører til en annen overflate</translation>
+    </message>
+    <message>
+        <source>an atom lies nowhere, or there are too many</source>
+        <translation>et atom ligger ingen steder, eller det er for mange</translation>
+    </message>
+    <message>
+        <source>a scene holds no more than %1 %2, and these would be %3</source>
+        <translation>en scene rommer høyst %1 %2, og dette ville være %3</translation>
+    </message>
+    <message>
+        <source>structures and groups</source>
+        <translation>strukturer og grupper</translation>
+    </message>
+    <message>
+        <source>Take fewer of them into one scene</source>
+        <translation>Ta færre av dem inn i én scene</translation>
+    </message>
+    <message>
+        <source>Change it so that a scene file can keep it</source>
+        <translation>Endre det slik at en scenefil kan ta vare på det</translation>
+    </message>
+    <message>
+        <source>Undo what brought it into the scene, and save again</source>
+        <translation>Angre det som brakte det inn i scenen, og lagre på nytt</translation>
+    </message>
+    <message>
+        <source>the scene is too large for a scene file</source>
+        <translation>scenen er for stor for en scenefil</translation>
+    </message>
+    <message>
+        <source>the scene is too large for a scene file: %1</source>
+        <translation>scenen er for stor for en scenefil: %1</translation>
+    </message>
+    <message>
+        <source>Save fewer views, or fewer structures in one scene</source>
+        <translation>Lagre færre visninger eller færre strukturer i én scene</translation>
+    </message>
+    <message>
+        <source>Put fewer structures or scans into one scene</source>
+        <translation>Legg færre strukturer eller skann i én scene</translation>
+    </message>
+    <message>
+        <source>something in it is at fault and not in the scene; it would be lost</source>
+        <translation>noe i den er feil og ikke i scenen; det ville gå tapt</translation>
+    </message>
+    <message>
+        <source>something in it is at fault: %1</source>
+        <translation>noe i den er feil: %1</translation>
+    </message>
+    <message>
+        <source>Open it by itself and save it under another name</source>
+        <translation>Åpne den for seg og lagre den under et annet navn</translation>
+    </message>
+    <message>
+        <source>something in it is at fault and was left out (%1); the file stays as it is, and the scene can only be saved under another name</source>
+        <translation>noe i den er feil og ble utelatt (%1); filen blir som den er, og scenen kan bare lagres under et annet navn</translation>
+    </message>
+    <message>
+        <source>a newer version of the program has written it (schema %1, known here: %2); what is unknown is not shown, and it can only be saved under another name, as schema %3</source>
+        <translation>en nyere versjon av programmet har skrevet den (skjema %1, kjent her: %2); det ukjente vises ikke, og den kan bare lagres under et annet navn, som skjema %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; (%2): %3</source>
+        <translation>«%1» (%2): %3</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2 is expected here</source>
+        <translation>her ventes et tall fra %1 til %2</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2 is expected here</source>
+        <translation>her ventes et helt tall fra %1 til %2</translation>
+    </message>
+    <message>
+        <source>a text is expected here</source>
+        <translation>her ventes en tekst</translation>
+    </message>
+    <message>
+        <source>a number is expected here</source>
+        <translation>her ventes et tall</translation>
+    </message>
+    <message>
+        <source>true or false is expected here</source>
+        <translation>her ventes true eller false</translation>
+    </message>
+    <message>
+        <source>a list is expected here</source>
+        <translation>her ventes en liste</translation>
+    </message>
+    <message>
+        <source>an object is expected here</source>
+        <translation>her ventes et objekt</translation>
+    </message>
+    <message>
+        <source>a line of at most %1 bytes is expected here</source>
+        <translation>her ventes en linje på høyst %1 byte</translation>
+    </message>
+    <message>
+        <source>a colour as &quot;#rrggbb&quot; is expected here</source>
+        <translation>her ventes en farge som «#rrggbb»</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; or another word of this format is expected here</source>
+        <translation>her ventes «%1» eller et annet ord i dette formatet</translation>
+    </message>
+    <message>
+        <source>the file holds no such mesh</source>
+        <translation>filen inneholder ikke noe slikt nett</translation>
     </message>
 </context>
 <context>
@@ -2784,14 +3152,6 @@
         <translation>I fokus</translation>
     </message>
     <message>
-        <source>Vessel or duct</source>
-        <translation>Kar eller gang</translation>
-    </message>
-    <message>
-        <source>Vessels and ducts</source>
-        <translation>Kar og ganger</translation>
-    </message>
-    <message>
         <source>Neighbour</source>
         <translation>Nabo</translation>
     </message>
@@ -2822,10 +3182,6 @@
     <message>
         <source>Its rights do not let it be written to</source>
         <translation>Rettighetene tillater ikke skriving</translation>
-    </message>
-    <message>
-        <source>A newer version of the program has written it; what is unknown here is not shown</source>
-        <translation>En nyere versjon av programmet har skrevet den; det som er ukjent her, vises ikke</translation>
     </message>
     <message>
         <source>Another program has changed it since</source>
@@ -4717,10 +5073,6 @@
         <translation>Hver endring tas vare på med en gang, og tilbys etter et krasj</translation>
     </message>
     <message>
-        <source>It was saved after the last of these changes was made</source>
-        <translation>Den ble lagret etter at den siste av disse endringene ble gjort</translation>
-    </message>
-    <message>
         <source>%1 seconds, %2 × %3 pixels, %4 pictures a second.</source>
         <translation>%1 sekunder, %2 × %3 piksler, %4 bilder i sekundet.</translation>
     </message>
@@ -5067,6 +5419,113 @@
     <message>
         <source>No name of a structure can be read in the file; answers are there as checksums. No paths, user names, dates or patient data are.</source>
         <translation>Ingen navn på strukturer kan leses i filen; svar står der som kontrollsummer. Det gjør ikke stier, brukernavn, datoer eller pasientdata.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels are not asked for, as one does not see there what is named: %1.</source>
+        <translation>
+            <numerusform>%n etikett spørres det ikke etter, fordi man ikke ser det den navngir der: %1.</numerusform>
+            <numerusform>%n etiketter spørres det ikke etter, fordi man ikke ser det de navngir der: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, between smoothed surfaces</source>
+        <translation>%1, mellom glattede overflater</translation>
+    </message>
+    <message>
+        <source>Vessel, nerve or duct</source>
+        <translation>Kar, nerve eller gang</translation>
+    </message>
+    <message>
+        <source>Vessels, nerves and ducts</source>
+        <translation>Kar, nerver og ganger</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 and %n more</source>
+        <translation>
+            <numerusform>%1: %2 og %n til</numerusform>
+            <numerusform>%1: %2 og %n til</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>These files are of %n patients. Put them into one scene?</source>
+        <translation>
+            <numerusform>Disse filene er av %n pasient. Skal de bli én scene?</numerusform>
+            <numerusform>Disse filene er av %n pasienter. Skal de bli én scene?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>These files are of %n studies, and nothing says that they are of one patient. Put them into one scene?</source>
+        <translation>
+            <numerusform>Disse filene er av %n studie, og ingenting sier at de er av én pasient. Skal de bli én scene?</numerusform>
+            <numerusform>Disse filene er av %n studier, og ingenting sier at de er av én pasient. Skal de bli én scene?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import Together</source>
+        <translation>Importer sammen</translation>
+    </message>
+    <message>
+        <source>Only the First</source>
+        <translation>Bare den første</translation>
+    </message>
+    <message>
+        <source>Something in it is at fault and was left out: %1</source>
+        <translation>Noe i den er feil og ble utelatt: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Something in it is at fault and was left out: %1; and %n more</source>
+        <translation>
+            <numerusform>Noe i den er feil og ble utelatt: %1; og %n til</numerusform>
+            <numerusform>Noe i den er feil og ble utelatt: %1; og %n til</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A newer version of the program has written it; what is unknown here is not shown, and a copy is saved in the form of this version</source>
+        <translation>En nyere versjon av programmet har skrevet den; det som er ukjent her, vises ikke, og en kopi lagres i denne versjonens form</translation>
+    </message>
+    <message>
+        <source>It has changed since the program ended with these changes unsaved</source>
+        <translation>Den er endret siden programmet ble avsluttet uten at disse endringene var lagret</translation>
+    </message>
+    <message>
+        <source>Whether it has changed since the program ended is not known</source>
+        <translation>Om den er endret siden programmet ble avsluttet, er ikke kjent</translation>
+    </message>
+    <message>
+        <source>Left and Ri&amp;ght</source>
+        <translation>&amp;Venstre og høyre</translation>
+    </message>
+    <message>
+        <source>Sides Are &amp;Right</source>
+        <translation>Sidene &amp;stemmer</translation>
+    </message>
+    <message>
+        <source>What was assumed of left and right is so; marks lose their question marks</source>
+        <translation>Det som ble antatt om venstre og høyre, stemmer; merkene mister spørsmålstegnene</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror Left and Right</source>
+        <translation>S&amp;peilvend venstre og høyre</translation>
+    </message>
+    <message>
+        <source>Left and right are swapped, front and back are not: the scene becomes its mirror image</source>
+        <translation>Venstre og høyre er byttet om, foran og bak ikke: scenen blir sitt speilbilde</translation>
+    </message>
+    <message>
+        <source>&amp;Turn About the Body&apos;s Axis</source>
+        <translation>&amp;Drei om kroppens akse</translation>
+    </message>
+    <message>
+        <source>Left and right are swapped, and front and back, too, as where RAS was taken for LPS: half a turn</source>
+        <translation>Venstre og høyre er byttet om, foran og bak også, som der RAS ble tatt for LPS: en halv omdreining</translation>
+    </message>
+    <message>
+        <source>%1, of the smoothed surface</source>
+        <translation>%1, av den glattede overflaten</translation>
     </message>
 </context>
 <context>
@@ -6507,6 +6966,21 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::ImportActions</name>
+    <message>
+        <source>The Size Is Right</source>
+        <translation>Størrelsen stemmer</translation>
+    </message>
+    <message>
+        <source>The size is right</source>
+        <translation>Størrelsen stemmer</translation>
+    </message>
+    <message>
+        <source>Take %1 as the Unit</source>
+        <translation>Bruk %1 som enhet</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::ImportDialog</name>
     <message>
         <source>Import %1</source>
@@ -6579,6 +7053,14 @@ OpenGL: %3</translation>
     <message>
         <source>Scan</source>
         <translation>Opptak</translation>
+    </message>
+    <message>
+        <source>The Size Is Right</source>
+        <translation>Størrelsen stemmer</translation>
+    </message>
+    <message>
+        <source>Take %1 as the Unit</source>
+        <translation>Bruk %1 som enhet</translation>
     </message>
 </context>
 <context>
@@ -6865,6 +7347,14 @@ OpenGL: %3</translation>
             <numerusform>%n har ikke plass i dette bildet: panelet «Etiketter» sier hvilken</numerusform>
             <numerusform>%n har ikke plass i dette bildet: panelet «Etiketter» sier hvilke</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Add Distance</source>
+        <translation>Legg til avstand</translation>
+    </message>
+    <message>
+        <source>The shortest distance between the two selected structures was added; with another selection you choose two places</source>
+        <translation>Den korteste avstanden mellom de to valgte strukturene er lagt til; med et annet utvalg velger du to steder</translation>
     </message>
 </context>
 <context>
@@ -7763,6 +8253,10 @@ OpenGL: %3</translation>
         <source>It cannot be brought back.</source>
         <translation>Det kan ikke hentes tilbake.</translation>
     </message>
+    <message>
+        <source>%1, in an unknown folder</source>
+        <translation>%1, i en ukjent mappe</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::SavePresetDialog</name>
@@ -8106,6 +8600,61 @@ OpenGL: %3</translation>
     <message>
         <source>Structures that differ keep their differences; with Shift all become equal</source>
         <translation>Strukturer som er ulike, beholder forskjellene sine; med Shift blir alle like</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+    <message>
+        <source>Nobody has said how long the unit of its files is: what is named has not the size of such structures, and lengths stand with a “?”</source>
+        <translation>Ingen har sagt hvor lang enheten i filene er: Det navngitte har ikke størrelsen til slike strukturer, og lengder står med «?»</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SidesActions</name>
+    <message>
+        <source>Left and right</source>
+        <translation>Venstre og høyre</translation>
+    </message>
+    <message>
+        <source>Sides are right</source>
+        <translation>Sidene stemmer</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Speilvend</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drei</translation>
+    </message>
+    <message>
+        <source>Ask later</source>
+        <translation>Spør senere</translation>
+    </message>
+    <message>
+        <source>Ask later: the menu Edit has the same answers</source>
+        <translation>Spør senere: menyen Rediger har de samme svarene</translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation>Speilvend venstre og høyre</translation>
+    </message>
+    <message>
+        <source>Turn about the body&apos;s axis</source>
+        <translation>Drei om kroppens akse</translation>
+    </message>
+    <message>
+        <source>Left and right are not certain: names or places contradict the frame.</source>
+        <translation>Venstre og høyre er ikke sikre: navn eller steder motsier koordinatsystemet.</translation>
+    </message>
+    <message>
+        <source>Left and right are not certain: they were assumed.</source>
+        <translation>Venstre og høyre er ikke sikre: de ble antatt.</translation>
+    </message>
+    <message>
+        <source>Read as %1 (%2).</source>
+        <translation>Lest som %1 (%2).</translation>
     </message>
 </context>
 <context>

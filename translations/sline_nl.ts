@@ -528,14 +528,6 @@
         <translation>het bestand is veranderd of weg</translation>
     </message>
     <message>
-        <source>everything together is only %1 units large</source>
-        <translation>alles samen is maar %1 eenheden groot</translation>
-    </message>
-    <message>
-        <source>%1; the unit was taken as the metre (times 1000)</source>
-        <translation>%1; als eenheid is de meter genomen (maal 1000)</translation>
-    </message>
-    <message>
         <source>no threshold made a structure: no scan was read that has it</source>
         <translation>geen drempel gaf een structuur: er is geen scan gelezen die hem heeft</translation>
     </message>
@@ -698,10 +690,6 @@
     <message>
         <source>no unit in the file: millimetres assumed</source>
         <translation>geen eenheid in het bestand: millimeters aangenomen</translation>
-    </message>
-    <message>
-        <source>everything together is only %1 units large: metres</source>
-        <translation>alles samen is maar %1 eenheden groot: meters</translation>
     </message>
     <message>
         <source>SPACE in the header</source>
@@ -902,10 +890,6 @@
     <message>
         <source>Too many open files</source>
         <translation>te veel geopende bestanden</translation>
-    </message>
-    <message>
-        <source>a newer version of the program has written it (schema %1, known here: %2); what is unknown is not shown, and it can only be saved under another name</source>
-        <translation>een nieuwere versie van het programma heeft het geschreven (schema %1, hier bekend: %2); wat onbekend is wordt niet getoond, en het kan alleen onder een andere naam worden opgeslagen</translation>
     </message>
     <message>
         <source>it is no scene of Sline</source>
@@ -1362,6 +1346,390 @@
     <message>
         <source>Take fewer pixels to the inch, or a smaller sheet</source>
         <translation>Neem minder pixels per inch of een kleiner blad</translation>
+    </message>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>er is geen map %1</translation>
+    </message>
+    <message>
+        <source>names of front and back contradict the frame %1; if the files are mirrored, choose %2</source>
+        <translation>namen met voor en achter spreken het assenstelsel %1 tegen; kies %2 als de bestanden gespiegeld zijn</translation>
+    </message>
+    <message>
+        <source>surfaces whose files do not say their frame lie beside the others, whether they are read as LPS or as RAS; %1 was assumed</source>
+        <translation>oppervlakken waarvan de bestanden hun assenstelsel niet noemen, liggen naast de andere, of ze nu als LPS of als RAS worden gelezen; %1 is aangenomen</translation>
+    </message>
+    <message>
+        <source>scenes of 3D Slicer beside it disagree about its coordinates; none of them was followed</source>
+        <translation>scènes van 3D Slicer ernaast zijn het oneens over de coördinaten; geen ervan is gevolgd</translation>
+    </message>
+    <message>
+        <source>%1 of %2 structures are not as large as their names say: &quot;%3&quot; is %4 mm large, and such structures are %5 to %6 mm; %7</source>
+        <translation>%1 van de %2 structuren zijn niet zo groot als hun namen zeggen: “%3” is %4 mm groot, en zulke structuren zijn %5 tot %6 mm; %7</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 mm large, and such structures are %3 to %4 mm; %5</source>
+        <translation>“%1” is %2 mm groot, en zulke structuren zijn %3 tot %4 mm; %5</translation>
+    </message>
+    <message>
+        <source>no usual unit would make it right</source>
+        <translation>geen gebruikelijke eenheid zou het goed maken</translation>
+    </message>
+    <message>
+        <source>it would be right if the file&apos;s unit were %1 mm</source>
+        <translation>het zou kloppen als de eenheid van het bestand %1 mm was</translation>
+    </message>
+    <message>
+        <source>it would be right if the file&apos;s unit were %1 or %2 mm</source>
+        <translation>het zou kloppen als de eenheid van het bestand %1 of %2 mm was</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is flat: it has no extent in a direction</source>
+        <translation>“%1” is plat: het heeft in één richting geen omvang</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; beside it gives none of its labels a name that is understood</source>
+        <translation>“%1” ernaast geeft geen van de labels een naam die wordt begrepen</translation>
+    </message>
+    <message>
+        <source>holds %1 label volumes of one place, as points in time; structures of all of them lie over each other</source>
+        <translation>bevat %1 labelvolumes van één plaats, zoals tijdstippen; structuren van alle liggen over elkaar</translation>
+    </message>
+    <message>
+        <source>sform and qform place it differently, by up to %1 of its units; the sform was taken</source>
+        <translation>sform en qform plaatsen het verschillend, tot %1 van zijn eenheden uit elkaar; de sform is genomen</translation>
+    </message>
+    <message>
+        <source>sform and qform place it differently, by up to %1 of its units and with left and right swapped; the sform was taken</source>
+        <translation>sform en qform plaatsen het verschillend, tot %1 van zijn eenheden uit elkaar en met links en rechts verwisseld; de sform is genomen</translation>
+    </message>
+    <message>
+        <source>is drawn on one slice; made %1 mm thick, as the file says</source>
+        <translation>is op één snede getekend; %1 mm dik gemaakt, zoals het bestand zegt</translation>
+    </message>
+    <message>
+        <source>is drawn on one slice; made %1 mm thick, as slices of other structures are</source>
+        <translation>is op één snede getekend; %1 mm dik gemaakt, zoals sneden van andere structuren</translation>
+    </message>
+    <message>
+        <source>is drawn on one slice; made %1 mm thick, which nothing tells</source>
+        <translation>is op één snede getekend; %1 mm dik gemaakt, wat niets aangeeft</translation>
+    </message>
+    <message>
+        <source>is of another patient than the files before it; left out</source>
+        <translation>is van een andere patiënt dan de bestanden ervoor; weggelaten</translation>
+    </message>
+    <message>
+        <source>files of one patient lie in different frames of reference: nothing says that what is laid over each other fits</source>
+        <translation>bestanden van één patiënt liggen in verschillende referentiestelsels: niets zegt dat past wat over elkaar ligt</translation>
+    </message>
+    <message>
+        <source>it is of another patient than the other files now</source>
+        <translation>het is nu van een andere patiënt dan de andere bestanden</translation>
+    </message>
+    <message>
+        <source>it lies more than 100 km from the origin</source>
+        <translation>het ligt meer dan 100 km van de oorsprong</translation>
+    </message>
+    <message>
+        <source>Check the unit of its coordinates</source>
+        <translation>Controleer de eenheid van de coördinaten</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 across: an implausible size, check the unit</source>
+        <translation>“%1” meet %2: een onwaarschijnlijke grootte, controleer de eenheid</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 across, and %3 other is as unlikely: an implausible size, check the unit</source>
+        <translation>“%1” meet %2, en %3 andere is even onwaarschijnlijk: controleer de eenheid</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2 across, and %3 others are as unlikely: an implausible size, check the unit</source>
+        <translation>“%1” meet %2, en %3 andere zijn even onwaarschijnlijk: controleer de eenheid</translation>
+    </message>
+    <message>
+        <source>eye or target lies more than 100,000 km away</source>
+        <translation>oog of doel ligt meer dan 100.000 km ver weg</translation>
+    </message>
+    <message>
+        <source>the height is too small or too large for where eye and target lie</source>
+        <translation>de hoogte is te klein of te groot voor de plaats van oog en doel</translation>
+    </message>
+    <message>
+        <source>weak vote: %1 of %2 left/right names</source>
+        <translation>zwakke stemming: %1 van %2 namen met links/rechts</translation>
+    </message>
+    <message>
+        <source>names of front and back alone</source>
+        <translation>alleen namen met voor en achter</translation>
+    </message>
+    <message>
+        <source>laid over surfaces of the same names: %1 within 2 mm</source>
+        <translation>over oppervlakken met dezelfde naam gelegd: %1 binnen 2 mm</translation>
+    </message>
+    <message>
+        <source>fits in with the other surfaces</source>
+        <translation>past bij de andere oppervlakken</translation>
+    </message>
+    <message>
+        <source>confirmed by hand</source>
+        <translation>met de hand bevestigd</translation>
+    </message>
+    <message>
+        <source>mirrored by hand</source>
+        <translation>met de hand gespiegeld</translation>
+    </message>
+    <message>
+        <source>turned by hand</source>
+        <translation>met de hand gedraaid</translation>
+    </message>
+    <message>
+        <source>%1; sizes are not those of what is named</source>
+        <translation>%1; de afmetingen zijn niet die van wat er genoemd wordt</translation>
+    </message>
+    <message>
+        <source>the program held %1 bytes for %2×%3 pixels of the picture, which is not what they take</source>
+        <translation>het programma had %1 bytes voor %2×%3 pixels van de afbeelding, en dat is niet wat die nodig hebben</translation>
+    </message>
+    <message>
+        <source>Save the scene and start the program again</source>
+        <translation>Sla de scène op en start het programma opnieuw</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot;: %2</source>
+        <translation>Structuur “%1”: %2</translation>
+    </message>
+    <message>
+        <source>group &quot;%1&quot;: %2</source>
+        <translation>Groep “%1”: %2</translation>
+    </message>
+    <message>
+        <source>view &quot;%1&quot;: %2</source>
+        <translation>Aanzicht “%1”: %2</translation>
+    </message>
+    <message>
+        <source>label &quot;%1&quot;: %2</source>
+        <translation>Label “%1”: %2</translation>
+    </message>
+    <message>
+        <source>scan &quot;%1&quot;: %2</source>
+        <translation>Scan “%1”: %2</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot;</source>
+        <translation>Structuur “%1”</translation>
+    </message>
+    <message>
+        <source>group &quot;%1&quot;</source>
+        <translation>Groep “%1”</translation>
+    </message>
+    <message>
+        <source>view &quot;%1&quot;</source>
+        <translation>Aanzicht “%1”</translation>
+    </message>
+    <message>
+        <source>label &quot;%1&quot;</source>
+        <translation>Label “%1”</translation>
+    </message>
+    <message>
+        <source>scan &quot;%1&quot;</source>
+        <translation>Scan “%1”</translation>
+    </message>
+    <message>
+        <source>%1; it was cut there</source>
+        <translation>%1; daar is het afgekapt</translation>
+    </message>
+    <message>
+        <source>%1; it was left out</source>
+        <translation>%1; het is weggelaten</translation>
+    </message>
+    <message>
+        <source>%1; they became signs for unknown letters</source>
+        <translation>%1; ze werden tekens voor onbekende letters</translation>
+    </message>
+    <message>
+        <source>%1; the rest was left out</source>
+        <translation>%1; de rest is weggelaten</translation>
+    </message>
+    <message>
+        <source>%1; the section was left out</source>
+        <translation>%1; de doorsnede is weggelaten</translation>
+    </message>
+    <message>
+        <source>%1; the atoms were left out</source>
+        <translation>%1; de atomen zijn weggelaten</translation>
+    </message>
+    <message>
+        <source>%1; what is in it went to the group above</source>
+        <translation>%1; wat erin zit, ging naar de groep erboven</translation>
+    </message>
+    <message>
+        <source>the name is longer than %1 bytes</source>
+        <translation>de naam is langer dan %1 bytes</translation>
+    </message>
+    <message>
+        <source>the text is longer than %1 bytes</source>
+        <translation>de tekst is langer dan %1 bytes</translation>
+    </message>
+    <message>
+        <source>a text is longer than %1 bytes</source>
+        <translation>een tekst is langer dan %1 bytes</translation>
+    </message>
+    <message>
+        <source>its credit is longer than %1 bytes</source>
+        <translation>de bronvermelding is langer dan %1 bytes</translation>
+    </message>
+    <message>
+        <source>%1 is longer than %2 bytes</source>
+        <translation>%1 is langer dan %2 bytes</translation>
+    </message>
+    <message>
+        <source>the name has bytes that are no letters in UTF-8</source>
+        <translation>de naam heeft bytes die in UTF-8 geen tekens zijn</translation>
+    </message>
+    <message>
+        <source>%1 has bytes that are no letters in UTF-8</source>
+        <translation>%1 heeft bytes die in UTF-8 geen tekens zijn</translation>
+    </message>
+    <message>
+        <source>%1 is in more than %2 languages</source>
+        <translation>%1 staat in meer dan %2 talen</translation>
+    </message>
+    <message>
+        <source>%1 is in a language that has no name</source>
+        <translation>%1 staat in een taal zonder naam</translation>
+    </message>
+    <message>
+        <source>%1 is no finite number</source>
+        <translation>%1 is geen eindig getal</translation>
+    </message>
+    <message>
+        <source>the value of %1 is out of range</source>
+        <translation>de waarde van %1 ligt buiten de grenzen</translation>
+    </message>
+    <message>
+        <source>the time is out of range</source>
+        <translation>de tijd ligt buiten de grenzen</translation>
+    </message>
+    <message>
+        <source>it lies more than %1 groups deep</source>
+        <translation>hij ligt meer dan %1 groepen diep</translation>
+    </message>
+    <message>
+        <source>it is on a triangle that no structure of the scene has</source>
+        <translation>het wijst naar een driehoek die geen structuur van de scène heeft</translation>
+    </message>
+    <message>
+        <source>what is painted on it is of another surface</source>
+        <translation>wat erop geschilderd is, hoort bij een ander oppervlak</translation>
+    </message>
+    <message>
+        <source>an atom lies nowhere, or there are too many</source>
+        <translation>een atoom ligt nergens, of het zijn er te veel</translation>
+    </message>
+    <message>
+        <source>a scene holds no more than %1 %2, and these would be %3</source>
+        <translation>een scène bevat hoogstens %1 %2, en dit zouden er %3 zijn</translation>
+    </message>
+    <message>
+        <source>structures and groups</source>
+        <translation>structuren en groepen</translation>
+    </message>
+    <message>
+        <source>Take fewer of them into one scene</source>
+        <translation>Neem er minder van in één scène</translation>
+    </message>
+    <message>
+        <source>Change it so that a scene file can keep it</source>
+        <translation>Verander het zo dat een scènebestand het kan bewaren</translation>
+    </message>
+    <message>
+        <source>Undo what brought it into the scene, and save again</source>
+        <translation>Maak ongedaan wat het in de scène bracht en sla opnieuw op</translation>
+    </message>
+    <message>
+        <source>the scene is too large for a scene file</source>
+        <translation>de scène is te groot voor een scènebestand</translation>
+    </message>
+    <message>
+        <source>the scene is too large for a scene file: %1</source>
+        <translation>de scène is te groot voor een scènebestand: %1</translation>
+    </message>
+    <message>
+        <source>Save fewer views, or fewer structures in one scene</source>
+        <translation>Bewaar minder aanzichten of minder structuren in één scène</translation>
+    </message>
+    <message>
+        <source>Put fewer structures or scans into one scene</source>
+        <translation>Doe minder structuren of scans in één scène</translation>
+    </message>
+    <message>
+        <source>something in it is at fault and not in the scene; it would be lost</source>
+        <translation>iets erin is fout en niet in de scène; het zou verloren gaan</translation>
+    </message>
+    <message>
+        <source>something in it is at fault: %1</source>
+        <translation>iets erin is fout: %1</translation>
+    </message>
+    <message>
+        <source>Open it by itself and save it under another name</source>
+        <translation>Open het apart en sla het op onder een andere naam</translation>
+    </message>
+    <message>
+        <source>something in it is at fault and was left out (%1); the file stays as it is, and the scene can only be saved under another name</source>
+        <translation>iets erin is fout en is weggelaten (%1); het bestand blijft zoals het is, en de scène kan alleen onder een andere naam worden opgeslagen</translation>
+    </message>
+    <message>
+        <source>a newer version of the program has written it (schema %1, known here: %2); what is unknown is not shown, and it can only be saved under another name, as schema %3</source>
+        <translation>een nieuwere versie van het programma heeft het geschreven (schema %1, hier bekend: %2); wat onbekend is, wordt niet getoond, en het kan alleen onder een andere naam worden opgeslagen, als schema %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; (%2): %3</source>
+        <translation>“%1” (%2): %3</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2 is expected here</source>
+        <translation>hier wordt een getal van %1 tot %2 verwacht</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2 is expected here</source>
+        <translation>hier wordt een geheel getal van %1 tot %2 verwacht</translation>
+    </message>
+    <message>
+        <source>a text is expected here</source>
+        <translation>hier wordt een tekst verwacht</translation>
+    </message>
+    <message>
+        <source>a number is expected here</source>
+        <translation>hier wordt een getal verwacht</translation>
+    </message>
+    <message>
+        <source>true or false is expected here</source>
+        <translation>hier wordt true of false verwacht</translation>
+    </message>
+    <message>
+        <source>a list is expected here</source>
+        <translation>hier wordt een lijst verwacht</translation>
+    </message>
+    <message>
+        <source>an object is expected here</source>
+        <translation>hier wordt een object verwacht</translation>
+    </message>
+    <message>
+        <source>a line of at most %1 bytes is expected here</source>
+        <translation>hier wordt een regel van hoogstens %1 bytes verwacht</translation>
+    </message>
+    <message>
+        <source>a colour as &quot;#rrggbb&quot; is expected here</source>
+        <translation>hier wordt een kleur als “#rrggbb” verwacht</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; or another word of this format is expected here</source>
+        <translation>hier wordt “%1” of een ander woord van dit formaat verwacht</translation>
+    </message>
+    <message>
+        <source>the file holds no such mesh</source>
+        <translation>het bestand bevat geen zo’n net</translation>
     </message>
 </context>
 <context>
@@ -2784,14 +3152,6 @@
         <translation>In focus</translation>
     </message>
     <message>
-        <source>Vessel or duct</source>
-        <translation>Vat of gang</translation>
-    </message>
-    <message>
-        <source>Vessels and ducts</source>
-        <translation>Vaten en gangen</translation>
-    </message>
-    <message>
         <source>Neighbour</source>
         <translation>Buur</translation>
     </message>
@@ -2822,10 +3182,6 @@
     <message>
         <source>Its rights do not let it be written to</source>
         <translation>De rechten staan schrijven niet toe</translation>
-    </message>
-    <message>
-        <source>A newer version of the program has written it; what is unknown here is not shown</source>
-        <translation>Een nieuwere versie van het programma heeft het geschreven; wat hier onbekend is, wordt niet getoond</translation>
     </message>
     <message>
         <source>Another program has changed it since</source>
@@ -4717,10 +5073,6 @@
         <translation>Elke wijziging wordt meteen bewaard en na een crash aangeboden</translation>
     </message>
     <message>
-        <source>It was saved after the last of these changes was made</source>
-        <translation>Het is opgeslagen nadat de laatste van deze wijzigingen was gemaakt</translation>
-    </message>
-    <message>
         <source>%1 seconds, %2 × %3 pixels, %4 pictures a second.</source>
         <translation>%1 seconden, %2 × %3 pixels, %4 beelden per seconde.</translation>
     </message>
@@ -5067,6 +5419,113 @@
     <message>
         <source>No name of a structure can be read in the file; answers are there as checksums. No paths, user names, dates or patient data are.</source>
         <translation>Geen naam van een structuur is in het bestand te lezen; antwoorden staan er als controlegetallen in. Paden, gebruikersnamen, datums en patiëntgegevens niet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels are not asked for, as one does not see there what is named: %1.</source>
+        <translation>
+            <numerusform>%n label wordt niet gevraagd, omdat men daar niet ziet wat het benoemt: %1.</numerusform>
+            <numerusform>%n labels worden niet gevraagd, omdat men daar niet ziet wat ze benoemen: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, between smoothed surfaces</source>
+        <translation>%1, tussen gladgemaakte oppervlakken</translation>
+    </message>
+    <message>
+        <source>Vessel, nerve or duct</source>
+        <translation>Vat, zenuw of kanaal</translation>
+    </message>
+    <message>
+        <source>Vessels, nerves and ducts</source>
+        <translation>Vaten, zenuwen en kanalen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 and %n more</source>
+        <translation>
+            <numerusform>%1: %2 en nog %n</numerusform>
+            <numerusform>%1: %2 en nog %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>These files are of %n patients. Put them into one scene?</source>
+        <translation>
+            <numerusform>Deze bestanden zijn van %n patiënt. In één scène zetten?</numerusform>
+            <numerusform>Deze bestanden zijn van %n patiënten. In één scène zetten?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>These files are of %n studies, and nothing says that they are of one patient. Put them into one scene?</source>
+        <translation>
+            <numerusform>Deze bestanden zijn van %n studie, en niets zegt dat ze van één patiënt zijn. In één scène zetten?</numerusform>
+            <numerusform>Deze bestanden zijn van %n studies, en niets zegt dat ze van één patiënt zijn. In één scène zetten?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import Together</source>
+        <translation>Samen importeren</translation>
+    </message>
+    <message>
+        <source>Only the First</source>
+        <translation>Alleen de eerste</translation>
+    </message>
+    <message>
+        <source>Something in it is at fault and was left out: %1</source>
+        <translation>Iets erin is fout en is weggelaten: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Something in it is at fault and was left out: %1; and %n more</source>
+        <translation>
+            <numerusform>Iets erin is fout en is weggelaten: %1; en nog %n</numerusform>
+            <numerusform>Iets erin is fout en is weggelaten: %1; en nog %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A newer version of the program has written it; what is unknown here is not shown, and a copy is saved in the form of this version</source>
+        <translation>Een nieuwere versie van het programma heeft het geschreven; wat hier onbekend is, wordt niet getoond, en een kopie wordt in de vorm van deze versie opgeslagen</translation>
+    </message>
+    <message>
+        <source>It has changed since the program ended with these changes unsaved</source>
+        <translation>Het is gewijzigd sinds het programma eindigde terwijl deze wijzigingen niet waren opgeslagen</translation>
+    </message>
+    <message>
+        <source>Whether it has changed since the program ended is not known</source>
+        <translation>Of het is gewijzigd sinds het programma eindigde, is niet bekend</translation>
+    </message>
+    <message>
+        <source>Left and Ri&amp;ght</source>
+        <translation>&amp;Links en rechts</translation>
+    </message>
+    <message>
+        <source>Sides Are &amp;Right</source>
+        <translation>Zijden &amp;kloppen</translation>
+    </message>
+    <message>
+        <source>What was assumed of left and right is so; marks lose their question marks</source>
+        <translation>Wat over links en rechts is aangenomen klopt; de tekens verliezen hun vraagtekens</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror Left and Right</source>
+        <translation>Links en rechts &amp;spiegelen</translation>
+    </message>
+    <message>
+        <source>Left and right are swapped, front and back are not: the scene becomes its mirror image</source>
+        <translation>Links en rechts zijn verwisseld, voor en achter niet: de scène wordt haar spiegelbeeld</translation>
+    </message>
+    <message>
+        <source>&amp;Turn About the Body&apos;s Axis</source>
+        <translation>Om de lichaamsas &amp;draaien</translation>
+    </message>
+    <message>
+        <source>Left and right are swapped, and front and back, too, as where RAS was taken for LPS: half a turn</source>
+        <translation>Links en rechts zijn verwisseld, en voor en achter ook, zoals waar RAS voor LPS is aangezien: een halve draai</translation>
+    </message>
+    <message>
+        <source>%1, of the smoothed surface</source>
+        <translation>%1, van het gladgemaakte oppervlak</translation>
     </message>
 </context>
 <context>
@@ -6507,6 +6966,21 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::ImportActions</name>
+    <message>
+        <source>The Size Is Right</source>
+        <translation>De grootte klopt</translation>
+    </message>
+    <message>
+        <source>The size is right</source>
+        <translation>De grootte klopt</translation>
+    </message>
+    <message>
+        <source>Take %1 as the Unit</source>
+        <translation>%1 als eenheid nemen</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::ImportDialog</name>
     <message>
         <source>Import %1</source>
@@ -6579,6 +7053,14 @@ OpenGL: %3</translation>
     <message>
         <source>Scan</source>
         <translation>Scan</translation>
+    </message>
+    <message>
+        <source>The Size Is Right</source>
+        <translation>De grootte klopt</translation>
+    </message>
+    <message>
+        <source>Take %1 as the Unit</source>
+        <translation>%1 als eenheid nemen</translation>
     </message>
 </context>
 <context>
@@ -6865,6 +7347,14 @@ OpenGL: %3</translation>
             <numerusform>%n heeft geen plaats in dit beeld: het paneel ‘Labels’ zegt welk</numerusform>
             <numerusform>%n hebben geen plaats in dit beeld: het paneel ‘Labels’ zegt welke</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Add Distance</source>
+        <translation>Afstand toevoegen</translation>
+    </message>
+    <message>
+        <source>The shortest distance between the two selected structures was added; with another selection you choose two places</source>
+        <translation>De kortste afstand tussen de twee gekozen structuren is toegevoegd; bij een andere keuze wijs je twee plaatsen aan</translation>
     </message>
 </context>
 <context>
@@ -7763,6 +8253,10 @@ OpenGL: %3</translation>
         <source>It cannot be brought back.</source>
         <translation>Het kan niet worden teruggehaald.</translation>
     </message>
+    <message>
+        <source>%1, in an unknown folder</source>
+        <translation>%1, in een onbekende map</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::SavePresetDialog</name>
@@ -8106,6 +8600,61 @@ OpenGL: %3</translation>
     <message>
         <source>Structures that differ keep their differences; with Shift all become equal</source>
         <translation>Structuren die verschillen houden hun verschillen; met Shift worden ze allemaal gelijk</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Naamloos</translation>
+    </message>
+    <message>
+        <source>Nobody has said how long the unit of its files is: what is named has not the size of such structures, and lengths stand with a “?”</source>
+        <translation>Niemand heeft gezegd hoe lang de eenheid van de bestanden is: wat er genoemd wordt, heeft niet de grootte van zulke structuren, en lengtes staan met een “?”</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SidesActions</name>
+    <message>
+        <source>Left and right</source>
+        <translation>Links en rechts</translation>
+    </message>
+    <message>
+        <source>Sides are right</source>
+        <translation>Zijden kloppen</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegelen</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Draaien</translation>
+    </message>
+    <message>
+        <source>Ask later</source>
+        <translation>Later vragen</translation>
+    </message>
+    <message>
+        <source>Ask later: the menu Edit has the same answers</source>
+        <translation>Later vragen: het menu Bewerken heeft dezelfde antwoorden</translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation>Links en rechts spiegelen</translation>
+    </message>
+    <message>
+        <source>Turn about the body&apos;s axis</source>
+        <translation>Om de lichaamsas draaien</translation>
+    </message>
+    <message>
+        <source>Left and right are not certain: names or places contradict the frame.</source>
+        <translation>Links en rechts zijn niet zeker: namen of plaatsen spreken het assenstelsel tegen.</translation>
+    </message>
+    <message>
+        <source>Left and right are not certain: they were assumed.</source>
+        <translation>Links en rechts zijn niet zeker: ze zijn aangenomen.</translation>
+    </message>
+    <message>
+        <source>Read as %1 (%2).</source>
+        <translation>Gelezen als %1 (%2).</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <iomanip>
 
 #include "app/cli/command.h"
 #include "app/cli/files/language_tag.h"
@@ -14,6 +16,7 @@
 #include "model/edit/visibility.h"
 #include "model/geometry/nearest_point.h"
 #include "model/scene/markup.h"
+#include "model/scene/shortest_distance.h"
 #include "model/scene_file/scene_file.h"
 #include "render/labels/seen_map.h"
 
@@ -36,6 +39,7 @@ struct AnnotateFlags {
   std::string kind = "label";
   std::vector<std::string> texts;
   std::string view = "anterior";
+  bool viewGiven = false;
   bool onlyInView = false;
   bool list = false;
   std::vector<std::uint64_t> remove;
@@ -93,6 +97,11 @@ Result<model::NodeId> structureNamed(const model::Scene& scene, const std::strin
     inside += (inside.empty() ? "" : ", ") + scene.find(id)->name;
   return usageError("\"" + name + "\" is a group, which has no surface to point at",
                     "Name a structure in it: " + inside);
+}
+
+/// Tells whether --to names a structure rather than a place.
+bool namesEnd(const AnnotateFlags& flags) {
+  return !flags.to.empty() && !parsePoint(flags.to).ok();
 }
 
 /// Holds what is needed to find annotations' places.
@@ -157,6 +166,24 @@ Result<model::Anchor> anchorFor(Where& where, std::optional<model::NodeId> struc
   return model::Anchor(model::SurfacePoint{*structure, nearest->triangle, nearest->weights});
 }
 
+/// Returns the distance from that structure to the one that --to names, from --at if it is given.
+Result<Annotation> distanceFrom(model::NodeId from, const AnnotateFlags& flags, Where& where) {
+  const Result<model::NodeId> to = structureNamed(where.scene, flags.to);
+  if (!to.ok())
+    return to.error();
+  std::optional<glm::vec3> at;
+  if (!flags.at.empty()) {
+    const Result<glm::vec3> place = parsePoint(flags.at);
+    if (!place.ok())
+      return place.error();
+    at = *place;
+  }
+  const std::optional<Annotation> distance = model::shortestDistance(where.scene, from, *to, at);
+  if (!distance)
+    return usageError("one of the structures has no surface", "Name others");
+  return *distance;
+}
+
 /// Names the annotation after the structure in the languages that the table of names has.
 void nameAfter(const std::string& name, Annotation& annotation) {
   const model::AnatomicalNames names;
@@ -184,11 +211,18 @@ Result<Annotation> annotationFor(const AnnotateFlags& flags, Where& where,
     if (!found.ok())
       return found.error();
     structure = *found;
-    if (!flags.label)
+    if (!flags.label && !namesEnd(flags))
       nameAfter(where.scene.find(*structure)->name, made);
   }
   if (flags.label)
     made.text = *flags.label;
+  if (namesEnd(flags)) {
+    const Result<Annotation> distance = distanceFrom(*structure, flags, where);
+    if (!distance.ok())
+      return distance.error();
+    made.anchors = distance->anchors;
+    return made;
+  }
   for (const std::string* place : {&flags.at, &flags.to}) {
     if (place == &flags.to && made.kind != AnnotationKind::distance)
       continue;
@@ -226,8 +260,12 @@ std::optional<Error> conflictIn(const AnnotateFlags& flags) {
   if (making && (flags.kind == "distance") == flags.to.empty())
     return usageError("a distance has two places, any other annotation one",
                       "Give --kind distance with --at x,y,z and --to x,y,z");
-  if (making && flags.kind == "distance" && flags.at.empty())
-    return usageError("a distance has two places", "Give --at x,y,z and --to x,y,z");
+  if (making && namesEnd(flags) && flags.on.size() != 1)
+    return usageError("--to names a structure, and --on does not name one beside it",
+                      "Give --on STRUCTURE --to STRUCTURE, or two places");
+  if (making && flags.kind == "distance" && flags.at.empty() && !namesEnd(flags))
+    return usageError("a distance has two places",
+                      "Give --at x,y,z and --to x,y,z, or --on STRUCTURE --to STRUCTURE");
   return std::nullopt;
 }
 
@@ -254,7 +292,9 @@ Result<model::Scene> addAnnotations(const model::Scene& scene, const AnnotateFla
     if (!made.ok())
       return made.error();
     if (!flags.onlyInView) {
-      after = model::withAnnotationMade(after, *made, view).scene;
+      after = (view && flags.viewGiven ? model::withAnnotationMade(after, *made, view)
+                                       : model::withAnnotationForAll(after, *made))
+                  .scene;
       continue;
     }
     after = model::withAnnotation(after, *made).scene;
@@ -276,16 +316,40 @@ Result<model::Scene> removeAnnotations(const model::Scene& scene, const Annotate
   return model::withoutAnnotations(scene, ids).scene;
 }
 
+/// Returns the names of the structures that the annotation is on, each once.
+std::string structuresOf(const model::Scene& scene, const Annotation& annotation) {
+  std::string names;
+  std::optional<model::NodeId> last;
+  for (const model::Anchor& anchor : annotation.anchors) {
+    const auto* point = std::get_if<model::SurfacePoint>(&anchor);
+    const model::Node* node = point ? scene.find(point->structure) : nullptr;
+    if (!node || last == node->id)
+      continue;
+    last = node->id;
+    names += (names.empty() ? "" : " – ") + onOneLine(node->name);
+  }
+  return names;
+}
+
+/// Returns how long a distance is, mm.
+std::optional<float> lengthOf(const model::Scene& scene, const Annotation& annotation) {
+  if (annotation.kind != AnnotationKind::distance)
+    return std::nullopt;
+  const auto from = scene.placeOf(annotation.anchors.front());
+  const auto to = scene.placeOf(annotation.anchors.back());
+  return from && to ? std::optional(glm::distance(*from, *to)) : std::nullopt;
+}
+
 Exit list(const model::Scene& scene) {
   for (const Annotation& annotation : scene.annotations()) {
     std::cout << annotation.id.value << '\t' << annotationKindNames[std::size_t(annotation.kind)]
               << '\t';
-    const auto* point = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
-    const model::Node* node = point ? scene.find(point->structure) : nullptr;
     const auto words = [&annotation](const std::string& text) {
       return onOneLine(model::plainText(annotation.kind, text));
     };
-    std::cout << (node ? onOneLine(node->name) : "") << '\t' << words(annotation.text);
+    std::cout << structuresOf(scene, annotation) << '\t' << words(annotation.text);
+    if (const auto length = lengthOf(scene, annotation))
+      std::cout << '\t' << "mm=" << std::fixed << std::setprecision(2) << *length;
     for (const auto& [language, text] : annotation.texts)
       std::cout << '\t' << language << '=' << words(text);
     std::cout << '\n';
@@ -320,6 +384,14 @@ Exit runAnnotate(const AnnotateFlags& flags) {
   return Exit::done;
 }
 
+void addEnd(CLI::App& command, AnnotateFlags& flags) {
+  command
+      .add_option("--to", flags.to,
+                  "Where a distance ends: a place, or a structure. Between two structures it is "
+                  "the shortest one, or with --at the shortest from there")
+      ->type_name("X,Y,Z|STRUCTURE");
+}
+
 void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {
   const auto repeatable = [](CLI::Option* option) {
     return option->take_all()->type_size(1)->expected(1)->allow_extra_args(false);
@@ -339,7 +411,7 @@ void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {
                   "Where: the nearest place on the structure, or without one in space, mm, LPS. "
                   "Else where the structure is well seen in the view")
       ->type_name("X,Y,Z");
-  command.add_option("--to", flags.to, "Where a distance ends")->type_name("X,Y,Z");
+  addEnd(command, flags);
   command
       .add_option("--kind", flags.kind,
                   "label: beside the anatomy at the end of a line; callout: framed; pin: a mark "
@@ -353,13 +425,15 @@ void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {
       command
           .add_option("--view", flags.view,
                       "A saved view or an anatomical one: what is well seen is seen from there. A "
-                      "saved view that lists what it shows gets the label added")
+                      "saved view that is named gets the label, and no other")
+          ->each([&flags](const std::string&) { flags.viewGiven = true; })
           ->type_name("NAME")
           ->capture_default_str();
   command.add_flag("--only-in-view", flags.onlyInView, "Shown in that saved view alone")
       ->needs(view);
   command.add_flag("--list", flags.list,
-                   "Lists number, kind, structure and texts, between tabs, and changes nothing");
+                   "Lists number, kind, structures, text, a distance's length and texts in other "
+                   "languages, between tabs, and changes nothing");
   repeatable(command.add_option("--remove", flags.remove, "Removes it; may be given again"))
       ->type_name("NUMBER");
   command.footer(
@@ -373,6 +447,7 @@ void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {
       "de=Promontorium\n"
       "  sline annotate pelvis.sline --kind callout --on bladder --label $'**Bladder**\\n- "
       "*detrusor*\\n- trigone'\n"
+      "  sline annotate pelvis.sline --kind distance --on tumour --to \"iliac vein\"\n"
       "  sline annotate pelvis.sline --list\n"
       "  sline render abdomen.sline -o abdomen.png --labels on --language la");
 }

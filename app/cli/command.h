@@ -81,6 +81,10 @@ inline constexpr const char* frameHelp =
     "How the files' coordinates map to the patient, in place of what the files say or their names "
     "suggest: LPS, RAS, their mirror images RPS and LAS, or `file`, which leaves coordinates as "
     "they are";
+inline constexpr const char* sidesHelp =
+    "Settles what is not certain of left and right: `right` where they are, `mirror` where they "
+    "are "
+    "swapped, `turn` where front and back are swapped, too. Until then marks carry a question mark";
 inline constexpr const char* verboseHelp = "Lists each surface that was repaired on reading";
 inline constexpr const char* overlayHelp =
     "Several molecules: auto lays them over the first by their backbones, off leaves them";
@@ -96,6 +100,13 @@ inline void addFrame(CLI::App& command, InputFlags& input) {
   for (const model::FrameAxes& axes : model::frames)
     names += (names.empty() ? "" : "|") + std::string(axes.name);
   command.add_option("--frame", input.frame, frameHelp)->type_name(names);
+  command.add_option("--sides", input.sides, sidesHelp)->type_name("right|mirror|turn");
+}
+
+/// Declares the flag that makes one scene of what is not of one patient.
+inline void addTogether(CLI::App& command, InputFlags& input) {
+  command.add_flag("--together", input.together,
+                   "Takes files of several patients into one scene; else they are refused");
 }
 
 /// Declares the flag that reading a scan needs.

@@ -10,6 +10,7 @@
 #include "app/cli/files/targets.h"
 #include "app/cli/flags/option_kinds.h"
 #include "app/cli/flags/picture_options.h"
+#include "model/anatomy/shown_names.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/comparison/comparison_file.h"
 #include "render/export/comparison/noisy_mesh.h"
@@ -93,8 +94,8 @@ Result<CompareSpec> parseCompareFlags(const CompareFlags& flags) {
   return spec;
 }
 
-/// Returns the model's name in the sheet: that of its only structure that is shown, else of its
-/// file.
+/// Returns the model's name in the sheet: that of its only structure that is shown, else what may
+/// be shown of its file's name.
 std::string rowName(const model::Scene& scene, const std::string& input) {
   const std::vector<model::VisibleStructure> structures = model::visibleStructures(scene);
   if (structures.size() == 1)
@@ -102,7 +103,8 @@ std::string rowName(const model::Scene& scene, const std::string& input) {
   std::filesystem::path path(input);
   if (path.filename().empty())
     path = path.parent_path();
-  return path.stem().string();
+  const std::string shown = model::shownName(path.stem().string());
+  return shown.empty() ? "model" : shown;
 }
 
 /// Appends the rows of one input: itself and, below it, roughened.
@@ -188,6 +190,7 @@ Exit runCompare(const CompareFlags& flags) {
 
 void declareCompare(CLI::App& command, CompareFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  addTogether(command, flags.input);
   command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   command
       .add_option("-o,--output", flags.picture.output,

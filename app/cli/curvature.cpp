@@ -90,6 +90,7 @@ void declareCurvature(CLI::App& command, CurvatureFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("off");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "One row per vertex, in the file's order where nothing had to be repaired: position (mm),\n"

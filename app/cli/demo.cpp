@@ -47,9 +47,9 @@ bool saysHowToDraw(const PictureFlags& flags) {
 Exit list(const DemoFlags& flags) {
   const SceneSummary summary = summaryOf(sceneFor(flags));
   if (flags.json)
-    std::cout << jsonText(summaryJson(summary, "LPS"), 2) << '\n';
+    std::cout << jsonText(summaryJson(summary), 2) << '\n';
   else
-    printSummary(summary, "LPS (modelled in it)");
+    printSummary(summary);
   return Exit::done;
 }
 

@@ -31,6 +31,7 @@ Exit runDescribe(const DescribeFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  warnOfSides(imported->scene);
   render::ExportOrder order;
   const glm::vec2 page = order.page.sizeMm;
   spec->size = {int(std::lround(100.0f * page.x)), int(std::lround(100.0f * page.y))};
@@ -52,6 +53,7 @@ Exit runDescribe(const DescribeFlags& flags) {
 
 void declareDescribe(CLI::App& command, DescribeFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  addTogether(command, flags.input);
   command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   CLI::Option* view = command
                           .add_option("--view", flags.picture.view,

@@ -316,6 +316,7 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   const Result<model::Imported> imported = readInputs(flags.input, wish->import, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  warnOfSides(imported->scene);
   const Result<ArrangedScene> arranged =
       arrangeOnPage(wish->job.page.sizeMm, imported->scene, wish->spec);
   if (!arranged.ok())
@@ -395,6 +396,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
       ->default_str("auto");
   command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "Lines are as wide as in a picture of the same shape: a contour is 1/360 of the page's\n"

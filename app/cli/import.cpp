@@ -60,6 +60,7 @@ Exit runImport(const ImportFlags& flags) {
   Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  warnOfSides(imported->scene);
   for (const model::Scan& scan : imported->scene.scans())
     tell("kept with the scene: " + scan.file + ": " + model::scanText(scan));
   progress.show(0.9, "drawing the thumbnail");
@@ -90,13 +91,19 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("auto");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
   addThreshold(command, flags.input);
   command.add_flag("--keep-volume", flags.input.keepScans,
                    "Keeps scans with the scene, for slices: about as large as their packed files");
+  command.add_flag("--keep-file-names", flags.input.keepFileNames,
+                   "Keeps names of files and folders whole, as names of structures and groups and "
+                   "in the scene; else only words of anatomy and of the program, as files are "
+                   "often named after patients");
   command
       .add_option("--unit", flags.input.unit,
-                  "How long the files' unit is; overrides what they say or their size suggests")
-      ->type_name("mm|cm|m|inch");
+                  "How long the files' unit is, by its name or in millimetres; overrides what they "
+                  "say, and says that the sizes are right")
+      ->type_name("mm|cm|m|inch|um|MM");
   command
       .add_option(
           "--decimate-mm", flags.input.decimateMm,

@@ -13,22 +13,8 @@ struct InfoFlags {
   bool json = false;
 };
 
-/// Returns the frame all structures were read in; "mixed" if they differ.
-std::string frameOf(const model::Imported& imported) {
-  std::string frame;
-  for (const model::Node& node : imported.scene.nodes()) {
-    if (node.isGroup() || node.provenance.frame.empty() || node.provenance.frame == frame)
-      continue;
-    if (!frame.empty())
-      return "mixed";
-    frame = node.provenance.frame;
-  }
-  return frame.empty() ? model::frameName(imported.report.frame) : frame;
-}
-
-void printJson(const SceneSummary& summary, const std::string& frame,
-               const std::vector<model::ImportWarning>& warnings) {
-  Json root = summaryJson(summary, frame);
+void printJson(const SceneSummary& summary, const std::vector<model::ImportWarning>& warnings) {
+  Json root = summaryJson(summary);
   root["warnings"] = Json::array();
   for (const model::ImportWarning& warning : warnings)
     root["warnings"].push_back({{"file", warning.file}, {"reason", warning.reason}});
@@ -45,13 +31,12 @@ Exit runInfo(const InfoFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  warnOfSides(imported->scene);
   const SceneSummary summary = summaryOf(imported->scene);
-  const std::string frame = frameOf(*imported);
-  const std::string& reason = imported->report.frameReason;
   if (flags.json)
-    printJson(summary, frame, imported->report.warnings);
+    printJson(summary, imported->report.warnings);
   else
-    printSummary(summary, reason.empty() ? frame : frame + " (" + reason + ")");
+    printSummary(summary);
   return Exit::done;
 }
 
@@ -61,6 +46,7 @@ void declareInfo(CLI::App& command, InfoFlags& flags) {
   command.add_flag("--json", flags.json, "For programs: one JSON object on standard output");
   command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "Counts are of the surfaces as repaired on reading, without smoothing. Scans are listed "

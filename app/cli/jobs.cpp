@@ -9,6 +9,7 @@
 #include "app/cli/files/targets.h"
 #include "app/cli/flags/film_flags.h"
 #include "app/cli/flags/package_flags.h"
+#include "app/cli/jobs/job_ledger.h"
 #include "app/cli/jobs/job_list.h"
 #include "model/base/letters.h"
 #include "model/disk/paths_below.h"
@@ -32,6 +33,8 @@ struct PlannedJob {
   std::vector<std::string> flags;  ///< "--view=left": nothing in a list is taken for a flag
   std::vector<std::string> inputs;
   std::vector<std::filesystem::path> targets;
+
+  JobWork work() const { return {flags, {inputs.begin(), inputs.end()}, targets}; }
 
   /// Returns the program's arguments. No input is a flag either, whatever its name.
   std::vector<std::string> arguments() const {
@@ -159,6 +162,16 @@ class JobPlanner {
     if (const Status apart = checkEachOther(plannedJobs); !apart.ok())
       return apart.error();
     return plannedJobs;
+  }
+
+  /// Returns the folder that targets are relative to.
+  const std::filesystem::path& targets() const { return m_targets; }
+  /// Returns the real paths of all that is written.
+  std::set<std::filesystem::path> written() const {
+    std::set<std::filesystem::path> all;
+    for (const auto& [target, where] : m_seen)
+      all.insert(target);
+    return all;
   }
 
  private:
@@ -295,13 +308,6 @@ class JobPlanner {
   PackageFlags m_package;                      ///< its --package
 };
 
-bool allTargetsExist(const PlannedJob& planned) {
-  return std::all_of(planned.targets.begin(), planned.targets.end(), [](const auto& target) {
-    std::error_code unknown;
-    return std::filesystem::exists(target, unknown);
-  });
-}
-
 std::string targetsText(const PlannedJob& planned) {
   std::string all;
   for (const std::filesystem::path& target : planned.targets)
@@ -338,17 +344,22 @@ struct Tally {
   }
 };
 
-void carryOut(const PlannedJob& planned, Tally& tally) {
+void carryOut(const PlannedJob& planned, const JobLedger& ledger, Tally& tally) {
   Exit exit = Exit::done;
   ExportCommand command(planned.where);
+  const std::string read = ledger.readBy(planned.work());
   if (const Status prepared = prepareFolders(planned); !prepared.ok())
     exit = complain(prepared.error(), Exit::failed);
   else
     exit = command.run(planned.arguments());
   ++(exit == Exit::done ? tally.done : tally.failed);
   tally.withWarnings += command.warnings() > 0 ? 1 : 0;
-  if (exit != Exit::done)
-    std::cerr << "sline: " << planned.where << " failed: " << targetsText(planned) << '\n';
+  if (exit == Exit::done) {
+    if (const Status kept = ledger.remember(planned.work(), read); !kept.ok())
+      warn(planned.where + ": " + kept.error().text());
+    return;
+  }
+  std::cerr << "sline: " << planned.where << " failed: " << targetsText(planned) << '\n';
 }
 
 Exit runJobs(const JobsFlags& flags) {
@@ -358,23 +369,25 @@ Exit runJobs(const JobsFlags& flags) {
   const Result<std::vector<Job>> jobs = readJobList(flags.list);
   if (!jobs.ok())
     return complain(jobs.error(), Exit::wrongUse);
-  Result<std::vector<PlannedJob>> plannedJobs = JobPlanner(flags.list, flags.folder).of(*jobs);
+  JobPlanner planner(flags.list, flags.folder);
+  Result<std::vector<PlannedJob>> plannedJobs = planner.of(*jobs);
   if (!plannedJobs.ok()) {
     Error error = plannedJobs.error();
     error.file = flags.list;
     return complain(error, Exit::wrongUse);
   }
+  const JobLedger ledger(planner.targets(), planner.written());
   Tally tally;
   for (std::size_t i = 0; i < plannedJobs->size(); ++i) {
     const PlannedJob& planned = (*plannedJobs)[i];
     if (!shard->has(i))
       continue;
-    if (flags.resume && allTargetsExist(planned))
+    if (flags.resume && ledger.done(planned.work()))
       ++tally.skipped;
     else if (flags.dryRun)
       std::cout << planned.where << '\t' << targetsText(planned) << '\n';
     else
-      carryOut(planned, tally);
+      carryOut(planned, ledger, tally);
   }
   if (!flags.dryRun)
     tell(tally.text(plannedJobs->size()));
@@ -394,9 +407,11 @@ void declareJobs(CLI::App& command, JobsFlags& flags) {
                   "parts together do each job once")
       ->type_name("I/N")
       ->capture_default_str();
-  command.add_flag("--resume", flags.resume,
-                   "Leaves out jobs whose files are there already; files appear whole or not at "
-                   "all, so those that are there are done");
+  command.add_flag(
+      "--resume", flags.resume,
+      "Leaves out jobs that were done before: with the same flags, of the same inputs, "
+      "and with files that are as they were written. What was done is kept as "
+      "checksums in .sline-jobs beside the files");
   command
       .add_option("--to", flags.folder,
                   "The folder that targets are relative to; else the list's own")

@@ -272,6 +272,7 @@ void declareLines(CLI::App& command, LinesFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("off");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "Writes {\"kinds\":{\"contour\":{\"segments\":[{\"a\":[x,y,z],\"b\":[x,y,z],\"opacity\":1,\n"

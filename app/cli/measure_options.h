@@ -40,6 +40,7 @@ inline void addMeasureOptions(CLI::App& command, MeasureFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("auto");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
 }
 
 }  // namespace sline::cli

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/cli/flags/values.h"
+#include "model/scene/known_frame.h"
 
 namespace sline::cli {
 
@@ -19,7 +20,10 @@ Json nodeJson(const model::Node& node) {
     return json;
   const model::Provenance& origin = node.provenance;
   json["file"] = origin.file;
-  json["frame"] = origin.frame;
+  json["frame"] = origin.frame == model::fileFrame ? origin.frame : "LPS";
+  json["read_as"] = origin.frame;
+  json["sides"] = model::evidenceNames[std::size_t(origin.evidence.sides)];
+  json["front"] = model::evidenceNames[std::size_t(origin.evidence.front)];
   json["frame_reason"] = origin.frameReason;
   json["mm_per_unit"] = jsonNumber(origin.mmPerUnit);
   json["unit_reason"] = origin.unitReason;
@@ -28,6 +32,17 @@ Json nodeJson(const model::Node& node) {
   json["repaired_faces"] = origin.repairedFaces;
   json["bounds_mm"] = jsonBox(node.mesh->bounds());
   return json;
+}
+
+Json doubtJson(const model::UnitDoubt& doubt) {
+  Json units = Json::array();
+  for (const float unit : doubt.units)
+    units.push_back(jsonNumber(unit));
+  return {{"file", doubt.file},
+          {"named", doubt.named},
+          {"fitting", doubt.fitting},
+          {"mm_per_unit", jsonNumber(doubt.unit)},
+          {"fitting_mm_per_unit", units}};
 }
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -39,7 +54,8 @@ std::string decision(const std::string& answer, const std::string& reason) {
 }
 
 std::string frameDecision(const model::Provenance& origin) {
-  return decision(origin.frame, origin.frameReason);
+  const std::string frame = decision(origin.frame, origin.frameReason);
+  return origin.evidence.isSure() ? frame : frame + ", which is not certain";
 }
 
 std::string unitDecision(const model::Provenance& origin) {
@@ -74,6 +90,9 @@ Json planJson(const model::ImportPlan& plan) {
   root["left_out"] = Json::array();
   for (const model::ImportWarning& warning : plan.report.warnings)
     root["left_out"].push_back({{"file", warning.file}, {"reason", warning.reason}});
+  root["unit_doubts"] = Json::array();
+  for (const model::UnitDoubt& doubt : plan.report.unitDoubts)
+    root["unit_doubts"].push_back(doubtJson(doubt));
   root["notes"] = plan.report.notes;
   root["repaired"] = plan.report.repairs.surfaces;
   return root;

@@ -10,7 +10,8 @@
 namespace sline::cli {
 
 /// Returns "inputs", "nodes" (groups and structures in tree order, each structure with its file,
-/// its frame and unit and what decided them), "bounds_mm" and "left_out".
+/// its frame and unit and what decided them), "bounds_mm", "left_out" and
+/// "unit_doubts".
 Json planJson(const model::ImportPlan& plan);
 
 /// Returns the tree, then frames and units with their reasons, then what would be left out or

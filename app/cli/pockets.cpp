@@ -130,6 +130,7 @@ Exit runPockets(const PocketFlags& flags) {
 
 void declarePockets(CLI::App& command, PocketFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  addTogether(command, flags.input);
   command.add_flag("--json", flags.json, "For programs: one JSON object on standard output");
   command
       .add_option("--probe", flags.options.smallProbe,

@@ -351,6 +351,7 @@ void declareProof(CLI::App& command, ProofFlags& flags) {
       ->default_str("auto");
   command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
   command.footer(
       "Compares the mean colours of structures that lie side by side in the picture, in grey and\n"
       "with protanopia, deuteranopia and tritanopia (Machado, Oliveira and Fernandes 2009). What\n"

@@ -16,6 +16,7 @@ struct ReloadFlags {
   std::vector<std::string> from;
   std::string output;
   bool dryRun = false;
+  bool together = false;
 };
 
 const char* fateText(model::ReloadedFile::Fate fate, bool dryRun) {
@@ -61,7 +62,9 @@ Exit reloadInto(const ReloadFlags& flags, const model::FileLock* lock) {
   std::vector<std::filesystem::path> places(flags.from.begin(), flags.from.end());
   if (places.empty())
     places.push_back(std::filesystem::absolute(flags.scene).parent_path());
-  model::Reloaded reloaded = model::reload(document->scene, places);
+  model::Reloaded reloaded =
+      model::reload(document->scene, places, {},
+                    flags.together ? model::PatientsWanted::together : model::PatientsWanted::one);
   report(reloaded, flags.dryRun);
   if (lock && (reloaded.changed || !flags.output.empty())) {
     document->scene = std::move(reloaded.scene);
@@ -104,6 +107,8 @@ void declareReload(CLI::App& command, ReloadFlags& flags) {
   output->type_name("FILE.sline");
   command.add_flag("--dry-run", flags.dryRun, "Tells what would be done and writes nothing")
       ->excludes(output);
+  command.add_flag("--together", flags.together,
+                   "Reads a file that has become another patient's than the others, too");
   command.footer(
       "A file is found by its name and known by its length and checksum. One that has changed is\n"
       "read again, in the frame and unit and with the smoothing it was imported with; names, "

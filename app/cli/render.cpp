@@ -31,6 +31,7 @@ Exit runRender(const RenderFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  warnOfSides(imported->scene);
   return drawScene(imported->scene, *spec, progress);
 }
 
@@ -46,6 +47,7 @@ void declareRender(CLI::App& command, RenderFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("auto");
   addFrame(command, flags.input);
+  addTogether(command, flags.input);
   addThreshold(command, flags.input);
   command.footer(
       "NAME is a structure's or a group's name (`sline info` lists them); case and the difference\n"

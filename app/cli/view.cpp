@@ -9,6 +9,7 @@
 #include "app/cli/files/thumbnail.h"
 #include "app/cli/flags/picture_options.h"
 #include "app/cli/view_words.h"
+#include "model/edit/annotations.h"
 #include "model/edit/views.h"
 #include "model/scene/markup.h"
 #include "model/scene_file/scene_file.h"
@@ -129,15 +130,28 @@ void warnOfSide(const std::string& name) {
          model::normalisedName(name) + " view fitted to what is visible");
 }
 
+/// Gives a new view the labels that no other has, and says so where others have all.
+void takeUnclaimed(const model::Scene& scene, model::View& view) {
+  view.annotations = model::unclaimedAnnotations(scene);
+  const auto& all = scene.annotations();
+  if (view.annotations->empty() &&
+      std::any_of(all.begin(), all.end(), [](const auto& each) { return each.visible; }))
+    warn(
+        "the new view shows no labels, as they are those of other views. Give --labels all, or "
+        "numbers");
+}
+
 Outcome addNamedView(const model::Scene& scene, const ViewFlags& flags) {
   if (model::normalisedName(flags.add).empty())
     return Error{.reason = "a view needs a name", .remedy = "Write --add NAME"};
   if (savedView(scene, flags.add))
     return Error{.reason = "a view named \"" + flags.add + "\" is already saved",
                  .remedy = "Take another name, or --update it"};
-  const Result<model::View> view = viewFromFlags(scene, flags, flags.add);
+  Result<model::View> view = viewFromFlags(scene, flags, flags.add);
   if (!view.ok())
     return view.error();
+  if (flags.labels.empty())
+    takeUnclaimed(scene, *view);
   warnOfSide(flags.add);
   return model::withView(scene, *view);
 }
@@ -358,7 +372,7 @@ void declareView(CLI::App& command, ViewFlags& flags) {
   command
       .add_option("--labels", flags.labels,
                   "Which annotations the view shows: all, none, or their numbers (1,4); else those "
-                  "that the scene shows")
+                  "that the scene shows, of which a new view takes what no other view has")
       ->type_name("all|none|IDS");
   for (CLI::Option* option : addViewWordOptions(command, flags.words)) {
     option->group("What is said with it");

@@ -19,7 +19,9 @@ class NamePatterns {
   std::size_t count() const { return m_count; }
 
   /// Returns the value of the pattern that fits the name best: highest rank, then most words, then
-  /// most letters, then the one added first. Returns nothing where no pattern occurs in the name.
+  /// most letters, then the one added first. A pattern with a rank counts more before "of" than
+  /// behind it: the vein of a nucleus is a vein. Returns nothing where no pattern occurs in the
+  /// name.
   std::optional<std::size_t> match(std::string_view name) const;
 
  private:

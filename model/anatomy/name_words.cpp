@@ -67,6 +67,10 @@ std::string singular(std::string word) {
     return "bronchus";
   if (word == "metastases")
     return "metastasis";
+  if (word == "nuclei")
+    return "nucleus";
+  if (word == "ganglia")
+    return "ganglion";
   if (word.size() > 4 && word.ends_with("ies"))
     return word.substr(0, word.size() - 3) + "y";
   const bool latin = word.ends_with("ss") || word.ends_with("us") || word.ends_with("is") ||

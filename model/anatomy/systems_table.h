@@ -11,5 +11,6 @@ std::string_view anatomySystemsText();
 std::string_view anatomyStructuresText();
 std::string_view tissuePatternsText();
 std::string_view supplyText();
+std::string_view sizesText();
 
 }  // namespace sline::model

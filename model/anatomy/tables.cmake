@@ -4,12 +4,13 @@
 get_filename_component(tables ${CMAKE_CURRENT_LIST_DIR}/../../resources/anatomy ABSOLUTE)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${tables}/names.tsv ${tables}/systems.tsv ${tables}/structures.tsv
-  ${tables}/tissue_patterns.tsv ${tables}/supply.tsv)
+  ${tables}/tissue_patterns.tsv ${tables}/supply.tsv ${tables}/sizes.tsv)
 file(READ ${tables}/names.tsv SLINE_ANATOMICAL_NAMES)
 file(READ ${tables}/systems.tsv SLINE_ANATOMY_SYSTEMS)
 file(READ ${tables}/structures.tsv SLINE_ANATOMY_STRUCTURES)
 file(READ ${tables}/tissue_patterns.tsv SLINE_TISSUE_PATTERNS)
 file(READ ${tables}/supply.tsv SLINE_SUPPLY)
+file(READ ${tables}/sizes.tsv SLINE_SIZES)
 set(ANATOMY_TABLES "")
 foreach(table names_table systems_table)
   configure_file(${CMAKE_CURRENT_LIST_DIR}/${table}.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${table}.cpp @ONLY)

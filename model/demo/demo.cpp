@@ -60,7 +60,7 @@ std::optional<Scene> demo(DemoName name, Sex sex, const std::filesystem::path& c
   if (cacheFolder.empty())
     return modelled(name, sex, stop);
   const std::filesystem::path file = cacheFolder / demoCacheFile(name, sex);
-  if (Result<SceneDocument> kept = readSceneFile(file); kept.ok())
+  if (Result<SceneDocument> kept = readSceneFile(file); kept.ok() && !kept->isForReading())
     return std::move(kept->scene);
   Scene scene = modelled(name, sex, stop);
   // If the scene cannot be kept, it is modelled again next time.

@@ -49,6 +49,16 @@ bool stillThere(int descriptor, const fs::path& path) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
+/// Says why there can be no lock at that path.
+Error notLocked(const fs::path& named, const fs::path& path, int code) {
+  const bool gone = code == ENOENT || code == ENOTDIR;
+  return {
+      .file = named.string(),
+      .reason = gone ? "there is no folder " + path.parent_path().string()
+                     : "its folder cannot be written to: " + std::generic_category().message(code),
+      .remedy = "Save it under another name or in another folder"};
+}
+
 fs::path followed(const fs::path& file) {
   std::error_code fault;
   const fs::path real = fs::weakly_canonical(file, fault);
@@ -66,10 +76,7 @@ Result<FileLock> FileLock::acquire(const fs::path& named) {
   for (;;) {
     const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, readableByAll);
     if (descriptor < 0)
-      return Error{
-          .file = named.string(),
-          .reason = "its folder cannot be written to: " + std::generic_category().message(errno),
-          .remedy = "Save it under another name or in another folder"};
+      return notLocked(named, path, errno);
     FileLock lock(file, descriptor);
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       // A holder lets nobody share it; who only looks whether it is held is gone in a moment.

@@ -5,6 +5,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
+
 #if defined(__linux__)
 #include <sys/resource.h>
 #endif
@@ -16,6 +19,10 @@ namespace sline::model {
 
 int processNumber() {
   return int(getpid());
+}
+
+bool isRunning(int process) {
+  return process > 0 && (kill(process, 0) == 0 || errno == EPERM);
 }
 
 std::filesystem::path programFile() {

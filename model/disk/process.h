@@ -12,6 +12,9 @@ namespace sline::model {
 /// Returns a number that no other process has while this one runs.
 int processNumber();
 
+/// Tells whether a process of that number runs here, whoever's it is.
+bool isRunning(int process);
+
 /// Returns the path of the running program's own file, or an empty path where the system does not
 /// tell.
 std::filesystem::path programFile();

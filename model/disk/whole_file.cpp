@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "model/disk/process.h"
+#include "model/disk/left_overs.h"
 
 namespace sline::model {
 
@@ -83,8 +83,8 @@ Status writeBeside(const fs::path& named, const std::function<Status(const fs::p
     return write(named);
   const fs::path file =
       fs::is_symlink(named, failure) ? fs::weakly_canonical(named, failure) : named;
-  const fs::path temporary =
-      file.parent_path() / ("." + file.filename().string() + "." + std::to_string(processNumber()));
+  removeLeftOvers(file);
+  const fs::path temporary = partBeside(file);
   Status written = write(temporary);
   if (written.ok())
     written = synced(temporary, O_RDONLY);

@@ -4,7 +4,7 @@
 #include <string>
 #include <system_error>
 
-#include "model/disk/process.h"
+#include "model/disk/left_overs.h"
 
 namespace sline::model {
 
@@ -40,9 +40,8 @@ Status free(const fs::path& folder) {
 /// program whose process number is now in use again.
 Result<fs::path> folderBeside(const fs::path& folder) {
   constexpr int most = 100;
-  const std::string name = "." + folder.filename().string() + "." + std::to_string(processNumber());
   for (int i = 0; i < most; ++i) {
-    const fs::path beside = folder.parent_path() / (i == 0 ? name : name + "-" + std::to_string(i));
+    const fs::path beside = partBeside(folder, i);
     std::error_code failure;
     if (fs::create_directory(beside, failure))
       return beside;
@@ -59,6 +58,7 @@ Status writeFolder(const fs::path& named, const std::function<Status(const fs::p
   const fs::path folder = named.has_filename() ? named : named.parent_path();
   if (Status place = free(folder); !place.ok())
     return place;
+  removeLeftOvers(folder);
   const Result<fs::path> temporary = folderBeside(folder);
   if (!temporary.ok())
     return temporary.error();

@@ -68,10 +68,34 @@ Edited withAnnotationMade(const Scene& scene, const Annotation& annotation,
   Scene after = scene;
   const AnnotationId made = after.appendAnnotation(annotation);
   for (std::size_t i = 0; i < views.size(); ++i)
-    if (auto& listed = views[i].annotations; listed && (i == view || leftOutNone(scene, *listed)))
+    if (auto& listed = views[i].annotations; i != view && !listed)
+      listed = visibleOnes(scene);  // else it would show whatever comes
+    else if (i == view && listed)
       listed->push_back(made);
   after.setViews(std::move(views));
   return {std::move(after), true};
+}
+
+Edited withAnnotationForAll(const Scene& scene, const Annotation& annotation) {
+  if (!isSound(scene, annotation))
+    return {scene, false};
+  std::vector<View> views = scene.views();
+  Scene after = scene;
+  const AnnotationId made = after.appendAnnotation(annotation);
+  for (View& view : views)
+    if (view.annotations && leftOutNone(scene, *view.annotations))
+      view.annotations->push_back(made);
+  after.setViews(std::move(views));
+  return {std::move(after), true};
+}
+
+std::vector<AnnotationId> unclaimedAnnotations(const Scene& scene) {
+  std::vector<AnnotationId> free = visibleOnes(scene);
+  for (const View& view : scene.views())
+    std::erase_if(free, [&view](AnnotationId id) {
+      return !view.annotations || contains(*view.annotations, id);
+    });
+  return free;
 }
 
 Edited withAnnotationChanged(const Scene& scene, AnnotationId id, const Annotation& annotation) {

@@ -16,11 +16,16 @@ const Annotation* findAnnotation(const Scene& scene, AnnotationId id);
 /// Adds the annotation under a fresh id at the end. A faulty one, or one on a surface that is not
 /// in the scene, changes nothing.
 Edited withAnnotation(const Scene& scene, const Annotation& annotation);
-/// Does the same as `withAnnotation` and also lists the annotation in the saved views that should
-/// show everything: in those whose lists have left out none so far, and in the view at index `view`
-/// where it has a list.
+/// Does the same as `withAnnotation` for the view at that index, which lists it: no other saved
+/// view shows it. Without one none does, and it is the next new view's (`unclaimedAnnotations`).
 Edited withAnnotationMade(const Scene& scene, const Annotation& annotation,
                           std::optional<std::size_t> view);
+/// Does the same as `withAnnotation` for the whole scene: the saved views that have left out none
+/// so far list it, too.
+Edited withAnnotationForAll(const Scene& scene, const Annotation& annotation);
+/// Returns the visible annotations that no saved view shows: they were made since the last one was
+/// left. A new view takes these.
+std::vector<AnnotationId> unclaimedAnnotations(const Scene& scene);
 /// Gives the annotation of that id all of `annotation` but its id; refuses what `withAnnotation`
 /// refuses.
 Edited withAnnotationChanged(const Scene& scene, AnnotationId id, const Annotation& annotation);

@@ -5,24 +5,20 @@
 #include <utility>
 #include <vector>
 
+#include "model/base/utf8.h"
+
 namespace sline::model {
 
 namespace {
 
 std::string tidyLine(const std::string& text) {
   std::string line;
-  for (const char letter : text) {
+  for (const char letter : inUtf8(text)) {
     const auto byte = static_cast<unsigned char>(letter);
     if (byte > ' ' && byte != 0x7f)
       line += letter;
     else if (!line.empty() && line.back() != ' ')
       line += ' ';
-  }
-  if (line.size() > longestCredit) {
-    std::size_t end = longestCredit;
-    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0) == 0x80)
-      --end;
-    line.resize(end);
   }
   while (!line.empty() && line.back() == ' ')
     line.pop_back();

@@ -10,8 +10,8 @@
 
 namespace sline::model {
 
-/// Returns the credit as a scene keeps it: each field one line without control characters, of at
-/// most `longestCredit` bytes, cut between characters.
+/// Returns the credit with each field one line of UTF-8 without control characters. How long it may
+/// be model/scene/scene_limits.h says.
 SourceCredit tidied(const SourceCredit& credit);
 
 /// Says what is to be said; what is absent stays as it is, and an empty text takes it away.

@@ -2,7 +2,6 @@
 #include "model/edit/painting.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace sline::model {
 
@@ -29,7 +28,9 @@ Edited withPaint(const Scene& scene, NodeId structure, PaintPtr paint) {
   const Node* node = scene.find(structure);
   if (!node || node->isGroup() || scene.isLocked(structure))
     return {scene, false};
-  assert(!paint || paint->size() == node->mesh->vertexCount());
+  // What is there for other vertices would be read beyond its end.
+  if (paint && paint->size() != node->mesh->vertexCount())
+    return {scene, false};
   if (paint && isNothing(*paint))
     paint = nullptr;
   const ResolvedStyle style = scene.resolve(structure);

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "model/edit/annotations.h"
 #include "model/scene/resolved_styles.h"
 #include "model/scene/style_fields.h"
 
@@ -127,6 +128,26 @@ Edited withView(const Scene& scene, View view) {
   std::vector<View> views = scene.views();
   views.push_back(std::move(view));
   return withViews(scene, std::move(views));
+}
+
+Edited withNewView(const Scene& scene, const Camera& camera, std::string name) {
+  View view = viewOf(scene, camera, std::move(name));
+  view.annotations = unclaimedAnnotations(scene);
+  Edited added = withView(scene, view);
+  if (!added.changed)
+    return added;
+  // Views without a list show what is visible: they keep what they show now.
+  std::vector<AnnotationId> seen;
+  for (const Annotation& annotation : scene.annotations())
+    if (annotation.visible)
+      seen.push_back(annotation.id);
+  std::vector<View> views = added.scene.views();
+  for (View& each : views)
+    if (!each.annotations)
+      each.annotations = seen;
+  added.scene.setViews(std::move(views));
+  showAnnotations(added.scene, *view.annotations);
+  return added;
 }
 
 Edited withViewUpdated(const Scene& scene, std::size_t index, const View& seen) {

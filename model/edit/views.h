@@ -44,6 +44,9 @@ Edited withViews(const Scene& scene, std::vector<View> views);
 /// Adds the view at the end, by a free name. Without a name, or with a faulty camera, nothing
 /// changes.
 Edited withView(const Scene& scene, View view);
+/// Adds a view of the current picture. Of its labels it has those that no saved view shows
+/// (annotations.h), and the picture then has these alone, as the view has.
+Edited withNewView(const Scene& scene, const Camera& camera, std::string name);
 /// Makes the view show what `seen` does; it keeps its name, its words and the unread keys of its
 /// file.
 Edited withViewUpdated(const Scene& scene, std::size_t index, const View& seen);

@@ -61,7 +61,13 @@ std::string figureText(const Figure& figure) {
 }
 
 Status writeFigure(const Figure& figure, const std::filesystem::path& file) {
-  return writeText(file, figureText(figure));
+  const std::string text = figureText(figure);
+  if (const Result<Figure> again = figureFromText(text); !again.ok())
+    return Error{.file = file.string(),
+                 .where = again.error().where,
+                 .reason = again.error().reason,
+                 .remedy = again.error().remedy};
+  return writeText(file, text);
 }
 
 Result<std::filesystem::path> scenePath(const std::filesystem::path& figureFile,

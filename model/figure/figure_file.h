@@ -19,6 +19,7 @@ Result<Figure> readFigure(const std::filesystem::path& file);
 /// Returns the text that `figureFromText` reads as that figure; keys that are as usual are left
 /// out.
 std::string figureText(const Figure& figure);
+/// Writes the figure, unless what it says could not be read again.
 Status writeFigure(const Figure& figure, const std::filesystem::path& file);
 
 /// Returns where the file of a scene lies that the figure's file names, or why it is not read: it

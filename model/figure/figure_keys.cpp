@@ -8,6 +8,7 @@
 
 #include "model/figure/figure_rows.h"
 #include "model/scene/near_names.h"
+#include "model/scene/scene_limits.h"
 
 namespace sline::model {
 
@@ -265,7 +266,7 @@ constexpr FigureRow<FigurePanel> panelTable[] = {
      "A saved view of it, or anterior, posterior, left, right, superior or inferior, fitted to "
      "what "
      "is visible; anterior if not given",
-     readText<&FigurePanel::view, longestName>, writeValue<&FigurePanel::view>},
+     readText<&FigurePanel::view, longestSceneName>, writeValue<&FigurePanel::view>},
     {"letter", "TEXT", "Its letter, in place of the next one; \"\" for none",
      readText<&FigurePanel::letter, longestLetter>, writeIfAny<&FigurePanel::letter>},
     {"camera", "CAMERA", "Where it is seen from, if not from where its view was saved",
@@ -404,7 +405,7 @@ const char* figureKeyHelp(std::string_view object, std::string_view id) {
     return note.object == object && note.id == id;
   });
   assert(found != all.end());
-  return found->help;
+  return found == all.end() ? "" : found->help;
 }
 
 }  // namespace sline::model

@@ -19,6 +19,7 @@ std::optional<FocusAnalysis> analysed(const Scene& scene, const FocusQuestion& q
   analysis.targets = scene.structuresBelow(question.targets);
   analysis.asked.assign(question.targets.begin(), question.targets.end());
   analysis.camera = question.camera;
+  const Tissues tissues = tissuesOf(scene);
   std::vector<Party> parties;
   for (const Node& node : scene.nodes())
     if (!node.isGroup())
@@ -26,7 +27,9 @@ std::optional<FocusAnalysis> analysed(const Scene& scene, const FocusQuestion& q
                          .mesh = node.mesh,
                          .planes = planesOf(scene.sectionsOf(node.id)),
                          .target = std::find(analysis.targets.begin(), analysis.targets.end(),
-                                             node.id) != analysis.targets.end()});
+                                             node.id) != analysis.targets.end(),
+                         .form = {},
+                         .mayFeed = mayBeDuct(scene, node, tissues.at(node.id.value))});
   parallelFor(parties.size(), 1, [&](std::size_t i) {
     if (!stop.stop_requested())
       parties[i].form = forms.of(parties[i].mesh);
@@ -46,7 +49,6 @@ std::optional<FocusAnalysis> analysed(const Scene& scene, const FocusQuestion& q
     return std::nullopt;
   for (std::size_t i = 0; i < parties.size(); ++i)
     analysis.relations.push_back(relationOf(surroundings, parties[i], facts[i], fed[i]));
-  const Tissues tissues = tissuesOf(scene);
   for (Relation& relation : analysis.relations)
     relation.tissue = tissues.at(relation.structure.value);
   treatVesselsByWhatTheyFeed(scene, analysis.relations);

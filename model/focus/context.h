@@ -18,7 +18,7 @@ enum class ContextManner {
   detail,   ///< it is in focus
   host,     ///< solid and pale: the targets lie in it, open towards the eye
   outline,  ///< nothing but a thin outline: it is in front of the targets
-  feeder,   ///< modelled: a vessel or duct that comes to the targets
+  feeder,   ///< modelled: a vessel, nerve or duct that comes to the targets
   near,     ///< solid, and modelled by what it is made of: it is near the targets
   far,      ///< solid and pale: it is away from the targets
   byRole,   ///< what it is made of is unknown: by its role alone

@@ -92,12 +92,12 @@ std::vector<Feeding> feedings(const Surroundings& surroundings, std::span<const 
                               std::span<const Facts> facts, const std::stop_token& stop) {
   std::vector<Feeding> found(parties.size());
   parallelFor(parties.size(), 1, [&](std::size_t i) {
-    if (!parties[i].target && !stop.stop_requested())
+    if (!parties[i].target && parties[i].mayFeed && !stop.stop_requested())
       found[i].direct = comingToTargets(surroundings, parties[i], facts[i]);
   });
   parallelFor(parties.size(), 1, [&](std::size_t i) {
     const float likely = stemLike(surroundings, *parties[i].form, facts[i].gap);
-    if (parties[i].target || found[i].direct >= 0.5f || likely < 0.5f)
+    if (parties[i].target || !parties[i].mayFeed || found[i].direct >= 0.5f || likely < 0.5f)
       return;
     for (std::size_t k = 0; k < parties.size() && !stop.stop_requested(); ++k) {
       if (k == i || found[k].direct < 0.5f)

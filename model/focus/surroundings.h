@@ -21,6 +21,7 @@ struct Party {
   std::vector<Plane> planes;  ///< only the parts that they keep count
   bool target = false;
   FormPtr form;
+  bool mayFeed = true;  ///< false where its name says that it is no vessel, nerve or duct
 };
 
 /// Holds the measurements of a structure; lengths in millimetres.

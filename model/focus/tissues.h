@@ -15,4 +15,8 @@ using Tissues = std::unordered_map<std::uint64_t, Tissue>;
 /// catalogue ids aside), else as the group above them, else unknown.
 Tissues tissuesOf(const Scene& scene);
 
+/// Tells whether the structure may be a vessel, nerve or duct, as far as names say: its own, else
+/// that of a group above it. Of organs those may that are hollow.
+bool mayBeDuct(const Scene& scene, const Node& node, Tissue tissue);
+
 }  // namespace sline::model

@@ -11,7 +11,10 @@ namespace {
 std::uint32_t neighbour(const Mesh& mesh, const VertexFaces& faces, std::uint32_t self,
                         const std::array<std::uint32_t, 2>& edge) {
   std::uint32_t found = FaceNeighbours::none;
-  for (const std::uint32_t f : faces[edge[0]]) {
+  // Both ends list all triangles of the edge. The shorter list is looked through, as otherwise each
+  // of many triangles around one vertex would look at all others.
+  const std::uint32_t end = faces[edge[0]].size() <= faces[edge[1]].size() ? edge[0] : edge[1];
+  for (const std::uint32_t f : faces[end]) {
     if (f == self)
       continue;
     const Triangle& t = mesh.triangles()[f];

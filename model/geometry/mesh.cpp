@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <string>
 
+#include "model/geometry/scale_limits.h"
+
 namespace sline::model {
 
 void Box::add(const glm::vec3& p) {
@@ -29,6 +31,12 @@ namespace {
 bool finite(const glm::vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
+
+bool withinReach(const glm::vec3& p) {
+  const glm::vec3 away = glm::abs(p);
+  return away.x <= farthestCoordinate && away.y <= farthestCoordinate &&
+         away.z <= farthestCoordinate;
+}
 }  // namespace
 
 Result<Mesh> Mesh::create(std::vector<glm::vec3> positions, std::vector<Triangle> triangles) {
@@ -42,6 +50,10 @@ Result<Mesh> Mesh::create(std::vector<glm::vec3> positions, std::vector<Triangle
       return Error{.where = "vertex " + std::to_string(i),
                    .reason = "a coordinate is not a finite number",
                    .remedy = "Export the mesh again or remove this vertex"};
+    if (!withinReach(positions[i]))
+      return Error{.where = "vertex " + std::to_string(i),
+                   .reason = "it lies more than 100 km from the origin",
+                   .remedy = "Check the unit of its coordinates"};
     mesh.m_bounds.add(positions[i]);
   }
   for (std::size_t i = 0; i < triangles.size(); ++i)

@@ -40,7 +40,7 @@ struct Sphere {
 
 /// Holds positions (millimetres, patient frame LPS unless the function that made it says otherwise)
 /// and triangles as a structure of arrays. Invariants: every index is in range, every coordinate is
-/// finite, and there are fewer than 2^31 of each.
+/// finite and within reach (scale_limits.h), and there are fewer than 2^31 of each.
 class Mesh {
  public:
   /// Checks the invariants and makes the mesh; the error's reason names the first vertex or

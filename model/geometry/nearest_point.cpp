@@ -50,17 +50,26 @@ Weights nearestIn(const std::array<glm::dvec3, 3>& t, const glm::dvec3& p) {
   });
 }
 
+std::array<glm::dvec3, 3> cornersOf(const Mesh& mesh, std::uint32_t triangle) {
+  const auto positions = mesh.positions();
+  const Triangle& corners = mesh.triangles()[triangle];
+  return {glm::dvec3(positions[corners[0]]), glm::dvec3(positions[corners[1]]),
+          glm::dvec3(positions[corners[2]])};
+}
+
 }  // namespace
+
+PointOnMesh nearestPointIn(const Mesh& mesh, std::uint32_t triangle, const glm::vec3& p) {
+  const std::array<glm::dvec3, 3> t = cornersOf(mesh, triangle);
+  const Weights weights = nearestIn(t, glm::dvec3(p));
+  return {triangle, {float(weights[0]), float(weights[1])}, glm::vec3(at(t, weights))};
+}
 
 std::optional<PointOnMesh> nearestPoint(const Mesh& mesh, const glm::vec3& p) {
   std::optional<PointOnMesh> nearest;
   double least = std::numeric_limits<double>::infinity();
-  const auto positions = mesh.positions();
   for (std::uint32_t i = 0; i < mesh.triangleCount(); ++i) {
-    const Triangle& corners = mesh.triangles()[i];
-    const std::array<glm::dvec3, 3> t{glm::dvec3(positions[corners[0]]),
-                                      glm::dvec3(positions[corners[1]]),
-                                      glm::dvec3(positions[corners[2]])};
+    const std::array<glm::dvec3, 3> t = cornersOf(mesh, i);
     const Weights weights = nearestIn(t, glm::dvec3(p));
     const glm::dvec3 place = at(t, weights);
     const glm::dvec3 away = place - glm::dvec3(p);

@@ -22,4 +22,7 @@ struct PointOnMesh {
 /// where the mesh has no triangle.
 std::optional<PointOnMesh> nearestPoint(const Mesh& mesh, const glm::vec3& p);
 
+/// Returns the point of that triangle nearest to `p`.
+PointOnMesh nearestPointIn(const Mesh& mesh, std::uint32_t triangle, const glm::vec3& p);
+
 }  // namespace sline::model

@@ -2,7 +2,6 @@
 #include "model/geometry/paint.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -65,7 +64,8 @@ float lostShare(const Mesh& from, const Paint& paint, const Bvh& to, float toler
 }  // namespace
 
 CarriedPaint carriedPaint(const MeshPtr& from, const Paint& paint, const MeshPtr& to) {
-  assert(paint.size() == from->vertexCount());
+  if (paint.size() != from->vertexCount())
+    return {.paint = nullptr, .lost = 1.0f};
   const bool any = std::any_of(paint.begin(), paint.end(), [](std::uint8_t v) { return v > 0; });
   if (!any)
     return {};

@@ -27,39 +27,47 @@ VertexFaces::VertexFaces(const Mesh& mesh)
 }
 
 namespace {
-struct Neighbour {
-  std::uint32_t vertex;
-  std::uint32_t uses;
-};
+/// Visits each edge once, at its lower vertex.
+class EdgeVisitor {
+ public:
+  EdgeVisitor(const Mesh& mesh, const VertexFaces& faces) : m_mesh(mesh), m_faces(faces) {}
 
-void countNeighbour(std::vector<Neighbour>& neighbours, std::uint32_t vertex) {
-  for (Neighbour& n : neighbours)
-    if (n.vertex == vertex) {
-      ++n.uses;
-      return;
+  /// Calls visit(other, uses) for the edges from the vertex to those of higher numbers.
+  template <class Visit>
+  void forEdgesFrom(std::uint32_t vertex, const Visit& visit) {
+    m_ends.clear();
+    for (const std::uint32_t f : m_faces[vertex])
+      for (const std::uint32_t other : m_mesh.triangles()[f])
+        if (other > vertex)
+          m_ends.push_back(other);
+    // In order, so that a vertex of very many triangles costs no more for each of them.
+    std::sort(m_ends.begin(), m_ends.end());
+    for (auto run = m_ends.begin(); run != m_ends.end();) {
+      const auto after = std::find_if(run, m_ends.end(), [run](auto end) { return end != *run; });
+      visit(*run, std::size_t(after - run));
+      run = after;
     }
-  neighbours.push_back({vertex, 1});
-}
+  }
+
+ private:
+  const Mesh& m_mesh;
+  const VertexFaces& m_faces;
+  std::vector<std::uint32_t> m_ends;
+};
 }  // namespace
 
 EdgeCount countEdges(const Mesh& mesh, const VertexFaces& vertexFaces) {
   std::atomic<std::size_t> open = 0;
   std::atomic<std::size_t> nonManifold = 0;
   parallelChunks(mesh.vertexCount(), 8192, [&](std::size_t begin, std::size_t end) {
-    std::vector<Neighbour> neighbours;
+    EdgeVisitor edges(mesh, vertexFaces);
     std::size_t openHere = 0;
     std::size_t nonManifoldHere = 0;
-    for (std::size_t v = begin; v < end; ++v) {
-      neighbours.clear();
-      for (const std::uint32_t f : vertexFaces[v])
-        for (const std::uint32_t w : mesh.triangles()[f])
-          if (w > v)  // visits each edge once, at its lower vertex
-            countNeighbour(neighbours, w);
-      for (const Neighbour& n : neighbours) {
-        openHere += n.uses == 1;
-        nonManifoldHere += n.uses > 2;
-      }
-    }
+    for (std::size_t v = begin; v < end; ++v)
+      edges.forEdgesFrom(std::uint32_t(v), [&](std::uint32_t, std::size_t uses) {
+        openHere += uses == 1;
+        nonManifoldHere += uses > 2;
+      });
     open += openHere;
     nonManifold += nonManifoldHere;
   });
@@ -68,17 +76,12 @@ EdgeCount countEdges(const Mesh& mesh, const VertexFaces& vertexFaces) {
 
 double rimLength(const Mesh& mesh, const VertexFaces& vertexFaces) {
   double length = 0.0;
-  std::vector<Neighbour> neighbours;
-  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    neighbours.clear();
-    for (const std::uint32_t f : vertexFaces[v])
-      for (const std::uint32_t w : mesh.triangles()[f])
-        if (w > v)
-          countNeighbour(neighbours, w);
-    for (const Neighbour& n : neighbours)
-      if (n.uses % 2 != 0)
-        length += double(glm::distance(mesh.positions()[v], mesh.positions()[n.vertex]));
-  }
+  EdgeVisitor edges(mesh, vertexFaces);
+  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    edges.forEdgesFrom(v, [&](std::uint32_t other, std::size_t uses) {
+      if (uses % 2 != 0)
+        length += double(glm::distance(mesh.positions()[v], mesh.positions()[other]));
+    });
   return length;
 }
 

@@ -291,7 +291,7 @@ class EdgeDecimater : public OpenMesh::Decimater::BaseDecimaterT<CollapseMesh> {
   using BaseDecimaterT::BaseDecimaterT;
 
   /// Returns false where `goesOn` returned false.
-  bool decimate(QuadricModule& costs, const std::function<bool()>& goesOn) {
+  bool decimate(QuadricModule& costs, const CutSurface& cut, const std::function<bool()>& goesOn) {
     m_versions.assign(mesh().n_edges(), 0);
     for (const auto edge : mesh().edges())
       offer(mesh().halfedge_handle(edge, 0), costs);
@@ -304,7 +304,8 @@ class EdgeDecimater : public OpenMesh::Decimater::BaseDecimaterT<CollapseMesh> {
       if (mesh().status(edge).deleted() || m_versions[std::size_t(edge.idx())] != next.version)
         continue;
       CollapseInfo info(mesh(), HalfEdge(next.halfEdge));
-      if (!is_collapse_legal(info) || collapse_priority(info) < 0.0f)
+      if (isCrowded(info.v0, cut) || isCrowded(info.v1, cut) || !is_collapse_legal(info) ||
+          collapse_priority(info) < 0.0f)
         continue;
       preprocess_collapse(info);
       mesh().collapse(info.v0v1);
@@ -325,6 +326,22 @@ class EdgeDecimater : public OpenMesh::Decimater::BaseDecimaterT<CollapseMesh> {
       return std::tie(cost, halfEdge) > std::tie(other.cost, other.halfEdge);
     }
   };
+
+  /// Tells whether so many edges meet at the vertex and its copies that to look at all of them for
+  /// each would take too long. Such a vertex keeps its edges until others take some away.
+  bool isCrowded(Vertex v, const CutSurface& cut) {
+    constexpr int most = 256;
+    int count = 0;
+    const auto first = std::uint32_t(v.idx());
+    std::uint32_t copy = first;
+    do {
+      for (auto spoke = mesh().cvoh_iter(Vertex(int(copy))); spoke.is_valid(); ++spoke)
+        if (++count > most)
+          return true;
+      copy = cut.copies[copy];
+    } while (copy != first);
+    return false;
+  }
 
   /// Offers an edge at its quadric cost. The other modules are asked only when its turn comes,
   /// since most edges change before.
@@ -391,7 +408,7 @@ Collapsed withEdgesCollapsed(const Mesh& mesh, std::span<const float> tolerances
   decimater.module(shape).setPlaces(decimater.module(quadrics));
   decimater.module(seams).setCut(cut);
   decimater.initialize();
-  return decimater.decimate(decimater.module(quadrics), goesOn)
+  return decimater.decimate(decimater.module(quadrics), cut, goesOn)
              ? sewn(open, cut, centre, mesh.vertexCount())
              : Collapsed();
 }

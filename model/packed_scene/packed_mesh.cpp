@@ -38,11 +38,17 @@ class OpenTriangles {
         m_sides.push_back(
             {triangles[i][corner], triangles[i][(corner + 1u) % 3u], std::uint32_t(i), corner});
     std::sort(m_sides.begin(), m_sides.end());
+    m_passed.resize(m_sides.size(), 0);
   }
 
-  PackedMesh::Place across(std::uint32_t from, std::uint32_t to) const {
-    auto side = std::lower_bound(m_sides.begin(), m_sides.end(), Side{from, to, 0, 0});
-    for (; side != m_sides.end() && side->from == from && side->to == to; ++side)
+  PackedMesh::Place across(std::uint32_t from, std::uint32_t to) {
+    const auto begin = std::lower_bound(m_sides.begin(), m_sides.end(), Side{from, to, 0, 0});
+    if (begin == m_sides.end())
+      return {none, 0};
+    // What is listed stays so: the sides of very many triangles at one edge are passed once.
+    std::uint32_t& passed = m_passed[std::size_t(begin - m_sides.begin())];
+    for (auto side = begin + passed; side != m_sides.end() && side->from == from && side->to == to;
+         ++side, ++passed)
       if (!m_listed[side->triangle])
         return {side->triangle, side->corner};
     return {none, 0};
@@ -67,6 +73,7 @@ class OpenTriangles {
   std::span<const Triangle> m_triangles;
   std::vector<bool> m_listed;
   std::vector<Side> m_sides;
+  std::vector<std::uint32_t> m_passed;  ///< at the first side of an edge: how many are listed
   std::size_t m_first = 0;
 };
 
@@ -74,10 +81,14 @@ class MeshPacker {
  public:
   explicit MeshPacker(const Mesh& mesh)
       : m_mesh(mesh), m_open(mesh.triangles()), m_numbers(mesh.vertexCount(), none) {
-    const glm::vec3 size = mesh.bounds().empty() ? glm::vec3(0.0f) : mesh.bounds().size();
-    const float side = std::max(size.x, std::max(size.y, size.z));
-    m_origin = mesh.bounds().empty() ? glm::vec3(0.0f) : mesh.bounds().low;
-    m_step = side > 0.0f ? side / steps : 1.0f;
+    const Box bounds =
+        mesh.bounds().empty() ? Box{glm::vec3(0.0f), glm::vec3(0.0f)} : mesh.bounds();
+    // The side of a box of floats may be longer than a float, and a step shorter than one.
+    const glm::dvec3 size = glm::dvec3(bounds.high) - glm::dvec3(bounds.low);
+    const double side = std::max(size.x, std::max(size.y, size.z));
+    m_origin = bounds.low;
+    m_step = side > 0.0 ? std::max(float(side / double(steps)), std::numeric_limits<float>::min())
+                        : 1.0f;
     m_packed.places.resize(mesh.triangleCount());
   }
 
@@ -220,8 +231,9 @@ class MeshUnpacker {
       return Error{.reason = "the packed mesh has vertices that no triangle uses"};
     std::vector<glm::vec3> positions;
     positions.reserve(m_at.size());
+    constexpr float most = std::numeric_limits<float>::max();
     for (const glm::ivec3& at : m_at)
-      positions.push_back(origin + step * glm::vec3(at));
+      positions.push_back(glm::clamp(origin + step * glm::vec3(at), -most, most));
     return Mesh::create(std::move(positions), std::move(m_triangles));
   }
 

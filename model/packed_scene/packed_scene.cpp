@@ -77,6 +77,8 @@ Node published(Node node, bool names) {
   kept.smoothingSteps = node.provenance.smoothingSteps;
   kept.refinementSteps = node.provenance.refinementSteps;
   kept.sliceMm = node.provenance.sliceMm;
+  kept.evidence = node.provenance.evidence;
+  kept.unitEvidence = node.provenance.unitEvidence;
   node.provenance = kept;
   node.atoms = {};
   node.unread.clear();
@@ -213,7 +215,7 @@ Status UnpackedScene::take(std::string_view bytes) {
   if (bytes.size() > largestPart || in.raw(sceneMagic.size()) != sceneMagic ||
       in.word() != packedSchema)
     return Error{.reason = "these bytes hold no packed scene of this version"};
-  Result<Json> root = parseJson(in.block());
+  Result<Json> root = parseJson(in.block(), sceneJsonLimits);
   if (in.failed() || !root.ok())
     return in.failed() ? Error{.reason = "the packed scene is cut short"} : root.error();
   SceneParts parts{m_meshes, m_paints, {}};

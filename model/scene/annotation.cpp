@@ -37,7 +37,12 @@ glm::vec3 placeOn(const Mesh& mesh, const SurfacePoint& point) {
 }
 
 std::optional<std::string_view> annotationFault(const Annotation& annotation) {
-  if (annotation.anchors.size() != anchorCount(annotation.kind))
+  // One on a face of a cut has two (cut_place.h).
+  const bool onCut = annotation.kind != AnnotationKind::distance &&
+                     annotation.anchors.size() == 2 &&
+                     std::holds_alternative<SurfacePoint>(annotation.anchors.front()) &&
+                     std::holds_alternative<glm::vec3>(annotation.anchors.back());
+  if (annotation.anchors.size() != anchorCount(annotation.kind) && !onCut)
     return "a distance has two places, any other annotation one";
   if (!std::all_of(annotation.anchors.begin(), annotation.anchors.end(), isSound))
     return "its place is no point in space, and none in a triangle";

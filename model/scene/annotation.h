@@ -47,7 +47,7 @@ enum class AnnotationKind { label, callout, pin, distance };
 struct Annotation {
   AnnotationId id;
   AnnotationKind kind = AnnotationKind::label;
-  std::vector<Anchor> anchors;               ///< anchorCount(kind) places
+  std::vector<Anchor> anchors;               ///< anchorCount(kind) places; on cuts: cut_place.h
   std::string text;                          ///< in the language of the scene
   std::map<std::string, std::string> texts;  ///< in other languages, by BCP 47 tag ("la")
   std::optional<Colour> colour;              ///< absent: the ink's colour

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/geometry/scale_limits.h"
 #include "model/scene/camera_axes.h"
 
 namespace sline::model {
@@ -46,6 +47,16 @@ CameraInterval depthRange(const Camera& camera, const Box& bounds) {
 
 bool finite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// At a length below this share of the coordinates, these are rounded too coarsely.
+constexpr double leastShare = 1e-6;
+
+double farthestCoordinateOf(const Camera& camera) {
+  const auto farthest = [](const glm::vec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  };
+  return double(std::max(farthest(camera.eye), farthest(camera.target)));
 }
 
 struct Direction {
@@ -177,11 +188,13 @@ float millimetresPerPixel(const Camera& camera, const glm::vec3& p, float height
 std::optional<std::string_view> cameraFault(const Camera& camera) {
   if (!finite(camera.eye) || !finite(camera.target) || !finite(camera.up))
     return "a coordinate of eye, target or up is not a finite number";
+  if (farthestCoordinateOf(camera) > double(farthestEye))
+    return "eye or target lies more than 100,000 km away";
   const glm::dvec3 eye(camera.eye);
   const glm::dvec3 target(camera.target);
   const double distance = glm::length(eye - target);
-  // At a distance below the coordinates' own rounding, the direction would be noise.
-  if (!(distance > 1e-6 * std::max(glm::length(eye), glm::length(target))))
+  const double least = leastShare * std::max(glm::length(eye), glm::length(target));
+  if (!(distance > least))  // the direction would be noise
     return "eye and target are the same point";
   const double upLength = glm::length(glm::dvec3(camera.up));
   if (!(upLength > 0.0))
@@ -195,6 +208,9 @@ std::optional<std::string_view> cameraFault(const Camera& camera) {
   if (camera.projection == Projection::orthographic &&
       !(std::isfinite(camera.heightMm) && camera.heightMm > 0.0f))
     return "the height is not a positive number of millimetres";
+  if (camera.projection == Projection::orthographic &&
+      !(double(camera.heightMm) > least && camera.heightMm <= farthestEye))
+    return "the height is too small or too large for where eye and target lie";
   return std::nullopt;
 }
 

@@ -20,7 +20,7 @@ namespace sline::model {
 namespace {
 
 /// Holds the extent of points along the camera's axes: right, up, back.
-struct Extent {
+struct FittedExtent {
   CameraInterval right;
   CameraInterval up;
   CameraInterval back;
@@ -137,7 +137,7 @@ double centredEye(std::span<const glm::dvec2> lateralAndDepth, const CameraInter
 }
 
 /// Returns the position of the eye in the camera's axes.
-glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const Extent& extent,
+glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const FittedExtent& extent,
                           const Slopes& across, const Slopes& upwards) {
   Support horizontal{across};
   Support vertical{upwards};
@@ -174,7 +174,7 @@ Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect,
   const PointCloud cloud{points, Box{}};
   const std::vector<glm::vec3> outermost = outermostPoints(camera, std::span(&cloud, 1));
   std::vector<glm::dvec3> local(outermost.size());
-  Extent extent;
+  FittedExtent extent;
   for (std::size_t i = 0; i < outermost.size(); ++i) {
     const glm::dvec3 p(outermost[i]);
     local[i] = {glm::dot(p, axes.right), glm::dot(p, axes.up), glm::dot(p, axes.back)};

@@ -72,6 +72,29 @@ Camera zoomed(const Camera& camera, const glm::vec3& at, float factor) {
   return cameraFault(nearer) ? camera : nearer;
 }
 
+ZoomEnds zoomEnds(const Box& visible) {
+  constexpr float leastShare = 1e-4f;
+  constexpr float greatestShare = 100.0f;
+  // Pixels then still are some roundings of a coordinate apart.
+  constexpr float roundings = 2e-5f;
+  const float size = visible.empty() ? 1000.0f : glm::length(visible.size());
+  if (!(size > 0.0f))
+    return {};
+  const float away = visible.empty() ? 0.0f : glm::length(visible.centre());
+  return {.least = std::max(leastShare * size, roundings * away), .greatest = greatestShare * size};
+}
+
+Camera zoomedWithin(const Camera& camera, const glm::vec3& at, float factor, const ZoomEnds& ends) {
+  float shown = millimetresPerPixel(camera, at, 1.0f);
+  if (!(shown > 0.0f))
+    shown = millimetresPerPixel(camera, camera.target, 1.0f);
+  if (!(shown > 0.0f) || !(factor > 0.0f))
+    return camera;
+  const float wanted =
+      std::clamp(shown / factor, std::min(shown, ends.least), std::max(shown, ends.greatest));
+  return wanted == shown ? camera : zoomed(camera, at, shown / wanted);
+}
+
 Camera rolled(const Camera& camera, float degrees) {
   const CameraFrame frame = cameraFrame(camera);
   // An upright thing leans to the right where the camera's up leans to the left.
@@ -143,7 +166,8 @@ Camera CameraDrag::at(const glm::vec2& pixel, const glm::vec2& size) const {
   if (m_start.kind == Kind::pan)
     return panned(m_start.camera, m_start.pivot, way, size.y);
   if (m_start.kind == Kind::zoom)
-    return zoomed(m_start.camera, m_start.pivot, std::pow(zoomPerHeight, -way.y / size.y));
+    return zoomedWithin(m_start.camera, m_start.pivot, std::pow(zoomPerHeight, -way.y / size.y),
+                        m_start.ends);
   if (m_start.kind == Kind::roll) {
     const glm::vec2 from = m_start.pixel - 0.5f * size;
     const glm::vec2 to = pixel - 0.5f * size;

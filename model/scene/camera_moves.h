@@ -4,6 +4,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <limits>
 #include <optional>
 
 #include "model/geometry/bvh.h"
@@ -21,6 +22,18 @@ Camera orbited(const Camera& camera, const glm::vec3& pivot, float turnDegrees, 
 Camera panned(const Camera& camera, const glm::vec3& at, const glm::vec2& pixels, float height);
 /// Magnifies the scene by `factor` around the point, which keeps its place in the picture.
 Camera zoomed(const Camera& camera, const glm::vec3& at, float factor);
+
+/// The least and the greatest height that a picture shows where it is zoomed, mm.
+struct ZoomEnds {
+  float least = 0.0f;
+  float greatest = std::numeric_limits<float>::infinity();
+};
+/// Returns the ends for a scene that is visible within these bounds: from where all of it is a
+/// speck to where little more can be told apart, by eyes or by floats.
+ZoomEnds zoomEnds(const Box& visible);
+/// Magnifies likewise, no farther than to the ends, at the depth of the point. From beyond an end
+/// it goes back only.
+Camera zoomedWithin(const Camera& camera, const glm::vec3& at, float factor, const ZoomEnds& ends);
 
 /// Turns the picture about its middle, by degrees clockwise.
 Camera rolled(const Camera& camera, float degrees);
@@ -46,6 +59,7 @@ class CameraDrag {
     glm::vec2 pixel{0.0f};
     Camera camera;
     glm::vec3 pivot{0.0f};
+    ZoomEnds ends;
   };
   explicit CameraDrag(const Start& start) : m_start(start) {}
   /// Returns the camera for the mouse at that pixel, which depends on where the drag began, not on

@@ -2,7 +2,6 @@
 #include "model/scene/framing.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 
 #include "model/scene/camera_moves.h"
 
@@ -29,13 +28,6 @@ Camera withSides(const Camera& saved, float aspect, const FreeSides& sides) {
   const double share = 1.0 - 2.0 * std::max(sides.left, sides.right);
   const double narrow = double(aspect) / savedAspect * std::max(share, 0.1) / savedShare;
   return zoomed(saved, saved.target, float(std::min(1.0, narrow)));
-}
-
-bool withinReach(const Camera& camera, const glm::vec3& pivot, const Scene& scene) {
-  const Box bounds = scene.visibleBounds();
-  const float size = bounds.empty() ? 1000.0f : glm::length(bounds.size());
-  const float distance = glm::length(camera.eye - pivot);
-  return distance > 1e-3f * size && distance < 50.0f * size;
 }
 
 }  // namespace sline::model

@@ -17,8 +17,5 @@ std::optional<Camera> savedOverview(const Scene& scene);
 /// Returns the camera of a view saved for pictures of 4:3, moved back where the sides leave less
 /// width to the anatomy than it has there.
 Camera withSides(const Camera& saved, float aspect, const FreeSides& sides);
-/// Returns false where the whole scene is a speck, or so near that floats cannot tell one place
-/// from another.
-bool withinReach(const Camera& camera, const glm::vec3& pivot, const Scene& scene);
 
 }  // namespace sline::model

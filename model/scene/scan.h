@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/evidence.h"
+
 namespace sline::model {
 
 /// Holds the stored numbers, x fastest; shared by all copies of a scene, as meshes are.
@@ -24,8 +26,9 @@ struct Scan {
   double slope = 1.0;
   double intercept = 0.0;
   bool hounsfield = false;
-  VoxelsPtr voxels;    ///< as many as `size` implies
-  std::string unread;  ///< like Node::unread
+  SideEvidence evidence;  ///< how sure the directions of `toLps` are
+  VoxelsPtr voxels;       ///< as many as `size` implies
+  std::string unread;     ///< like Node::unread
 
   /// Returns the distance in millimetres from voxel to voxel along each axis.
   glm::dvec3 spacing() const;

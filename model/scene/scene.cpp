@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "model/base/letters.h"
+#include "model/scene/scene_limits.h"
 #include "model/scene/style_fields.h"
 
 namespace sline::model {
@@ -35,6 +36,21 @@ void forEachBelow(const std::vector<Node>& nodes, std::span<const NodeId> ids, c
   return std::all_of(nodes.begin(), nodes.end(), [&seen](const Node& node) {
     return seen.contains(node.parent.value) && seen.insert(node.id.value).second;
   });
+}
+
+/// Returns an id that none of the items has: the next one or, where that could not be written any
+/// more, the smallest that is free.
+template <class Item>
+std::uint64_t freshId(std::uint64_t& last, const std::vector<Item>& items) {
+  if (last < largestId)
+    return ++last;
+  IdSet taken;
+  for (const Item& item : items)
+    taken.insert(item.id.value);
+  std::uint64_t id = 1;
+  while (taken.contains(id))
+    ++id;
+  return id;
 }
 
 }  // namespace
@@ -152,9 +168,10 @@ NodeId Scene::append(Node node) {
   if (node.parent != rootId && !isBelow(m_nodes.back().id, node.parent))
     forEachBelow(m_nodes, std::span(&node.parent, 1),
                  [&position](std::size_t index, const Node&) { position = index + 1; });
-  node.id = NodeId{++m_lastId};
+  const bool highest = m_lastId < largestId;
+  node.id = NodeId{freshId(m_lastId, m_nodes)};
   const NodeId id = node.id;
-  const bool last = position == m_nodes.size();
+  const bool last = highest && position == m_nodes.size();
   m_nodes.insert(m_nodes.begin() + std::ptrdiff_t(position), std::move(node));
   if (last)
     m_places.push_back({id.value, position});  // no id is higher than this
@@ -173,7 +190,7 @@ void Scene::setNodes(std::vector<Node> nodes) {
 
 SectionId Scene::appendSection(Section section) {
   assert(!planeFault(section.plane));
-  section.id = SectionId{++m_lastSectionId};
+  section.id = SectionId{freshId(m_lastSectionId, m_sections)};
   m_sections.push_back(std::move(section));
   return m_sections.back().id;
 }
@@ -199,7 +216,7 @@ std::optional<glm::vec3> Scene::placeOf(const Anchor& anchor) const {
 
 AnnotationId Scene::appendAnnotation(Annotation annotation) {
   assert(!annotationFault(annotation));
-  annotation.id = AnnotationId{++m_lastAnnotationId};
+  annotation.id = AnnotationId{freshId(m_lastAnnotationId, m_annotations)};
   m_annotations.push_back(std::move(annotation));
   return m_annotations.back().id;
 }

@@ -20,6 +20,7 @@
 #include "model/scene/annotation.h"
 #include "model/scene/camera.h"
 #include "model/scene/credit.h"
+#include "model/scene/evidence.h"
 #include "model/scene/focus.h"
 #include "model/scene/light.h"
 #include "model/scene/look.h"
@@ -46,11 +47,19 @@ struct IntensityRange {
   bool operator==(const IntensityRange&) const = default;
 };
 
+/// Holds what was measured on a structure before import changed it.
+struct ReadExtent {
+  std::optional<float> areaMm2;    ///< absent where there was no surface, but voxels
+  std::optional<float> volumeMm3;  ///< absent where the surface was not closed
+  bool operator==(const ReadExtent&) const = default;
+};
+
 /// Says where a structure came from and what import did to it.
 struct Provenance {
-  std::string file;   ///< file name without its folder
+  std::string file;   ///< file name without its folder, or "#" and a checksum of it
   std::string frame;  ///< how the file's coordinates were read, a name of `frames` (laterality.h)
   std::string frameReason;   ///< what decided the frame
+  SideEvidence evidence;     ///< how sure that is
   int smoothingSteps = 0;    ///< 0: the mesh is the file's own
   int refinementSteps = 0;   ///< Loop subdivisions
   int repairedFaces = 0;     ///< turned, removed as duplicates or without area
@@ -59,7 +68,8 @@ struct Provenance {
                            ///< 0: none show
   float mmPerUnit = 1;     ///< the length taken for the file's unit
   std::string unitReason;  ///< what decided the unit
-  int decimatedFrom = 0;   ///< triangles before decimation; 0: there was none
+  Evidence unitEvidence = Evidence::known;  ///< how sure that is
+  int decimatedFrom = 0;                    ///< triangles before decimation; 0: there was none
   float decimationMm = 0;  ///< the farthest that decimation moved the surface, as measured
   std::string part;        ///< which of the file's surfaces; empty if it has only one
   std::optional<Fingerprint> fingerprint;     ///< fingerprint of the file
@@ -68,6 +78,8 @@ struct Provenance {
   /// millimetres.
   std::optional<std::array<float, 12>> transform;
   SourceCredit credit;  ///< as its file or the folder around it says, or as a person does
+  /// Set where import smoothed, refined or decimated what it read; absent in older scenes, too.
+  std::optional<ReadExtent> asRead;
   bool operator==(const Provenance&) const = default;
 };
 

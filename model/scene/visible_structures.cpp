@@ -72,8 +72,9 @@ std::vector<glm::vec3> visiblePoints(const Scene& scene, std::span<const NodeId>
 
 Camera fittedToVisible(const Scene& scene, const Camera& camera, float aspect,
                        const FreeSides& sides, std::span<const NodeId> within) {
-  return fitted(camera, outermostPoints(camera, visibleClouds(scene, within).clouds), aspect,
-                sides);
+  // From a camera of which no picture can be taken, the way back is the front.
+  const Camera from = cameraFault(camera) ? Camera() : camera;
+  return fitted(from, outermostPoints(from, visibleClouds(scene, within).clouds), aspect, sides);
 }
 
 Camera fittedView(const Scene& scene, AnatomicalView view, float aspect, const FreeSides& sides) {

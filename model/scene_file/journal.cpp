@@ -112,7 +112,8 @@ Bulk bulkFor(const fs::path& journal, const JournalContent& content) {
   Bulk bulk = bytes.ok() ? bulkFrom(*bytes) : Bulk();
   const auto known = [&bulk](const std::string& key) { return bulk.contains(key); };
   const std::vector<std::string> keys = keysCalledFor(*content.now().text);
-  if (std::all_of(keys.begin(), keys.end(), known) || content.source.file.empty())
+  // A name without its folder would be looked for in whichever folder this program was started.
+  if (std::all_of(keys.begin(), keys.end(), known) || !content.source.file.is_absolute())
     return bulk;
   if (const Result<SceneDocument> saved = readSceneFile(content.source.file); saved.ok())
     bulk.merge(bulkOf(saved->scene));

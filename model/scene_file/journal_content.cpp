@@ -2,7 +2,9 @@
 #include "model/scene_file/journal_content.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
+#include <system_error>
 
 #include "model/scene_file/journal_records.h"
 #include "model/scene_file/text_delta.h"
@@ -55,6 +57,11 @@ class ContentReader {
     JournalSource source;
     source.title = object.need("title").text();
     source.file = object.need("file").text();
+    const auto bytes = object.take("bytes");
+    const auto crc = object.take("crc");
+    if (bytes && crc)
+      source.saved = {std::uint64_t(bytes->whole(0, std::numeric_limits<std::int64_t>::max())),
+                      std::uint32_t(crc->whole(0, std::numeric_limits<std::uint32_t>::max()))};
     if (!fault.any())
       m_content.source = source;
     return !fault.any();
@@ -148,7 +155,12 @@ void forEachKey(std::string_view lines, const Visit& visit) {
 }  // namespace
 
 std::string JournalWriter::source(const JournalSource& source) const {
-  const Json json = {{"title", source.title}, {"file", source.file.string()}};
+  std::error_code fault;  // no folder is at work: the path stays as it is, and is not trusted later
+  const std::filesystem::path file =
+      source.file.empty() ? source.file : std::filesystem::absolute(source.file, fault);
+  Json json = {{"title", source.title}, {"file", fault ? source.file.string() : file.string()}};
+  if (source.saved)
+    json.update({{"bytes", source.saved->bytes}, {"crc", source.saved->crc}});
   return recordOf(sourceKind + json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -242,7 +254,7 @@ std::string stateText(const Scene& scene, BulkKeys& keys) {
 
 Result<Scene> sceneOfState(std::string_view text, const Bulk& bulk) {
   const auto [lines, json] = partsOf(text);
-  Result<Json> root = parseJson(json);
+  Result<Json> root = parseJson(json, sceneJsonLimits);
   if (!root.ok())
     return root.error();
   SceneParts parts;

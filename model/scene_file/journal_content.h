@@ -8,6 +8,7 @@
 #include <deque>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,12 @@ namespace sline::model {
 /// Says which document a journal belongs to.
 struct JournalSource {
   std::string title;
-  std::filesystem::path file;  ///< empty if it was never saved
+  /// Its file, by an absolute path, as the journal is read from elsewhere; empty if it was never
+  /// saved. Older programs kept names without their folders.
+  std::filesystem::path file;
+  /// What the file held when the document was read from it or saved to it last; absent where there
+  /// was no such file, and in journals of older programs.
+  std::optional<Fingerprint> saved;
   bool operator==(const JournalSource&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include "model/base/letters.h"
 #include "model/disk/memory_budget.h"
 #include "model/disk/whole_file.h"
+#include "model/scene/scene_limits.h"
 #include "model/scene_file/mesh_codec.h"
 #include "model/scene_file/paint_codec.h"
 #include "model/scene_file/scan_codec.h"
@@ -21,6 +22,8 @@ namespace {
 constexpr std::string_view sceneMember = "scene.json";
 constexpr std::string_view thumbnailMember = "thumbnail.png";
 constexpr std::size_t largestFile = std::size_t(4) << 30;
+/// So many of the things that were left out are told by name.
+constexpr std::size_t mostNamed = 3;
 constexpr const char* unreadable = "Open an older copy of it, or import the meshes again";
 
 Error placed(Error error, std::string_view member) {
@@ -32,12 +35,12 @@ Result<Json> sceneJsonOf(const ZipReader& zip) {
   const ZipReader::Entry* entry = zip.find(sceneMember);
   if (!entry)
     return Error{.reason = "it holds no scene.json: it is a ZIP file, but no scene"};
-  if (entry->size > JsonLimits().bytes)
+  if (entry->size > sceneJsonLimits.bytes)
     return Error{.where = std::string(sceneMember), .reason = "it is too large"};
   const Result<std::string> text = zip.read(*entry);
   if (!text.ok())
     return text.error();
-  Result<Json> root = parseJson(*text);
+  Result<Json> root = parseJson(*text, sceneJsonLimits);
   return root.ok() ? std::move(root) : placed(root.error(), sceneMember);
 }
 
@@ -137,10 +140,13 @@ Result<SceneDocument> documentFrom(const ZipReader& zip) {
   const Result<SceneParts> parts = partsOf(zip, *root);
   if (!parts.ok())
     return parts.error();
-  Result<Scene> scene = sceneFromJson(*root, *parts);
+  std::vector<JsonRefusal> leftOut;
+  Result<Scene> scene = sceneFromJson(*root, *parts, leftOut);
   if (!scene.ok())
     return placed(scene.error(), sceneMember);
   SceneDocument document{.scene = std::move(*scene), .schema = *schema};
+  for (const JsonRefusal& each : leftOut)
+    document.leftOut.push_back(each.where + (each.where.empty() ? "" : ": ") + each.reason);
   std::set<std::string, std::less<>> known;
   const auto know = [&known](const auto& named) {
     for (const auto& each : named)
@@ -154,8 +160,8 @@ Result<SceneDocument> documentFrom(const ZipReader& zip) {
   return document;
 }
 
-/// Refuses to overwrite a file that a newer program has written; a file that cannot be read does
-/// not count as one.
+/// Refuses to overwrite a file of which this program reads a part alone; one that cannot be read at
+/// all does not count as such.
 Status mayReplace(const fs::path& file) {
   std::error_code unknown;
   if (!fs::is_regular_file(file, unknown))
@@ -163,24 +169,56 @@ Status mayReplace(const fs::path& file) {
   const Result<std::string> bytes = readText(file, largestFile);
   if (!bytes.ok())
     return Unit{};
+  const auto refused = [&](const char* reason) {
+    return Error{.file = file.string(), .reason = reason, .remedy = "Save under another name"};
+  };
+  // Asked first: what else is in a newer file may be nothing that this program can read.
   const Result<ZipReader> zip = ZipReader::open(*bytes);
-  if (!zip.ok())
+  if (zip.ok())
+    if (const Result<Json> root = sceneJsonOf(*zip); root.ok())
+      if (const Result<int> schema = schemaOf(*root); schema.ok() && *schema > sceneSchema)
+        return refused(
+            "a newer version of the program has written it, with more than this one would write");
+  const Result<SceneDocument> there = documentFromBytes(*bytes);
+  if (!there.ok() || there->leftOut.empty())
     return Unit{};
-  const Result<Json> root = sceneJsonOf(*zip);
+  return refused("something in it is at fault and not in the scene; it would be lost");
+}
+
+/// Returns what the scene's text refers to.
+SceneParts partsByName(const Scene& scene) {
+  SceneParts parts;
+  for (const auto& [mesh, name] : meshNames(scene))
+    parts.meshes[name] = mesh;
+  for (const Node& node : scene.nodes())
+    if (node.paint)
+      parts.paints[paintName(node.id)] = node.paint;
+  for (std::size_t n = 0; n < scene.scans().size(); ++n)
+    parts.voxels[voxelsName(n)] = scene.scans()[n].voxels;
+  return parts;
+}
+
+/// Reads what is about to be written, so that nothing is that could not be read again.
+Status checkReadable(const std::string& text, const Scene& scene) {
+  if (const std::optional<Error> fault = limitFault(scene))
+    return *fault;
+  constexpr const char* remedy = "Undo what brought it into the scene, and save again";
+  Result<Json> root = parseJson(text, sceneJsonLimits);
   if (!root.ok())
-    return Unit{};
-  const Result<int> schema = schemaOf(*root);
-  if (schema.ok() && *schema > sceneSchema)
-    return Error{.file = file.string(),
-                 .reason =
-                     "a newer version of the program has written it, with more than this one "
-                     "would write",
-                 .remedy = "Save under another name"};
+    return Error{.where = std::string(sceneMember),
+                 .reason = "the scene is too large for a scene file: " + root.error().reason,
+                 .remedy = "Save fewer views, or fewer structures in one scene"};
+  std::vector<JsonRefusal> leftOut;
+  const Result<Scene> again = sceneFromJson(*root, partsByName(scene), leftOut);
+  if (!again.ok())
+    return Error{.where = again.error().where, .reason = again.error().reason, .remedy = remedy};
+  if (!leftOut.empty())
+    return Error{.where = leftOut[0].where, .reason = leftOut[0].reason, .remedy = remedy};
   return Unit{};
 }
 
-/// Removes files that killed writers have left beside the file, named like those of writeBeside;
-/// while the lock is held there is no other writer.
+/// Removes files that killed writers of older versions have left beside the file; while the lock is
+/// held there is no other writer.
 void removeLeftovers(const fs::path& file) {
   const std::string start = "." + file.filename().string() + ".";
   std::error_code fault;
@@ -206,15 +244,27 @@ bool SceneDocument::isNewer() const {
 }
 
 std::string SceneDocument::warning() const {
-  return isNewer() ? "a newer version of the program has written it (schema " +
-                         std::to_string(schema) + ", known here: " + std::to_string(sceneSchema) +
-                         "); what is unknown is not shown, and it can only be saved under another "
-                         "name"
-                   : "";
+  if (isNewer())
+    return "a newer version of the program has written it (schema " + std::to_string(schema) +
+           ", known here: " + std::to_string(sceneSchema) +
+           "); what is unknown is not shown, and it can only be saved under another name, as "
+           "schema " +
+           std::to_string(sceneSchema);
+  if (leftOut.empty())
+    return "";
+  std::string named;
+  for (std::size_t i = 0; i < std::min(leftOut.size(), mostNamed); ++i)
+    named += (i == 0 ? "" : "; ") + leftOut[i];
+  if (leftOut.size() > mostNamed)
+    named += "; and " + std::to_string(leftOut.size() - mostNamed) + " more";
+  return "something in it is at fault and was left out (" + named +
+         "); the file stays as it is, and the scene can only be saved under another name";
 }
 
 Result<std::string> sceneFileBytes(const SceneDocument& document) {
   std::vector<ZipMember> members{{std::string(sceneMember), sceneJson(document.scene)}};
+  if (const Status readable = checkReadable(members[0].bytes, document.scene); !readable.ok())
+    return readable.error();
   if (!document.thumbnail.empty())
     members.push_back({std::string(thumbnailMember), document.thumbnail});
   std::map<MeshPtr, std::string> names = meshNames(document.scene);
@@ -238,7 +288,15 @@ Result<std::string> sceneFileBytes(const SceneDocument& document) {
   };
   std::for_each(members.begin(), members.end(), add);
   std::for_each(document.others.begin(), document.others.end(), add);
-  return zipped(all);
+  Result<std::string> bytes = zipped(all);
+  if (!bytes.ok())
+    return bytes;
+  const Result<ZipReader> again = ZipReader::open(*bytes);
+  if (again.ok() && bytes->size() <= largestFile)
+    return bytes;
+  return Error{.reason = "the scene is too large for a scene file" +
+                         (again.ok() ? std::string() : ": " + again.error().reason),
+               .remedy = "Put fewer structures or scans into one scene"};
 }
 
 Result<SceneDocument> documentFromBytes(std::string_view bytes) {

@@ -24,26 +24,32 @@ struct SceneDocument {
   std::string thumbnail;          ///< PNG; may be empty
   std::vector<ZipMember> others;  ///< members without a meaning here, by name; kept for saving
   int schema = 0;                 ///< of the file it came from; 0 if it came from none
+  /// What of the file is at fault and therefore not in the scene, a line each with its place.
+  std::vector<std::string> leftOut;
 
-  /// Tells whether the file was written by a newer program: it can be looked at and saved under
-  /// another name.
+  /// Tells whether the file was written by a newer program.
   bool isNewer() const;
-  /// Returns the warning to the user about a newer file; empty for others.
+  /// Tells whether the file has more than what was read of it: it can be looked at and saved under
+  /// another name.
+  bool isForReading() const { return isNewer() || !leftOut.empty(); }
+  /// Returns the warning to the user about a file for reading; empty for others.
   std::string warning() const;
 };
 
 /// Returns the bytes of the scene file: the same document always gives the same bytes, and they
-/// read back to the same document.
+/// read back to the same document. A document that could not be read back is refused, with the
+/// place that is at fault.
 Result<std::string> sceneFileBytes(const SceneDocument& document);
 
-/// Returns the document. The bytes are not trusted. An error's `where` is the member and the place
-/// in it: "scene.json: nodes[3].style.gamma".
+/// Returns the document. The bytes are not trusted: what of the scene is at fault is left out. An
+/// error's `where` is the member and the place in it: "scene.json: byte 84".
 Result<SceneDocument> documentFromBytes(std::string_view bytes);
 
 Result<SceneDocument> readSceneFile(const std::filesystem::path& file);
 
-/// Writes the lock's file whole or not at all, through to the disk. A file of a newer program is
-/// not overwritten.
+/// Writes the lock's file whole or not at all, through to the disk. A file of which this program
+/// reads a part alone, because a newer one has written it or something in it is at fault, is not
+/// overwritten.
 Status writeSceneFile(const FileLock& lock, const SceneDocument& document);
 /// Does the same as `writeSceneFile` above, holding a lock during the call.
 Status writeSceneFile(const std::filesystem::path& file, const SceneDocument& document);

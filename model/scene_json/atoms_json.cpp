@@ -7,12 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "model/scene/scene_limits.h"
+
 namespace sline::model {
 
 namespace {
-
-constexpr float farthestAtom = 1e6f;  // mm
-constexpr float largestAtom = 100.0f;
 
 void appendDecimal(std::string& text, float number) {
   std::array<char, 32> digits{};
@@ -67,7 +66,8 @@ KeptAtoms atomsFrom(const JsonValue& value) {
   auto set = std::make_shared<AtomSet>();
   value.forEach([&set](const JsonValue& residue) {
     const std::string text = residue.text();
-    const std::size_t bar = text.find(" |");
+    // A name may have a bar in it, numbers have none.
+    const std::size_t bar = text.rfind(" |");
     if (bar == std::string::npos)
       return residue.fail("a residue's name, a bar and numbers are expected here");
     std::string_view numbers = std::string_view(text).substr(bar + 2);

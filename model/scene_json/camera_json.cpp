@@ -15,7 +15,7 @@ using Ordered = nlohmann::ordered_json;
 constexpr std::array<std::pair<const char*, const char*>, 3> shortNames{
     {{"eye", "eye_mm"}, {"target", "target_mm"}, {"fovy_deg", "opening_degrees"}}};
 
-Error refusal(const JsonFault& fault) {
+Error refusal(const JsonRefusal& fault) {
   return {.where = fault.where,
           .reason = fault.reason,
           .remedy =
@@ -39,6 +39,7 @@ void completeNames(Json& camera) {
 }  // namespace
 
 Camera cameraFrom(JsonObject& object, bool newer) {
+  const FaultWatch watch(object.value().fault());
   Camera camera;
   if (const auto index = object.takeChoice("projection", projectionNames, newer))
     camera.projection = Projection(*index);
@@ -49,7 +50,7 @@ Camera cameraFrom(JsonObject& object, bool newer) {
     camera.fovyDegrees = opening->number();
   if (const auto height = object.take("height_mm"))
     camera.heightMm = height->number();
-  if (const auto fault = cameraFault(camera))
+  if (const auto fault = cameraFault(camera); fault && watch.clean())
     object.value().fail(*fault);
   return camera;
 }

@@ -115,8 +115,14 @@ std::string JsonValue::place() const {
 }
 
 void JsonValue::fail(std::string_view reason) const {
-  if (!m_fault->any())
-    *m_fault = {place(), std::string(reason)};
+  ++m_fault->count;
+  if (m_fault->count > 1 && (!m_fault->all || m_fault->all->size() >= mostToldFaults))
+    return;
+  const JsonRefusal refusal{place(), std::string(reason)};
+  if (m_fault->count == 1)
+    static_cast<JsonRefusal&>(*m_fault) = refusal;
+  if (m_fault->all)
+    m_fault->all->push_back(refusal);
 }
 
 std::string JsonValue::text() const {
@@ -240,8 +246,14 @@ Json JsonObject::rest() const {
   Json rest = m_back;
   if (m_value.json().is_object())
     for (const auto& [key, value] : m_value.json().items())
-      if (std::find(m_taken.begin(), m_taken.end(), key) == m_taken.end())
+      if (std::find(m_taken.begin(), m_taken.end(), key) == m_taken.end()) {
+        if (rest.size() >= mostUnreadKeys) {
+          m_value.fail("there are more than " + std::to_string(mostUnreadKeys) +
+                       " keys without a meaning here");
+          break;
+        }
         rest[key] = value;
+      }
   return rest;
 }
 

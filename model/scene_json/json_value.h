@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/base/result.h"
 #include "model/base/units.h"
@@ -38,11 +39,34 @@ double jsonNumber(float value);
 /// Returns [x, y, z].
 nlohmann::ordered_json jsonPoint(const glm::vec3& p);
 
-/// Holds the first fault and its place: "nodes[3].style.gamma".
-struct JsonFault {
+/// Says what is wrong, and where: "nodes[3].style.gamma".
+struct JsonRefusal {
   std::string where;
   std::string reason;
-  bool any() const { return !reason.empty(); }
+  bool operator==(const JsonRefusal&) const = default;
+};
+
+/// Collects what is wrong. Reading ends at the first fault, unless `all` is there to take each:
+/// then it goes on, and who reads leaves out what is at fault.
+struct JsonFault : JsonRefusal {
+  std::vector<JsonRefusal>* all = nullptr;
+  std::size_t count = 0;
+
+  bool any() const { return count > 0; }
+  bool ends() const { return any() && !all; }
+};
+/// The most faults that are told one by one.
+inline constexpr std::size_t mostToldFaults = 1000;
+
+/// Tells whether all was well with what was read since.
+class FaultWatch {
+ public:
+  explicit FaultWatch(const JsonFault& fault) : m_fault(&fault), m_before(fault.count) {}
+  bool clean() const { return m_fault->count == m_before; }
+
+ private:
+  const JsonFault* m_fault;
+  std::size_t m_before;
 };
 
 /// Holds a value and the path to it. The value, the fault and the value above must outlive it. A
@@ -58,7 +82,7 @@ class JsonValue {
   const Json& json() const { return *m_json; }
   JsonFault& fault() const { return *m_fault; }
   std::string place() const;
-  /// Notes the reason, unless a fault was noted before.
+  /// Notes the reason: the first one of all, and each where all are collected.
   void fail(std::string_view reason) const;
 
   std::string text() const;
@@ -85,12 +109,12 @@ class JsonValue {
   /// Returns which of the names the value is; absent where it is none of them.
   std::optional<std::size_t> oneOf(std::span<const std::string_view> names) const;
 
-  /// Calls visit(JsonValue) for each element of a list until something is wrong.
+  /// Calls visit(JsonValue) for each element of a list until something is wrong for good.
   template <class Visit>
   void forEach(const Visit& visit) const {
     if (!m_json->is_array())
       return fail("a list is expected here");
-    for (std::size_t i = 0; i < m_json->size() && !m_fault->any(); ++i)
+    for (std::size_t i = 0; i < m_json->size() && !m_fault->ends(); ++i)
       visit(JsonValue((*m_json)[i], *this, i));
   }
 
@@ -101,6 +125,31 @@ class JsonValue {
   std::string_view m_key;
   std::size_t m_index = 0;
 };
+
+/// Returns what read(value) returns; absent where something was at fault on the way.
+template <class Read>
+auto sound(const JsonValue& value, const Read& read) -> std::optional<decltype(read(value))> {
+  const FaultWatch watch(value.fault());
+  auto got = read(value);
+  if (!watch.clean())
+    return std::nullopt;
+  return got;
+}
+
+/// Sets the target to what was read, unless that was at fault.
+template <class Target, class Read>
+void readInto(const std::optional<JsonValue>& value, Target& target, const Read& read) {
+  if (!value)
+    return;
+  if (auto got = sound(*value, read))
+    target = std::move(*got);
+}
+inline constexpr auto asText = [](const JsonValue& value) { return value.text(); };
+inline constexpr auto asNumber = [](const JsonValue& value) { return value.number(); };
+inline constexpr auto asFlag = [](const JsonValue& value) { return value.flag(); };
+
+/// So many keys of an object may be without a meaning here.
+inline constexpr std::size_t mostUnreadKeys = 4000;
 
 /// An object whose keys are taken one by one.
 class JsonObject {
@@ -121,7 +170,8 @@ class JsonObject {
                                         std::span<const std::string_view> names, bool newer);
   /// Puts back the rest of a value that was taken.
   void giveBack(std::string_view key, Json rest);
-  /// Returns the keys that were not taken: an object, or null where there are none.
+  /// Returns the keys that were not taken: an object, or null where there are none. Of more than
+  /// `mostUnreadKeys` the rest is a fault, since they are written again beside what is known.
   Json rest() const;
   /// Returns the keys that were not taken as text, empty where there are none.
   std::string unread() const;

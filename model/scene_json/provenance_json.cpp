@@ -5,25 +5,28 @@
 #include <string>
 #include <utility>
 
+#include "model/scene/known_frame.h"
+#include "model/scene/scene_limits.h"
+
 namespace sline::model {
 
 namespace {
 using Ordered = nlohmann::ordered_json;
 
-/// Counts stay exact in programs that have no other numbers than doubles.
-constexpr std::int64_t largestCount = std::int64_t(1) << 53;
+constexpr auto largestCount = std::int64_t(largestId);
 
 SourceCredit creditFrom(JsonObject& object) {
   SourceCredit credit;
   for (const auto& [key, target] :
        {std::pair("authors", &credit.authors), std::pair("source", &credit.source),
         std::pair("licence", &credit.licence)})
-    if (const auto text = object.take(key)) {
-      *target = text->text();
-      if (target->size() > longestCredit)
-        text->fail("a line of at most " + std::to_string(longestCredit) +
+    readInto(object.take(key), *target, [](const JsonValue& value) {
+      std::string line = value.text();
+      if (line.size() > longestCredit)
+        value.fail("a line of at most " + std::to_string(longestCredit) +
                    " bytes is expected here");
-    }
+      return line;
+    });
   return credit;
 }
 
@@ -37,41 +40,85 @@ Ordered creditJson(const SourceCredit& credit) {
   return json;
 }
 
+Evidence evidenceOf(const JsonValue& value) {
+  const std::optional<Evidence> named = evidenceNamed(value.text());
+  if (!named)
+    value.fail("known, settled, voted, assumed or conflict is expected here");
+  return named.value_or(Evidence::assumed);
+}
+
 std::optional<IntensityRange> rangeFrom(JsonObject& object) {
   const auto value = object.take("intensities");
   if (!value)
     return std::nullopt;
   IntensityRange range;
   JsonObject inner(*value);
-  if (const auto low = inner.take("low"))
-    range.low = low->number();
-  if (const auto high = inner.take("high"))
-    range.high = high->number();
+  readInto(inner.take("low"), range.low, asNumber);
+  readInto(inner.take("high"), range.high, asNumber);
   object.giveBack("intensities", inner.rest());
   return range;
 }
+
+std::optional<ReadExtent> extentFrom(JsonObject& object) {
+  const auto value = object.take("as_read");
+  if (!value)
+    return std::nullopt;
+  ReadExtent extent;
+  JsonObject inner(*value);
+  if (const auto area = inner.take("area_mm2"))
+    extent.areaMm2 = area->number();
+  if (const auto volume = inner.take("volume_mm3"))
+    extent.volumeMm3 = volume->number();
+  object.giveBack("as_read", inner.rest());
+  return extent;
+}
+
+Ordered extentJson(const ReadExtent& extent) {
+  Ordered json = Ordered::object();
+  if (extent.areaMm2)
+    json["area_mm2"] = jsonNumber(*extent.areaMm2);
+  if (extent.volumeMm3)
+    json["volume_mm3"] = jsonNumber(*extent.volumeMm3);
+  return json;
+}
 }  // namespace
+
+SideEvidence evidenceFrom(JsonObject& object, SideEvidence unsaid) {
+  for (const auto& [key, target] :
+       {std::pair("sides", &unsaid.sides), std::pair("front", &unsaid.front)})
+    if (const auto value = object.take(key))
+      *target = evidenceOf(*value);
+  return unsaid;
+}
+
+void putEvidence(Ordered& json, const SideEvidence& evidence, const SideEvidence& unsaid) {
+  if (evidence.sides != unsaid.sides)
+    json["sides"] = evidenceNames[std::size_t(evidence.sides)];
+  if (evidence.front != unsaid.front)
+    json["front"] = evidenceNames[std::size_t(evidence.front)];
+}
 
 Provenance provenanceFrom(JsonObject& object) {
   Provenance p;
   const auto text = [&object](std::string_view key, std::string& target) {
-    if (const auto value = object.take(key))
-      target = value->text();
+    readInto(object.take(key), target, asText);
   };
   const auto count = [&object](std::string_view key, int& target) {
-    constexpr auto most = std::numeric_limits<std::int32_t>::max();
-    if (const auto value = object.take(key))
-      target = int(value->whole(0, most));
+    readInto(object.take(key), target, [](const JsonValue& value) {
+      return int(value.whole(0, std::numeric_limits<std::int32_t>::max()));
+    });
   };
   const auto number = [&object](std::string_view key, float& target) {
-    if (const auto value = object.take(key))
-      target = value->number();
+    readInto(object.take(key), target, asNumber);
   };
   text("file", p.file);
   text("frame", p.frame);
   text("frame_reason", p.frameReason);
+  p.evidence = evidenceFrom(object, evidenceOfReason(p.frameReason));
   number("mm_per_unit", p.mmPerUnit);
   text("unit_reason", p.unitReason);
+  if (const auto value = object.take("unit_evidence"))
+    p.unitEvidence = evidenceOf(*value);
   count("smoothing_steps", p.smoothingSteps);
   count("refinement_steps", p.refinementSteps);
   count("repaired_faces", p.repairedFaces);
@@ -81,19 +128,21 @@ Provenance provenanceFrom(JsonObject& object) {
   number("decimation_mm", p.decimationMm);
   text("part", p.part);
   p.intensities = rangeFrom(object);
-  if (const auto print = object.take("fingerprint")) {
-    JsonObject inner(*print);
-    p.fingerprint = Fingerprint{std::uint64_t(inner.need("bytes").whole(0, largestCount)),
-                                std::uint32_t(inner.need("crc32").whole(0, std::uint32_t(-1)))};
+  readInto(object.take("fingerprint"), p.fingerprint, [&object](const JsonValue& value) {
+    JsonObject inner(value);
+    const Fingerprint print{std::uint64_t(inner.need("bytes").whole(0, largestCount)),
+                            std::uint32_t(inner.need("crc32").whole(0, std::uint32_t(-1)))};
     object.giveBack("fingerprint", inner.rest());
-  }
-  if (const auto transform = object.take("transform"))
-    p.transform = transform->numbers<12>();
+    return print;
+  });
+  readInto(object.take("transform"), p.transform,
+           [](const JsonValue& value) { return value.numbers<12>(); });
   if (const auto credit = object.take("credit")) {
     JsonObject inner(*credit);
     p.credit = creditFrom(inner);
     object.giveBack("credit", inner.rest());
   }
+  p.asRead = extentFrom(object);
   return p;
 }
 
@@ -107,6 +156,9 @@ Ordered provenanceJson(const Provenance& p) {
                   {"refinement_steps", p.refinementSteps},
                   {"repaired_faces", p.repairedFaces},
                   {"displacement_mm", jsonNumber(p.displacementMm)}};
+  putEvidence(json, p.evidence, evidenceOfReason(p.frameReason));
+  if (p.unitEvidence != Evidence::known)
+    json["unit_evidence"] = evidenceNames[std::size_t(p.unitEvidence)];
   if (p.sliceMm > 0.0f)
     json["slice_mm"] = jsonNumber(p.sliceMm);
   if (p.decimatedFrom != 0) {
@@ -131,6 +183,8 @@ Ordered provenanceJson(const Provenance& p) {
   }
   if (!p.credit.empty())
     json["credit"] = creditJson(p.credit);
+  if (p.asRead)
+    json["as_read"] = extentJson(*p.asRead);
   return json;
 }
 

@@ -7,6 +7,11 @@
 
 namespace sline::model {
 
+/// Takes how sure the sides are, as "sides" and "front" say; what they do not say is as given.
+SideEvidence evidenceFrom(JsonObject& object, SideEvidence unsaid);
+/// Puts that where it is not as a reader takes it unsaid.
+void putEvidence(nlohmann::ordered_json& json, const SideEvidence& evidence,
+                 const SideEvidence& unsaid);
 /// Takes what the object says of a structure's origin.
 Provenance provenanceFrom(JsonObject& object);
 /// Returns it in the order of the description.

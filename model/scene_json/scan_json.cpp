@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/scene_json/scan_json.h"
 
+#include "model/scene/scene_limits.h"
+#include "model/scene_json/provenance_json.h"
+
 namespace sline::model {
 
 namespace {
-constexpr std::size_t mostScans = 64;
-
 Scan scanFrom(const JsonValue& value, const VoxelsByName& voxels) {
   JsonObject object(value);
+  const FaultWatch watch(value.fault());
   Scan scan;
   scan.name = object.need("name").text();
   if (const auto file = object.take("file"))
@@ -19,7 +21,7 @@ Scan scanFrom(const JsonValue& value, const VoxelsByName& voxels) {
       each(i, JsonValue(numbers.json()[i], numbers, i));
   };
   list(object.need("size"), 3, [&](std::size_t i, const JsonValue& number) {
-    scan.size[int(i)] = int(number.whole(1, 65'535));
+    scan.size[int(i)] = int(number.whole(1, longestScanSide));
   });
   list(object.need("to_lps"), 12, [&](std::size_t i, const JsonValue& number) {
     scan.toLps[int(i % 4)][int(i / 4)] = number.real();
@@ -30,6 +32,7 @@ Scan scanFrom(const JsonValue& value, const VoxelsByName& voxels) {
     scan.intercept = intercept->real();
   if (const auto hounsfield = object.take("hounsfield"))
     scan.hounsfield = hounsfield->flag();
+  scan.evidence = evidenceFrom(object, {});
   const JsonValue member = object.need("voxels");
   const auto found = voxels.find(member.text());
   if (found == voxels.end())
@@ -37,7 +40,7 @@ Scan scanFrom(const JsonValue& value, const VoxelsByName& voxels) {
   else
     scan.voxels = found->second;
   scan.unread = object.unread();
-  if (const std::string fault = scanFault(scan); !fault.empty())
+  if (const std::string fault = scanFault(scan); !fault.empty() && watch.clean())
     value.fail(fault);
   return scan;
 }
@@ -59,6 +62,7 @@ nlohmann::ordered_json scanJson(const Scan& scan, const std::string& voxels) {
   json["slope"] = scan.slope;
   json["intercept"] = scan.intercept;
   json["hounsfield"] = scan.hounsfield;
+  putEvidence(json, scan.evidence, {});
   json["voxels"] = voxels;
   return json;
 }
@@ -70,7 +74,7 @@ std::vector<std::string> voxelsCalledFor(const Json& root) {
     return names;
   for (const Json& scan : *scans) {
     const auto member = scan.is_object() ? scan.find("voxels") : scan.end();
-    if (member != scan.end() && member->is_string() && names.size() < mostScans)
+    if (member != scan.end() && member->is_string() && names.size() < mostSceneScans)
       names.push_back(member->get<std::string>());
   }
   return names;
@@ -78,9 +82,10 @@ std::vector<std::string> voxelsCalledFor(const Json& root) {
 
 std::vector<Scan> scansFrom(const JsonValue& list, const VoxelsByName& voxels) {
   std::vector<Scan> scans;
-  if (list.json().size() > mostScans)
-    list.fail("there are more than " + std::to_string(mostScans) + " scans");
-  list.forEach([&](const JsonValue& value) { scans.push_back(scanFrom(value, voxels)); });
+  list.forEach([&](const JsonValue& value) {
+    if (auto scan = sound(value, [&](const JsonValue& each) { return scanFrom(each, voxels); }))
+      scans.push_back(std::move(*scan));
+  });
   return scans;
 }
 

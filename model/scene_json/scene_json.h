@@ -18,6 +18,10 @@ namespace sline::model {
 /// The version of scene.json that this program writes.
 inline constexpr int sceneSchema = 1;
 
+/// What a scene.json may have: views of many structures say much. A scene beyond that is not
+/// written.
+inline constexpr JsonLimits sceneJsonLimits{.bytes = std::size_t(512) << 20, .values = 16'000'000};
+
 /// Maps the names that scene.json uses to meshes, and to what is painted on them.
 using MeshesByName = std::map<std::string, MeshPtr, std::less<>>;
 using PaintsByName = std::map<std::string, PaintPtr, std::less<>>;
@@ -48,7 +52,13 @@ std::vector<std::string> paintsCalledFor(const Json& root);
 
 /// Returns the scene; keys without a meaning here are kept in it. A value that a newer schema has
 /// put in place of a known one (an unknown fill) is kept unread as well; in a file of this schema
-/// it is an error. An error's `where` is the place: "nodes[3].style.gamma".
+/// it is an error, as is what a scene may not hold. An error's `where` is the place:
+/// "nodes[3].style.gamma".
 Result<Scene> sceneFromJson(const Json& root, const SceneParts& parts);
+/// Does the same but leaves out what is at fault, the smallest thing that can be, and adds what and
+/// why; `where` begins with a name then: "\"Liver\" (nodes[3].style.gamma)". It is an error only
+/// where there is no list of nodes, or all is in another frame or unit.
+Result<Scene> sceneFromJson(const Json& root, const SceneParts& parts,
+                            std::vector<JsonRefusal>& leftOut);
 
 }  // namespace sline::model

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "model/base/colour_text.h"
+#include "model/scene/cut_place.h"
+#include "model/scene/style_fields.h"
 #include "model/scene_json/atoms_json.h"
 #include "model/scene_json/camera_json.h"
 #include "model/scene_json/provenance_json.h"
@@ -32,8 +37,30 @@ Ordered orderedOf(const Json& json) {
   return object;
 }
 
-/// Adds the keys of `unread` that `target` lacks, object by object.
-void addUnread(Ordered& target, const Json& unread) {
+/// Tells whether unread keys may be all that is written of a part. What a newer program says in
+/// place of a field, and what it adds to one, makes no sense to this schema without the field.
+bool mayStandAlone(std::string_view above, std::string_view part) {
+  static constexpr std::array<std::array<std::string_view, 2>, 5> bound{
+      {{"node", "paint"},
+       {"provenance", "fingerprint"},
+       {"provenance", "intensities"},
+       {"focus", "seen_from"},
+       {"focus", "nearness"}}};
+  bool field = std::any_of(bound.begin(), bound.end(),
+                           [&](const auto& each) { return each[0] == above && each[1] == part; });
+  if (above == "style")
+    forEachStyleField([&](const auto& each) { field = field || each.key == part; });
+  return !field;
+}
+
+/// Tells whether the part is one of which all may be absent, and what it holds is known here.
+bool isPartOf(std::string_view above, std::string_view part) {
+  return (above == "node" && (part == "style" || part == "provenance")) ||
+         (above == "look" && part == "style");
+}
+
+/// Adds the keys of `unread` that `target` lacks, object by object; `what` says what it is.
+void addUnread(Ordered& target, const Json& unread, std::string_view what) {
   auto& keys = target.get_ref<Ordered::object_t&>();
   const std::size_t known = keys.size();
   for (const auto& [key, value] : unread.items()) {
@@ -41,19 +68,25 @@ void addUnread(Ordered& target, const Json& unread) {
     const auto end = own + std::ptrdiff_t(known);
     while (own != end && own->first != key)
       ++own;
-    if (own == end)
+    if (own != end && own->second.is_object() && value.is_object()) {
+      addUnread(own->second, value, key);
+    } else if (own == end && isPartOf(what, key) && value.is_object()) {
+      Ordered rest = Ordered::object();
+      addUnread(rest, value, key);
+      if (!rest.empty())
+        keys.push_back({key, std::move(rest)});
+    } else if (own == end && mayStandAlone(what, key)) {
       keys.push_back({key, orderedOf(value)});
-    else if (own->second.is_object() && value.is_object())
-      addUnread(own->second, value);
+    }
   }
 }
 
-void addUnread(Ordered& target, const std::string& unread) {
+void addUnread(Ordered& target, const std::string& unread, std::string_view what = {}) {
   if (unread.empty())
     return;
   const Result<Json> kept = parseJson(unread);
   if (kept.ok() && kept->is_object())
-    addUnread(target, *kept);
+    addUnread(target, *kept, what);
 }
 
 Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
@@ -75,7 +108,7 @@ Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
     json["provenance"] = provenanceJson(node.provenance);
   if (node.atoms.set)
     json["atoms"] = atomsJson(*node.atoms.set);
-  addUnread(json, node.unread);
+  addUnread(json, node.unread, "node");
   return json;
 }
 
@@ -110,7 +143,9 @@ Ordered annotationOf(const Annotation& annotation) {
   Ordered json = {{"id", annotation.id.value},
                   {"kind", annotationKindNames[std::size_t(annotation.kind)]},
                   {"at", anchorOf(annotation.anchors[0])}};
-  if (annotation.anchors.size() > 1)
+  if (const glm::vec3* cut = cutPlaceOf(annotation))
+    json["cut_mm"] = jsonPoint(*cut);
+  else if (annotation.anchors.size() > 1)
     json["to"] = anchorOf(annotation.anchors[1]);
   json["text"] = annotation.text;
   if (!annotation.texts.empty())
@@ -137,7 +172,7 @@ Ordered looksOf(const std::vector<Look>& looks) {
   Ordered list = Ordered::array();
   for (const Look& look : looks) {
     list.push_back({{"node", look.node.value}, {"style", styleJson(look.style)}});
-    addUnread(list.back(), look.unread);
+    addUnread(list.back(), look.unread, "look");
   }
   return list;
 }
@@ -159,7 +194,7 @@ Ordered focusOf(const Focus& focus) {
   }
   if (!focus.given.empty())
     json["given"] = looksOf(focus.given);
-  addUnread(json, focus.unread);
+  addUnread(json, focus.unread, "focus");
   return json;
 }
 

@@ -16,9 +16,6 @@ namespace sline::model {
 
 namespace {
 
-constexpr std::size_t mostSections = 10'000;
-constexpr std::size_t mostAnnotations = 100'000;
-
 Anchor anchorFrom(JsonObject& object) {
   if (const auto place = object.take("point_mm"))
     return place->point();
@@ -32,8 +29,10 @@ Anchor anchorFrom(JsonObject& object) {
 std::map<std::string, std::string> textsFrom(const JsonValue& value) {
   const JsonObject languages(value);  // notes a fault where it is not an object
   std::map<std::string, std::string> texts;
-  for (const auto& [language, text] : value.json().items())
-    texts[language] = JsonValue(text, value, std::string_view(language)).text();
+  if (value.json().is_object())
+    for (const auto& [language, text] : value.json().items())
+      if (auto words = sound(JsonValue(text, value, std::string_view(language)), asText))
+        texts[language] = std::move(*words);
   return texts;
 }
 
@@ -43,8 +42,7 @@ Wording wordingFrom(JsonObject& object, std::string_view key) {
   if (!value)
     return wording;
   JsonObject inner(*value);
-  if (const auto text = inner.take("text"))
-    wording.text = text->text();
+  readInto(inner.take("text"), wording.text, asText);
   if (const auto texts = inner.take("texts"))
     wording.texts = textsFrom(*texts);
   object.giveBack(key, inner.rest());
@@ -55,6 +53,7 @@ Wording wordingFrom(JsonObject& object, std::string_view key) {
 
 Section SceneJsonReader::section(const JsonValue& value) const {
   JsonObject object(value);
+  const FaultWatch watch(value.fault());
   Section section;
   section.id.value = idOf(object.need("id"));
   section.name = object.need("name").text();
@@ -69,7 +68,7 @@ Section SceneJsonReader::section(const JsonValue& value) const {
   if (const auto hatched = object.take("hatched"))
     section.hatched = hatched->flag();
   section.unread = object.unread();
-  if (const auto fault = planeFault(section.plane))
+  if (const auto fault = planeFault(section.plane); fault && watch.clean())
     value.fail(*fault);
   return section;
 }
@@ -77,18 +76,19 @@ Section SceneJsonReader::section(const JsonValue& value) const {
 std::vector<Section> SceneJsonReader::sections(const JsonValue& list) const {
   std::vector<Section> all;
   std::set<SectionId> ids;
-  if (list.json().size() > mostSections)
-    list.fail("there are more than " + std::to_string(mostSections) + " sections");
   list.forEach([&](const JsonValue& value) {
-    all.push_back(section(value));
-    if (!ids.insert(all.back().id).second)
-      value.fail("another section has the same id");
+    auto read = sound(value, [this](const JsonValue& each) { return section(each); });
+    if (!read)
+      return;
+    if (!ids.insert(read->id).second)
+      return value.fail("another section has the same id");
+    all.push_back(std::move(*read));
   });
   return all;
 }
 
-Annotation SceneJsonReader::annotation(const JsonValue& value) const {
-  JsonObject object(value);
+/// Reads what tells an annotation apart and where it points; without that there is none.
+Annotation SceneJsonReader::place(JsonObject& object) const {
   Annotation annotation;
   annotation.id.value = idOf(object.need("id"));
   annotation.kind =
@@ -102,25 +102,35 @@ Annotation SceneJsonReader::annotation(const JsonValue& value) const {
   place("at");
   if (anchorCount(annotation.kind) > 1)
     place("to");
-  if (const auto text = object.take("text"))
-    annotation.text = text->text();
+  else if (const auto cut = object.take("cut_mm"))
+    annotation.anchors.emplace_back(cut->point());
+  return annotation;
+}
+
+std::optional<Annotation> SceneJsonReader::annotation(const JsonValue& value) const {
+  JsonObject object(value);
+  const FaultWatch watch(value.fault());
+  Annotation annotation = place(object);
+  if (const auto fault = annotationFault(annotation); fault && watch.clean())
+    value.fail(*fault);
+  if (!watch.clean())
+    return std::nullopt;
+  readInto(object.take("text"), annotation.text, asText);
   if (const auto texts = object.take("texts"))
     annotation.texts = textsFrom(*texts);
-  if (const auto colour = object.take("colour"))
-    annotation.colour = colour->colour();
-  if (const auto visible = object.take("visible"))
-    annotation.visible = visible->flag();
-  if (const auto locked = object.take("locked"))
-    annotation.locked = locked->flag();
-  if (const auto found = object.take("found"))
-    annotation.found = found->flag();
-  if (const auto offset = object.take("offset")) {
-    const auto [right, down] = offset->numbers<2>();
-    annotation.offset = {right, down};
+  readInto(object.take("colour"), annotation.colour, [](const JsonValue& v) { return v.colour(); });
+  readInto(object.take("visible"), annotation.visible, asFlag);
+  readInto(object.take("locked"), annotation.locked, asFlag);
+  readInto(object.take("found"), annotation.found, asFlag);
+  readInto(object.take("offset"), annotation.offset, [](const JsonValue& v) {
+    const auto [right, down] = v.numbers<2>();
+    return glm::vec2(right, down);
+  });
+  if (const auto fault = annotationFault(annotation)) {
+    value.fail(*fault);
+    annotation.offset.reset();
   }
   annotation.unread = object.unread();
-  if (const auto fault = annotationFault(annotation))
-    value.fail(*fault);
   return annotation;
 }
 
@@ -138,14 +148,15 @@ std::vector<Annotation> SceneJsonReader::annotations(const JsonValue& list,
   };
   std::vector<Annotation> all;
   std::set<AnnotationId> ids;
-  if (list.json().size() > mostAnnotations)
-    list.fail("there are more than " + std::to_string(mostAnnotations) + " annotations");
   list.forEach([&](const JsonValue& value) {
-    all.push_back(annotation(value));
-    if (!ids.insert(all.back().id).second)
-      value.fail("another annotation has the same id");
-    if (std::any_of(all.back().anchors.begin(), all.back().anchors.end(), nowhere))
-      value.fail("it is on a triangle that no structure of the scene has");
+    auto read = annotation(value);
+    if (!read)
+      return;
+    if (!ids.insert(read->id).second)
+      return value.fail("another annotation has the same id");
+    if (std::any_of(read->anchors.begin(), read->anchors.end(), nowhere))
+      return value.fail("it is on a triangle that no structure of the scene has");
+    all.push_back(std::move(*read));
   });
   return all;
 }
@@ -155,8 +166,10 @@ std::vector<Look> SceneJsonReader::looks(const JsonValue& list) const {
   std::set<NodeId> nodes;
   list.forEach([&](const JsonValue& value) {
     JsonObject object(value);
-    Look look;
-    look.node.value = idOf(object.need("node"));
+    const auto node = sound(object.need("node"), idOf);
+    if (!node)
+      return;
+    Look look{.node = {*node}};
     if (const auto own = object.take("style")) {
       JsonObject inner(*own);
       look.style = styleFrom(inner, m_newer);
@@ -164,13 +177,24 @@ std::vector<Look> SceneJsonReader::looks(const JsonValue& list) const {
     }
     look.unread = object.unread();
     if (!nodes.insert(look.node).second)
-      value.fail("the view speaks of this node twice");
+      return value.fail("the view speaks of this node twice");
     all.push_back(std::move(look));
   });
   return all;
 }
 
 namespace {
+
+template <class Id>
+std::vector<Id> idsFrom(const JsonValue& list) {
+  std::vector<Id> ids;
+  list.forEach([&ids](const JsonValue& value) {
+    if (const auto id = sound(value, idOf))
+      ids.push_back(Id{*id});
+  });
+  return ids;
+}
+
 FocusNearness nearnessFrom(JsonObject& object) {
   FocusNearness nearness;
   const JsonValue falloff = object.need("falloff_mm");
@@ -181,76 +205,96 @@ FocusNearness nearnessFrom(JsonObject& object) {
     nearness.place = place->point();
   return nearness;
 }
+
+ContextAmount amountFrom(const JsonValue& value) {
+  const auto known = ContextAmount::from(value.number());
+  if (!known)
+    value.fail("a number from 0 to 1 is expected here");
+  return known.value_or(ContextAmount());
+}
+
 }  // namespace
 
 Focus SceneJsonReader::focus(const JsonValue& value) const {
   JsonObject object(value);
   Focus focus;
-  object.need("targets").forEach(
-      [&focus](const JsonValue& id) { focus.targets.push_back(NodeId{idOf(id)}); });
-  if (const auto amount = object.take("context")) {
-    const auto known = ContextAmount::from(amount->number());
-    if (!known)
-      amount->fail("a number from 0 to 1 is expected here");
-    focus.amount = known.value_or(focus.amount);
-  }
-  if (const auto place = object.take("seen_from")) {
-    JsonObject inner(*place);
-    focus.seenFrom = cameraFrom(inner, m_newer);
-    object.giveBack("seen_from", inner.rest());
-  }
+  focus.targets = idsFrom<NodeId>(object.need("targets"));
+  readInto(object.take("context"), focus.amount, amountFrom);
+  const auto inside = [&object](std::string_view key, auto& target, const auto& read) {
+    readInto(object.take(key), target, [&](const JsonValue& place) {
+      JsonObject inner(place);
+      auto got = read(inner);
+      object.giveBack(key, inner.rest());
+      return got;
+    });
+  };
+  inside("seen_from", focus.seenFrom,
+         [this](JsonObject& inner) { return cameraFrom(inner, m_newer); });
   if (const auto roles = object.take("roles")) {
     JsonObject inner(*roles);
     auto role = ContextRole(0);
     for (const auto& name : contextRoleNames) {
       if (const auto list = inner.take(name))
-        list->forEach([&](const JsonValue& id) { focus.wishes.roles[NodeId{idOf(id)}] = role; });
+        for (const NodeId id : idsFrom<NodeId>(*list))
+          focus.wishes.roles[id] = role;
       role = ContextRole(int(role) + 1);
     }
     object.giveBack("roles", inner.rest());
   }
-  if (const auto too = object.take("hidden_too"))
-    focus.wishes.hiddenToo = too->flag();
-  if (const auto near = object.take("nearness")) {
-    JsonObject inner(*near);
-    focus.nearness = nearnessFrom(inner);
-    object.giveBack("nearness", inner.rest());
-  }
+  readInto(object.take("hidden_too"), focus.wishes.hiddenToo, asFlag);
+  inside("nearness", focus.nearness, nearnessFrom);
   if (const auto list = object.take("given"))
     focus.given = looks(*list);
   focus.unread = object.unread();
   return focus;
 }
 
-View SceneJsonReader::view(const JsonValue& value) const {
+namespace {
+
+float secondsFrom(const JsonValue& value) {
+  const float seconds = value.number();
+  if (!viewSecondsLimits.contain(seconds))
+    value.fail("a time from 0.1 to 3600 seconds is expected here");
+  return seconds;
+}
+
+}  // namespace
+
+std::optional<View> SceneJsonReader::view(const JsonValue& value) const {
   JsonObject object(value);
-  View view;
-  view.name = object.need("name").text();
+  View view{.name = "unnamed"};
+  readInto(object.need("name"), view.name, asText);
+  const FaultWatch watch(value.fault());
   const JsonValue place = object.need("camera");
   JsonObject inner(place);
   view.camera = cameraFrom(inner, m_newer);
+  if (!watch.clean())
+    return std::nullopt;
   object.giveBack("camera", inner.rest());
   if (const auto list = object.take("sections"))
     view.sections = sections(*list);
   if (const auto list = object.take("looks"))
     view.looks = looks(*list);
   if (const auto list = object.take("annotations"))
-    list->forEach([&shown = view.annotations.emplace()](const JsonValue& id) {
-      shown.push_back(AnnotationId{idOf(id)});
-    });
+    view.annotations = idsFrom<AnnotationId>(*list);
   if (const auto focused = object.take("focus"))
     view.focus = focus(*focused);
   view.words = {.title = wordingFrom(object, "title"),
                 .text = wordingFrom(object, "text"),
                 .notes = wordingFrom(object, "notes"),
                 .description = wordingFrom(object, "description")};
-  if (const auto seconds = object.take("seconds")) {
-    view.words.seconds = seconds->number();
-    if (!viewSecondsLimits.contain(*view.words.seconds))
-      seconds->fail("a time from 0.1 to 3600 seconds is expected here");
-  }
+  readInto(object.take("seconds"), view.words.seconds, secondsFrom);
   view.unread = object.unread();
   return view;
+}
+
+std::vector<View> SceneJsonReader::views(const JsonValue& list) const {
+  std::vector<View> all;
+  list.forEach([&](const JsonValue& value) {
+    if (std::optional<View> read = view(value))
+      all.push_back(std::move(*read));
+  });
+  return all;
 }
 
 }  // namespace sline::model

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/scene_json/scene_reader.h"
 
-#include <set>
 #include <string>
+#include <type_traits>
+#include <unordered_set>
 #include <utility>
 
 #include "model/scene_json/atoms_json.h"
@@ -12,10 +13,6 @@
 namespace sline::model {
 
 namespace {
-
-constexpr std::size_t mostNodes = 100'000;
-constexpr std::size_t mostViews = 10'000;
-constexpr std::size_t deepestNode = 256;
 
 KeyLight keyLightFrom(const JsonValue& value) {
   JsonObject object(value);
@@ -30,26 +27,53 @@ KeyLight keyLightFrom(const JsonValue& value) {
 }
 
 /// Checks the tree order: each node is new, and lies below the node before it or one of that node's
-/// groups.
-class TreeOrderCheck {
+/// groups. What is at fault goes to the top, and has no id until it gets one.
+class TreeOrder {
  public:
-  void add(const Node& node, const JsonValue& value) {
-    while (!m_open.empty() && m_open.back() != node.parent)
+  void add(Node& node, const JsonValue& value) {
+    while (m_open.size() > 1 && m_open.back() != node.parent)
       m_open.pop_back();
-    if (m_open.empty())
+    if (m_open.back() != node.parent) {
       value.fail("its parent is not among the groups that are open before it");
-    if (!m_ids.insert(node.id).second)
+      node.parent = rootId;
+    }
+    if (node.id != rootId && !m_ids.insert(node.id.value).second) {
       value.fail("another node has the same id");
-    if (node.isGroup())
+      node.id = rootId;
+    }
+    if (node.isGroup() && node.id != rootId)
       m_open.push_back(node.id);
-    if (m_open.size() > deepestNode + 1)  // the root is open too
-      value.fail("groups lie more than " + std::to_string(deepestNode) + " deep in each other");
+  }
+  /// Gives nodes without an id one that no other has.
+  void complete(std::vector<Node>& nodes) {
+    std::uint64_t next = 1;
+    for (Node& node : nodes) {
+      if (node.id != rootId)
+        continue;
+      while (!m_ids.insert(next).second)
+        ++next;
+      node.id.value = next;
+    }
   }
 
  private:
-  std::set<NodeId> m_ids{rootId};
+  std::unordered_set<std::uint64_t> m_ids;
   std::vector<NodeId> m_open{rootId};
 };
+
+/// Returns the value of a list that has no more elements than that; what is longer is at fault as a
+/// whole.
+template <class Items, class Read>
+Items listOf(const std::optional<JsonValue>& list, std::size_t most, const char* what,
+             const Read& read) {
+  if (!list)
+    return {};
+  if (list->json().size() > most) {
+    list->fail("there are more than " + std::to_string(most) + " " + what);
+    return {};
+  }
+  return read(*list);
+}
 
 }  // namespace
 
@@ -63,7 +87,7 @@ MeshPtr SceneJsonReader::mesh(JsonObject& object) const {
   const MeshPtr& mesh = found->second;
   const auto promised = [&object](std::string_view key, std::size_t count) {
     const auto value = object.take(key);
-    if (value && value->whole(0, largestId) != std::int64_t(count))
+    if (value && value->whole(0, std::int64_t(largestId)) != std::int64_t(count))
       value->fail("the mesh has " + std::to_string(count));
   };
   promised("vertices", mesh->vertexCount());
@@ -86,91 +110,99 @@ PaintPtr SceneJsonReader::paint(JsonObject& object, const Mesh& mesh) const {
   return found->second;
 }
 
-Node SceneJsonReader::node(const JsonValue& value) const {
-  JsonObject object(value);
-  Node node;
-  node.id.value = idOf(object.need("id"));
-  if (const auto parent = object.take("parent"))
-    node.parent.value = idOf(*parent);
-  node.name = object.need("name").text();
-  if (const auto reference = object.take("mesh")) {
-    JsonObject inner(*reference);
-    node.mesh = mesh(inner);
-    object.giveBack("mesh", inner.rest());
-  }
+void SceneJsonReader::look(JsonObject& object, Node& node) const {
   if (const auto painted = object.take("paint")) {
     JsonObject inner(*painted);
     if (node.mesh)
       node.paint = paint(inner, *node.mesh);
     else
       painted->fail("a node without a mesh has nothing to paint on");
-    object.giveBack("paint", inner.rest());
+    if (node.paint)
+      object.giveBack("paint", inner.rest());
   }
   if (const auto own = object.take("style")) {
     JsonObject inner(*own);
     node.style = styleFrom(inner, m_newer);
     object.giveBack("style", inner.rest());
   }
-  if (const auto locked = object.take("locked"))
-    node.locked = locked->flag();
+}
+
+std::optional<Node> SceneJsonReader::node(const JsonValue& value) const {
+  JsonObject object(value);
+  Node node;
+  readInto(object.need("id"), node.id.value, idOf);
+  readInto(object.take("parent"), node.parent.value, idOf);
+  node.name = "unnamed";
+  readInto(object.need("name"), node.name, asText);
+  if (const auto reference = object.take("mesh")) {
+    JsonObject inner(*reference);
+    node.mesh = mesh(inner);
+    object.giveBack("mesh", inner.rest());
+    if (!node.mesh)
+      return std::nullopt;
+  }
+  look(object, node);
+  readInto(object.take("locked"), node.locked, asFlag);
   if (const auto origin = object.take("provenance")) {
     JsonObject inner(*origin);
     node.provenance = provenanceFrom(inner);
     object.giveBack("provenance", inner.rest());
   }
-  if (const auto kept = object.take("atoms"))
-    node.atoms = atomsFrom(*kept);
+  readInto(object.take("atoms"), node.atoms, atomsFrom);
   node.unread = object.unread();
   return node;
 }
 
+std::vector<Node> SceneJsonReader::nodes(const JsonValue& list) const {
+  std::vector<Node> nodes;
+  TreeOrder order;
+  list.forEach([&](const JsonValue& value) {
+    std::optional<Node> read = value.json().is_object() ? node(value) : std::nullopt;
+    if (!value.json().is_object())
+      value.fail("an object is expected here");
+    if (!read)
+      return;
+    order.add(*read, value);
+    nodes.push_back(std::move(*read));
+  });
+  order.complete(nodes);
+  return nodes;
+}
+
 Scene SceneJsonReader::scene(const JsonValue& root) {
   JsonObject object(root);
-  for (const char* known : {"format", "schema"})
-    object.need(known);
-  for (const auto& [key, only] : {std::pair{"frame", "LPS"}, std::pair{"unit", "mm"}})
-    if (const auto value = object.take(key); value && value->text() != only)
-      value->fail("\"" + std::string(only) + "\" is expected here");
-  std::vector<Node> nodes;
-  TreeOrderCheck order;
-  const JsonValue nodeList = object.need("nodes");
-  if (nodeList.json().size() > mostNodes)
-    nodeList.fail("there are more than " + std::to_string(mostNodes) + " nodes");
-  nodeList.forEach([&](const JsonValue& value) {
-    nodes.push_back(node(value));
-    order.add(nodes.back(), value);
-  });
+  for (const char* known : {"format", "schema", "frame", "unit"})
+    object.take(known);
+  const auto items = [&object](auto& target, const char* key, std::size_t most, const auto& read) {
+    target = listOf<std::remove_reference_t<decltype(target)>>(object.take(key), most, key, read);
+  };
+  std::vector<Node> all;
   std::vector<Section> cuts;
-  if (const auto list = object.take("sections"))
-    cuts = sections(*list);
   std::vector<Annotation> notes;
-  if (const auto list = object.take("annotations"))
-    notes = annotations(*list, nodes);
+  std::vector<View> saved;
+  std::vector<Scan> scans;
+  items(all, "nodes", mostSceneNodes, [&](const JsonValue& list) { return nodes(list); });
+  items(cuts, "sections", mostSceneSections, [&](const JsonValue& list) { return sections(list); });
+  items(notes, "annotations", mostSceneLabels,
+        [&](const JsonValue& list) { return annotations(list, all); });
   Focus focused;
   if (const auto value = object.take("focus"))
     focused = focus(*value);
   std::optional<KeyLight> light;
-  if (const auto value = object.take("key_light"))
-    light = keyLightFrom(*value);
-  std::vector<View> views;
-  if (const auto list = object.take("views")) {
-    if (list->json().size() > mostViews)
-      list->fail("there are more than " + std::to_string(mostViews) + " views");
-    list->forEach([&](const JsonValue& value) { views.push_back(view(value)); });
-  }
-  std::vector<Scan> scans;
-  if (const auto list = object.take("scans"))
-    scans = scansFrom(*list, m_parts.voxels);
+  readInto(object.take("key_light"), light, keyLightFrom);
+  items(saved, "views", mostSceneViews, [&](const JsonValue& list) { return views(list); });
+  items(scans, "scans", mostSceneScans,
+        [&](const JsonValue& list) { return scansFrom(list, m_parts.voxels); });
   Scene scene;
-  if (root.fault().any())
+  if (root.fault().ends())
     return scene;
-  scene.setNodes(std::move(nodes));
+  scene.setNodes(std::move(all));
   scene.setSections(std::move(cuts));
   scene.setAnnotations(std::move(notes));
   scene.setFocus(std::move(focused));
   scene.setKeyLight(std::move(light));
   scene.setScans(std::move(scans));
-  scene.setViews(std::move(views));
+  scene.setViews(std::move(saved));
   scene.setUnread(object.unread());
   return scene;
 }

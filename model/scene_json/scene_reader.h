@@ -9,17 +9,17 @@
 #include <string_view>
 #include <vector>
 
+#include "model/scene/scene_limits.h"
 #include "model/scene_json/scene_json.h"
 
 namespace sline::model {
 
-/// Ids up to this one stay exact in programs whose only numbers are doubles.
-inline constexpr std::int64_t largestId = std::int64_t(1) << 53;
-
 inline std::uint64_t idOf(const JsonValue& value) {
-  return std::uint64_t(value.whole(1, largestId));
+  return std::uint64_t(value.whole(1, std::int64_t(largestId)));
 }
 
+/// Where each fault is collected, what is at fault is left out: the smallest thing that can be, a
+/// field where the rest makes sense without it. Else what is returned is of no use.
 class SceneJsonReader {
  public:
   SceneJsonReader(const SceneParts& parts, bool newer) : m_parts(parts), m_newer(newer) {}
@@ -34,16 +34,23 @@ class SceneJsonReader {
     return index ? std::optional(Enum(*index)) : std::nullopt;
   }
   MeshPtr mesh(JsonObject& object) const;
+  void look(JsonObject& object, Node& node) const;
   /// Returns what is painted on the mesh.
   PaintPtr paint(JsonObject& object, const Mesh& mesh) const;
-  Node node(const JsonValue& value) const;
+  /// Returns nothing where its mesh is not to be had.
+  std::optional<Node> node(const JsonValue& value) const;
+  std::vector<Node> nodes(const JsonValue& list) const;
   Section section(const JsonValue& value) const;
   std::vector<Section> sections(const JsonValue& list) const;
-  Annotation annotation(const JsonValue& value) const;
+  Annotation place(JsonObject& object) const;
+  /// Returns nothing where it points nowhere.
+  std::optional<Annotation> annotation(const JsonValue& value) const;
   std::vector<Annotation> annotations(const JsonValue& list, const std::vector<Node>& nodes) const;
   std::vector<Look> looks(const JsonValue& list) const;
   Focus focus(const JsonValue& value) const;
-  View view(const JsonValue& value) const;
+  /// Returns nothing where its camera sees nothing.
+  std::optional<View> view(const JsonValue& value) const;
+  std::vector<View> views(const JsonValue& list) const;
 
   const SceneParts& m_parts;
   bool m_newer;

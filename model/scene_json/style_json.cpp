@@ -39,12 +39,14 @@ std::optional<GammaMap> gammaMapFrom(JsonObject& style, std::string_view key, bo
     return std::nullopt;
   JsonObject object(*value);
   GammaMap map;
+  const FaultWatch watch(value->fault());
   const auto scalar = object.takeChoice("scalar", gammaScalarNames, newer);
   if (!scalar && !newer)
     value->fail("a scalar is expected here");
   if (!scalar) {
     // What a newer program means stays as it stands.
-    style.giveBack(key, value->json());
+    if (newer)
+      style.giveBack(key, value->json());
     return std::nullopt;
   }
   map.scalar = GammaScalar(*scalar);
@@ -58,8 +60,10 @@ std::optional<GammaMap> gammaMapFrom(JsonObject& style, std::string_view key, bo
     map.place = place->point();
   if (const auto list = object.take("curve"))
     map.curve = curveFrom(*list);
-  if (const auto fault = gammaMapFault(map))
+  if (const auto fault = gammaMapFault(map); fault && watch.clean())
     value->fail(*fault);
+  if (!watch.clean())
+    return std::nullopt;
   style.giveBack(key, object.rest());
   return map;
 }
@@ -72,10 +76,12 @@ ThresholdValues thresholdsFrom(const JsonValue& object) {
   }
   for (const auto& [name, number] : object.json().items()) {
     const JsonValue value(number, object, name);
+    const FaultWatch watch(value.fault());
     const float threshold = value.number();
-    if (const auto fault = thresholdFault(name, threshold))
+    if (const auto fault = thresholdFault(name, threshold); fault && watch.clean())
       value.fail(*fault);
-    values.set(name, threshold);
+    if (watch.clean())
+      values.set(name, threshold);
   }
   return values;
 }
@@ -92,16 +98,19 @@ std::optional<typename Field::Value> fieldFrom(JsonObject& object, const Field& 
     const std::optional<JsonValue> value = object.take(field.key);
     if (!value)
       return std::nullopt;
-    if constexpr (std::same_as<Value, Colour>)
-      return value->colour();
-    else if constexpr (std::same_as<Value, bool>)
-      return value->flag();
-    else if constexpr (std::same_as<Value, ThresholdValues>)
+    if constexpr (std::same_as<Value, ThresholdValues>)
       return thresholdsFrom(*value);
-    else if constexpr (std::same_as<Value, float>)
-      return numberWithin(*value, field.limits());
     else
-      return Value::clamped(numberWithin(*value, field.limits()));
+      return sound(*value, [&field](const JsonValue& own) {
+        if constexpr (std::same_as<Value, Colour>)
+          return own.colour();
+        else if constexpr (std::same_as<Value, bool>)
+          return own.flag();
+        else if constexpr (std::same_as<Value, float>)
+          return numberWithin(own, field.limits());
+        else
+          return Value::clamped(numberWithin(own, field.limits()));
+      });
   }
 }
 

@@ -74,6 +74,12 @@ void applyBlend(Blend blend) {
   }
 }
 
+/// Tells whether that many channels are enough for the area's pixels.
+bool holds(std::size_t channels, const PixelRect& area) {
+  constexpr std::size_t perPixel = 4;
+  return !area.empty() && channels >= std::size_t(area.width) * area.height * perPixel;
+}
+
 void bindCopy(const Target& from, const Target& to) {
   // Both are bound first: after a page was shown, Chromium takes one of the two for bound that is
   // not, and refuses to copy a framebuffer to itself.
@@ -188,18 +194,22 @@ void Device::copyColour(const Target& from, const PixelRect& area, const Target&
                     place.top(), GL_COLOR_BUFFER_BIT, halved ? GL_LINEAR : GL_NEAREST);
 }
 
-void Device::read(const Target& target, const PixelRect& area, std::span<std::byte> rgba) {
-  assert(rgba.size() >= std::size_t(area.width) * area.height * 4);
+Status Device::read(const Target& target, const PixelRect& area, std::span<std::byte> rgba) {
+  if (!holds(rgba.size(), area))
+    return misfit(rgba.size_bytes(), area);
   glBindFramebuffer(GL_FRAMEBUFFER, target.handle());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  return Unit{};
 }
 
-void Device::read(const Target& target, const PixelRect& area, std::span<std::uint16_t> rgba) {
-  assert(rgba.size() >= std::size_t(area.width) * area.height * 4);
+Status Device::read(const Target& target, const PixelRect& area, std::span<std::uint16_t> rgba) {
+  if (!holds(rgba.size(), area))
+    return misfit(rgba.size_bytes(), area);
   glBindFramebuffer(GL_FRAMEBUFFER, target.handle());
   glPixelStorei(GL_PACK_ALIGNMENT, 2);
   glReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_SHORT, rgba.data());
+  return Unit{};
 }
 
 void Device::finish() {

@@ -58,10 +58,11 @@ class Device {
   /// large each way, of which each pixel is the mean of four.
   void copyColour(const Target& from, const PixelRect& area, const Target& to,
                   const PixelRect& place);
-  /// Reads the first colour texture as 8-bit RGBA rows from the bottom, tightly packed.
-  void read(const Target& target, const PixelRect& area, std::span<std::byte> rgba);
+  /// Reads the first colour texture as 8-bit RGBA rows from the bottom, tightly packed. Where there
+  /// is no room for them nothing is read, and the error says so.
+  Status read(const Target& target, const PixelRect& area, std::span<std::byte> rgba);
   /// Reads it with 16 bits per channel, whatever the texture has. Not available in ES.
-  void read(const Target& target, const PixelRect& area, std::span<std::uint16_t> rgba);
+  Status read(const Target& target, const PixelRect& area, std::span<std::uint16_t> rgba);
   /// Waits until all requested work is done.
   void finish();
 

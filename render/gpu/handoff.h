@@ -25,7 +25,7 @@ class Handoff {
   Result<const Target*> begin(TextureSize size);
   /// Drawing side: declares the target from `begin` drawn. It waits for the GPU, so that the
   /// showing side need not. The picture becomes the newest; a newest picture that was never shown
-  /// is drawn over next.
+  /// is drawn over next. Without `begin` there is nothing to declare.
   void publish(std::uint64_t number);
   /// Drawing side, its context current: releases everything. The showing side must be done.
   void releaseDrawing();

@@ -147,12 +147,13 @@ Status Program::matchUniforms(const ProgramRecipe& recipe) {
   return Unit{};
 }
 
-const Program::Slot& Program::slot(std::string_view name, [[maybe_unused]] UniformType type) const {
-  const auto found =
-      std::find_if(m_slots.begin(), m_slots.end(), [&](const Slot& s) { return s.name == name; });
-  assert(found != m_slots.end() && found->type == type);
+const Program::Slot& Program::slot(std::string_view name, UniformType type) const {
+  static const Slot nowhere{.name = {}, .type = UniformType::real, .location = -1, .unit = 0};
+  const auto found = std::find_if(m_slots.begin(), m_slots.end(),
+                                  [&](const Slot& s) { return s.name == name && s.type == type; });
+  assert(found != m_slots.end());
   glUseProgram(m_handle);
-  return *found;
+  return found == m_slots.end() ? nowhere : *found;
 }
 
 void Program::set(std::string_view name, float value) const {

@@ -43,7 +43,8 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// Asserts that the uniform was declared with that type.
+  /// Sets a uniform that was declared with that type; one that was not is a fault of the program's
+  /// own, and nothing is set then.
   void set(std::string_view name, float value) const;
   void set(std::string_view name, const glm::vec2& value) const;
   void set(std::string_view name, const glm::vec3& value) const;

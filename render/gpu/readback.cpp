@@ -2,7 +2,6 @@
 #include "render/gpu/readback.h"
 
 #include <bit>
-#include <cassert>
 
 #include "render/gpu/gl.h"
 
@@ -20,10 +19,11 @@ Result<const Target*> Readback::begin(TextureSize size) {
   return static_cast<const Target*>(m_target.get());
 }
 
-void Readback::read(std::span<std::uint32_t> pixels) {
-  const auto [width, height] = m_target->size();
+Status Readback::read(std::span<std::uint32_t> pixels) {
+  const auto [width, height] = m_target ? m_target->size() : TextureSize{};
   const auto columns = std::size_t(width);
-  assert(pixels.size() == columns * std::size_t(height));
+  if (!m_target || pixels.size() != columns * std::size_t(height))
+    return misfit(pixels.size_bytes(), {0, 0, width, height});
   m_rows.resize(pixels.size());
   glBindFramebuffer(GL_FRAMEBUFFER, m_target->handle());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -35,6 +35,7 @@ void Readback::read(std::span<std::uint32_t> pixels) {
     for (std::size_t x = 0; x < columns; ++x)
       to[x] = 0xff000000u | (from[x] & 0xffu) << 16 | (from[x] & 0xff00u) | (from[x] >> 16 & 0xffu);
   }
+  return Unit{};
 }
 
 void Readback::release() {

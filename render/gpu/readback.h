@@ -17,8 +17,9 @@ class Readback {
  public:
   /// Returns a target of that size.
   Result<const Target*> begin(TextureSize size);
-  /// Fills `pixels` with the target's, 0xffRRGGBB each, rows from the top.
-  void read(std::span<std::uint32_t> pixels);
+  /// Fills `pixels` with the target's, 0xffRRGGBB each, rows from the top. Where these are not as
+  /// many nothing is read, and the error says so.
+  Status read(std::span<std::uint32_t> pixels);
   /// Releases everything.
   void release();
 

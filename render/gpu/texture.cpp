@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/gpu/texture.h"
 
-#include <cassert>
+#include <string>
 
 #include "render/gpu/gl.h"
 
@@ -34,6 +34,13 @@ Layout layout(TextureFormat format) {
   return {};
 }
 }  // namespace
+
+Error misfit(std::size_t bytes, const PixelRect& area) {
+  return {.reason = "the program held " + std::to_string(bytes) + " bytes for " +
+                    std::to_string(area.width) + "×" + std::to_string(area.height) +
+                    " pixels of the picture, which is not what they take",
+          .remedy = "Save the scene and start the program again"};
+}
 
 int pixelSize(TextureFormat format) {
   switch (format) {
@@ -72,20 +79,25 @@ Texture::~Texture() {
   glDeleteTextures(1, &m_handle);
 }
 
-void Texture::upload(std::span<const std::byte> bytes, int rows) {
-  upload(bytes, {0, 0, m_size.width, rows});
+Status Texture::upload(std::span<const std::byte> bytes, int rows) {
+  return upload(bytes, {0, 0, m_size.width, rows});
 }
 
-void Texture::upload(std::span<const std::byte> bytes, const PixelRect& area) const {
-  assert(area.x >= 0 && area.right() <= m_size.width);
-  assert(area.y >= 0 && area.top() <= m_size.height);
-  assert(bytes.size() == std::size_t(area.width) * area.height * pixelSize(m_format));
+Status Texture::upload(std::span<const std::byte> bytes, const PixelRect& area) const {
+  if (area.empty() && bytes.empty())
+    return Unit{};
+  const PixelRect all{0, 0, m_size.width, m_size.height};
+  // The driver reads as much as the area takes, whatever there is.
+  if (area.empty() || intersection(area, all) != area ||
+      bytes.size() != std::size_t(area.width) * area.height * pixelSize(m_format))
+    return misfit(bytes.size(), area);
   const Layout l = layout(m_format);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, m_handle);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexSubImage2D(GL_TEXTURE_2D, 0, area.x, area.y, area.width, area.height, l.format, l.type,
                   bytes.data());
+  return Unit{};
 }
 
 }  // namespace sline::render::gpu

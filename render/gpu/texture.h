@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "model/base/result.h"
 #include "render/raster/pixel_rect.h"
 
 namespace sline::render::gpu {
@@ -29,9 +30,11 @@ class Texture {
   Texture& operator=(const Texture&) = delete;
 
   /// Replaces the first `rows` rows; bytes are tightly packed.
-  void upload(std::span<const std::byte> bytes, int rows);
-  /// Replaces the pixels of the area, whose rows follow each other from the bottom.
-  void upload(std::span<const std::byte> bytes, const PixelRect& area) const;
+  Status upload(std::span<const std::byte> bytes, int rows);
+  /// Replaces the pixels of the area, whose rows follow each other from the bottom. Where the area
+  /// does not lie within the texture, or the bytes are not as many as it takes, nothing is read or
+  /// written, and the error says so.
+  Status upload(std::span<const std::byte> bytes, const PixelRect& area) const;
 
   TextureSize size() const { return m_size; }
   TextureFormat format() const { return m_format; }
@@ -42,6 +45,10 @@ class Texture {
   TextureSize m_size;
   std::uint32_t m_handle = 0;
 };
+
+/// Says that so many bytes are not what an area's pixels take, as only a fault of the program's own
+/// brings about.
+Error misfit(std::size_t bytes, const PixelRect& area);
 
 /// Returns the bytes of one pixel.
 int pixelSize(TextureFormat format);

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "model/scene/cut_place.h"
+#include "model/scene/in_focus.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
 #include "render/labels/seen_map.h"
@@ -66,13 +68,14 @@ class Finder {
   std::optional<LabelItem> itemOf(const model::Annotation& annotation) {
     LabelItem item{.id = annotation.id, .kind = annotation.kind};
     const auto* point = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
+    item.focus = point && model::isInFocus(m_scene, point->structure);
     const bool one = annotation.kind != model::AnnotationKind::distance && point;
     if (!(one ? pointAt(item, annotation, *point) : pointAtAll(item, annotation)))
       return std::nullopt;
     if (item.hidden)
       m_labels.unseen.hidden.push_back(annotation.id);
     if (one && item.found)
-      item.base = m_screen.place(*m_scene.placeOf(*point));
+      item.base = m_screen.place(*m_scene.placeOf(model::pointedAt(annotation).front()));
     if (annotation.offset)
       item.offset = m_screen.size().y * *annotation.offset;
     return item;
@@ -95,9 +98,16 @@ class Finder {
                const model::SurfacePoint& point) {
     if (!m_sights.draws(point.structure))
       return leaveOut(m_labels.unseen.notDrawn, annotation.id);
+    if (const glm::vec3* cut = model::cutPlaceOf(annotation)) {
+      const bool there = model::cutsThrough(m_scene, point.structure, *cut);
+      if (there && (!annotation.found || !hides(point.structure, *cut)))
+        return stayAt(item, annotation, point.structure, *cut);
+      if (!annotation.found && !isNameOf(annotation, point.structure))
+        return pointInto(item, annotation, point.structure, *cut);
+    }
     const bool cutAway = !m_sights.shows(point);
     if (!annotation.found && !cutAway)
-      return stayAt(item, annotation, point);
+      return stayAt(item, annotation, point.structure, point);
     // Another word than the structure's name was meant for that very place.
     if (!annotation.found && !isNameOf(annotation, point.structure))
       return leaveOut(m_labels.unseen.notDrawn, annotation.id);
@@ -181,16 +191,33 @@ class Finder {
     return pool.size() - 1;
   }
 
-  /// Takes a place that was set by hand.
-  bool stayAt(LabelItem& item, const model::Annotation& annotation,
-              const model::SurfacePoint& point) {
-    const std::optional<glm::vec2> place = placeOf(point);
+  /// Takes a place of the structure that was set by hand.
+  bool stayAt(LabelItem& item, const model::Annotation& annotation, model::NodeId structure,
+              const model::Anchor& anchor) {
+    const std::optional<glm::vec2> place = placeOf(anchor);
     if (!place)
       return leaveOut(m_labels.unseen.offPicture, annotation.id);
     item.places = {*place};
-    item.hidden = m_before.hurried ? m_sights.hidden(point, m_screen.sight(*place))
-                                   : map().hides(point.structure, *m_scene.placeOf(point));
+    item.hidden = m_before.hurried ? m_sights.hidden(anchor, m_screen.sight(*place))
+                                   : map().hides(structure, *m_scene.placeOf(anchor));
     return true;
+  }
+
+  /// Takes a place within the structure, of a cut that this picture has not: its surface hides it.
+  bool pointInto(LabelItem& item, const model::Annotation& annotation, model::NodeId structure,
+                 const glm::vec3& inside) {
+    if (!model::keptByAll(model::planesOf(m_scene.sectionsOf(structure)), inside))
+      return leaveOut(m_labels.unseen.notDrawn, annotation.id);
+    const std::optional<glm::vec2> place = placeOf(inside);
+    if (!place)
+      return leaveOut(m_labels.unseen.offPicture, annotation.id);
+    item.places = {*place};
+    item.hidden = true;
+    return true;
+  }
+
+  bool hides(model::NodeId structure, const glm::vec3& p) {
+    return !m_before.hurried && map().hides(structure, p);
   }
 
   std::optional<glm::vec2> placeOf(const model::Anchor& anchor) const {

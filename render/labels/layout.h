@@ -28,6 +28,7 @@ struct LabelItem {
   model::AnnotationKind kind = model::AnnotationKind::label;
   std::vector<glm::vec2> places;  ///< millimetres of the output; one place, two for a distance
   bool hidden = false;  ///< something, perhaps its own structure, is in front of the place
+  bool focus = false;   ///< it names what is in focus, and is the last to be left out
   glm::vec2 box{0.0f};  ///< the size that the text needs, with its padding
   float seen = 0.0f;    ///< of a label: how much the picture shows of what it names, if known
   /// Where the place was found for this picture; absent where it was set by hand.
@@ -111,7 +112,8 @@ struct LabelLayout {
 LabelLayout resized(const LabelLayout& layout, const glm::vec2& from, const glm::vec2& to);
 
 /// Lays out the labels. Every layout satisfies this: no two boxes overlap, no two leaders cross, no
-/// leader runs through a box, its own or another's, or turns by more than a right angle, no box but
+/// leader passes another's dot, runs through a box, its own or another's, or turns by more than a
+/// right angle, no box but
 /// one moved by hand covers its own dot or the line that it measures, all boxes lie within the
 /// space, and no part of them lies where it is reserved, except leaders to labels moved by hand. A
 /// label moved by hand stays where it was put and the others stand as if it had not been, except

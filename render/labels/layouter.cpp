@@ -20,7 +20,9 @@ void Layouter::setRanks() {
   // was put on a place by hand comes before names. In a film it is the list's order alone, as the
   // same labels must stand from picture to picture.
   const auto size = [this](std::size_t i) {
-    if (m_request.still || item(i).kind != model::AnnotationKind::label)
+    if (m_request.still)
+      return std::numeric_limits<int>::max();
+    if (item(i).focus || item(i).kind != model::AnnotationKind::label)
       return std::numeric_limits<int>::max();
     return item(i).seen > 0.0f ? std::ilogb(item(i).seen) : std::numeric_limits<int>::min();
   };
@@ -169,10 +171,10 @@ bool Layouter::fitsAcross(std::size_t i) {
 
 void Layouter::relieve(LabelPost post) {
   const auto distance = [&](std::size_t i) { return std::abs(placeOf(item(i)).x - m_middle); };
-  // Those that came from the other side go out first, then hidden ones, then those that did not
-  // stand before, then the least important.
+  // What is in focus goes out last. Of the others those that came from the other side go first,
+  // then hidden ones, then those that did not stand before, then the least important.
   const auto worth = [&](std::size_t i) {
-    return std::tuple(!m_fates[i].tried, !item(i).hidden, before(i) != nullptr,
+    return std::tuple(item(i).focus, !m_fates[i].tried, !item(i).hidden, before(i) != nullptr,
                       -std::ptrdiff_t(m_ranks[i]));
   };
   m_crowded = m_crowded || (!fit(post) && !fit(otherSide(post)));
@@ -199,8 +201,12 @@ void Layouter::relieve(LabelPost post) {
 bool Layouter::inConflict(std::size_t i, std::size_t j) const {
   const PlacedLabel& a = *m_placed[i];
   const PlacedLabel& b = *m_placed[j];
-  return overlap(a.box, b.box) || cross(a.leader, b.leader) ||
-         runsThrough(a.leader, b.box.grown(clearance)) ||
+  const auto passes = [](const PlacedLabel& label, const LabelItem& other) {
+    return std::any_of(other.places.begin(), other.places.end(),
+                       [&](const glm::vec2& place) { return passesDot(label.leader, place); });
+  };
+  return overlap(a.box, b.box) || cross(a.leader, b.leader) || passes(a, item(j)) ||
+         passes(b, item(i)) || runsThrough(a.leader, b.box.grown(clearance)) ||
          runsThrough(b.leader, a.box.grown(clearance));
 }
 
@@ -216,8 +222,8 @@ std::size_t Layouter::loserOf(std::size_t i, std::size_t j) const {
     const float astray = !item(k).side                     ? 0.0f
                          : item(k).side == LabelPost::left ? std::max(past, 0.0f)
                                                            : std::max(-past, 0.0f);
-    return std::tuple(m_placed[k]->post != LabelPost::byHand, !m_fates[k].tried, astray, cause,
-                      rested, item(k).hidden, m_ranks[k]);
+    return std::tuple(m_placed[k]->post != LabelPost::byHand, !m_fates[k].tried, !item(k).focus,
+                      astray, cause, rested, item(k).hidden, m_ranks[k]);
   };
   return rank(i, j) < rank(j, i) ? j : i;
 }

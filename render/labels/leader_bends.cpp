@@ -12,12 +12,13 @@ Leader bent(const Column& column, const ColumnPlacement& place, const LeaderBend
   return leaderOf(column, place.leader.front(), place.box, bend);
 }
 
-/// Bends either of two leaders that cross, so that they cross neither each other nor any other.
+/// Bends either of two leaders that disturb each other, so that they disturb neither each other nor
+/// any other.
 bool bendPair(const Column& column, std::vector<ColumnPlacement>& places, std::size_t i,
               std::size_t j) {
   const auto free = [&](const Leader& leader, std::size_t self, std::size_t other) {
     for (std::size_t k = 0; k < places.size(); ++k)
-      if (k != self && k != other && cross(leader, places[k].leader))
+      if (k != self && k != other && disturb(leader, places[k].leader))
         return false;
     return true;
   };
@@ -32,7 +33,7 @@ bool bendPair(const Column& column, std::vector<ColumnPlacement>& places, std::s
         break;
       const Leader first = bent(column, places[i], leaderBends[one]);
       const Leader second = bent(column, places[j], leaderBends[two]);
-      if (!cross(first, second) && free(first, i, j) && free(second, j, i))
+      if (!disturb(first, second) && free(first, i, j) && free(second, j, i))
         best = {one, two};
     }
   if (!best)
@@ -68,7 +69,7 @@ bool inTheWay(const ColumnPlacement& a, const ColumnPlacement& b) {
   const auto through = [](const ColumnPlacement& one, const ColumnPlacement& other) {
     return one.leader.size() == 2 && runsThrough(one.leader, other.box.grown(clearance));
   };
-  return cross(a.leader, b.leader) || through(a, b) || through(b, a);
+  return disturb(a.leader, b.leader) || through(a, b) || through(b, a);
 }
 
 bool leadersCross(const ColumnPlacement& a, const ColumnPlacement& b) {

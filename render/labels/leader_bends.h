@@ -34,8 +34,8 @@ inline constexpr std::array<LeaderBend, 9> leaderBends{{{LeaderBend::Way::boxLev
 Leader leaderOf(const Column& column, const glm::vec2& place, const LabelBox& box,
                 const LeaderBend& bend = {});
 
-/// Tells whether the leaders cross or one runs through the other's box, from a place behind the
-/// column.
+/// Tells whether the leaders cross, one passes the other's dot, or one runs through the other's
+/// box, from a place behind the column.
 bool inTheWay(const ColumnPlacement& a, const ColumnPlacement& b);
 bool leadersCross(const ColumnPlacement& a, const ColumnPlacement& b);
 
@@ -50,12 +50,13 @@ std::optional<std::pair<std::size_t, std::size_t>> firstPair(
   return std::nullopt;
 }
 
-/// Returns two items of which the leaders cross, or one's leader runs through the other's box.
+/// Returns the first two items that are in each other's way.
 /// Neighbours come first, as exchanging them moves least.
 std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
     const std::vector<ColumnPlacement>& places);
 
-/// Bends leaders, as few and as little as it finds necessary, until no two cross; boxes stay. It
+/// Bends leaders, as few and as little as it finds necessary, until no two cross and none passes
+/// another's dot; boxes stay. It
 /// returns false, and changes nothing, where that is impossible.
 bool bendApart(const Column& column, std::vector<ColumnPlacement>& places);
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/scene/camera.h"
+#include "model/scene/known_frame.h"
 
 namespace sline::render {
 
@@ -18,6 +19,7 @@ struct EdgeLetters {
   std::string bottom;
   bool operator==(const EdgeLetters&) const = default;
 };
-EdgeLetters edgeLetters(const model::Camera& camera);
+/// Returns them, each that is in doubt with a question mark: "R?A?".
+EdgeLetters edgeLetters(const model::Camera& camera, const model::KnownSides& sides);
 
 }  // namespace sline::render

@@ -10,6 +10,7 @@
 
 #include "model/base/parallel.h"
 #include "model/scene/resolved_styles.h"
+#include "model/scene/visible_structures.h"
 
 namespace sline::render {
 
@@ -17,6 +18,9 @@ namespace {
 
 /// Cells along the picture's height: two units of output each, as wide as the usual pen.
 constexpr int cellsHigh = 360;
+/// Of the structures that share one surface, and so lie in one place, so many are drawn, and those
+/// that have labels. A scene may have thousands, of which pictures show one or a few.
+constexpr int mostOfOneSurface = 16;
 
 }  // namespace
 
@@ -26,8 +30,13 @@ SeenMap::SeenMap(const model::Scene& scene, const Screen& screen, model::MeshTre
   m_grid.rows = cellsHigh;
   m_grid.columns = std::clamp(int(std::ceil(screen.size().x / m_grid.side)), 1, 8 * cellsHigh);
   const std::array<model::NodeId, 1> all{model::rootId};
+  const std::unordered_set<std::uint64_t> labelled = model::annotatedStructures(scene);
+  std::map<const model::Mesh*, int> drawn;
   for (const model::ResolvedStructure& one : model::resolvedBelow(scene, all))
     if (one.style.visible && one.style.opacity.value() > 0.0f) {
+      if (++drawn[one.node->mesh.get()] > mostOfOneSurface &&
+          !labelled.contains(one.node->id.value))
+        continue;
       m_index[one.node->id] = std::uint32_t(m_layers.size());
       m_layers.emplace_back(scene, *one.node, one.style);
     }

@@ -47,6 +47,8 @@ struct SeenArea {
     return x >= 0 && y >= 0 && x < grid.columns && y < grid.rows &&
            cells[std::size_t(y) * std::size_t(grid.columns) + std::size_t(x)];
   }
+  /// Tells whether a cell that the box touches shows something.
+  bool anyIn(const LabelBox& box) const;
 };
 
 class SeenMap {
@@ -79,6 +81,8 @@ class SeenMap {
   /// Returns where one sees any of the structures rather than others: the one whose colour is
   /// strongest there, whatever lines pass before it; without any colour the nearest.
   SeenArea areaOf(std::span<const model::NodeId> structures) const;
+  /// Returns where anything is drawn or surrounded by its outline.
+  SeenArea drawnArea() const;
   /// Tells whether the structure is not what one sees at that place of its surface.
   bool hides(model::NodeId structure, const glm::vec3& p) const;
 

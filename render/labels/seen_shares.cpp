@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sums up over a picture what its cells show.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -94,6 +95,25 @@ SeenArea SeenMap::areaOf(std::span<const model::NodeId> structures) const {
       area.cells[std::size_t(y) * std::size_t(m_grid.columns) + std::size_t(x)] =
           owner && wanted[owner->layer];
     }
+  return area;
+}
+
+bool SeenArea::anyIn(const LabelBox& box) const {
+  const auto cell = [this](float mm, float corner) {
+    return int(std::floor((mm - corner) / grid.side));
+  };
+  for (int y = cell(box.low.y, grid.corner.y); y <= cell(box.high.y, grid.corner.y); ++y)
+    for (int x = cell(box.low.x, grid.corner.x); x <= cell(box.high.x, grid.corner.x); ++x)
+      if (at(x, y))
+        return true;
+  return false;
+}
+
+SeenArea SeenMap::drawnArea() const {
+  SeenArea area{.grid = m_grid, .cells = {}};
+  area.cells.resize(std::size_t(m_grid.columns) * std::size_t(m_grid.rows));
+  for (std::size_t i = 0; i < area.cells.size(); ++i)
+    area.cells[i] = m_first[i + 1] > m_first[i];
   return area;
 }
 

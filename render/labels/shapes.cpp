@@ -116,6 +116,31 @@ glm::vec2 portOf(const LabelBox& box, const glm::vec2& place) {
   return beyond.x > beyond.y ? aside : across;
 }
 
+bool passesDot(const Leader& leader, const glm::vec2& place) {
+  constexpr float room = 0.62f;   // millimetres: more than the radius of a dot and half a pen
+  constexpr float apart = 1.25f;  // between dots that one can tell apart
+  if (leader.empty() || glm::distance(leader.front(), place) < apart)
+    return false;
+  for (std::size_t i = 1; i < leader.size(); ++i) {
+    const glm::vec2 low = glm::min(leader[i - 1], leader[i]) - room;
+    const glm::vec2 high = glm::max(leader[i - 1], leader[i]) + room;
+    if (place.x < low.x || place.y < low.y || place.x > high.x || place.y > high.y)
+      continue;
+    const glm::vec2 way = leader[i] - leader[i - 1];
+    const float squared = glm::dot(way, way);
+    const float part = squared > 0.0f ? glm::dot(place - leader[i - 1], way) / squared : 0.0f;
+    const glm::vec2 nearest = leader[i - 1] + std::clamp(part, 0.0f, 1.0f) * way;
+    if (glm::distance(place, nearest) < room)
+      return true;
+  }
+  return false;
+}
+
+bool disturb(const Leader& a, const Leader& b) {
+  return cross(a, b) || (!b.empty() && passesDot(a, b.front())) ||
+         (!a.empty() && passesDot(b, a.front()));
+}
+
 bool runsThrough(const Leader& leader, const LabelBox& box) {
   for (std::size_t i = 1; i < leader.size(); ++i)
     if (clips(leader[i - 1], leader[i], box))

@@ -37,6 +37,12 @@ bool overlap(const LabelBox& a, const LabelBox& b);
 /// Tells whether the leaders have a point in common; if both begin at the same place, another
 /// point.
 bool cross(const Leader& a, const Leader& b);
+/// Tells whether a leader that begins elsewhere passes so near to the place that it touches or
+/// seems to touch the dot there, and so to end on it. Dots that nearly touch each other cannot be
+/// told apart by that.
+bool passesDot(const Leader& leader, const glm::vec2& place);
+/// Tells whether the leaders cross or one passes the other's dot.
+bool disturb(const Leader& a, const Leader& b);
 /// Tells whether the leader has a point within the box.
 bool runsThrough(const Leader& leader, const LabelBox& box);
 /// Returns where a straight leader from a place outside the box ends without running through it: in

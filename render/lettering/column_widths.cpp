@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/scene/cut_place.h"
 #include "model/scene/label_words.h"
 #include "model/scene/visible_structures.h"
 #include "render/labels/label_room.h"
@@ -121,7 +122,7 @@ std::vector<ShownLabel> visibleLabels(const model::Scene& scene, const Screen& s
     label.item.offset = annotation.offset;
     label.text = model::writtenIn(annotation, style.language);
     label.number = ++number;
-    for (const model::Anchor& anchor : annotation.anchors)
+    for (const model::Anchor& anchor : model::pointedAt(annotation))
       if (const auto point = scene.placeOf(anchor))
         if (const auto place = screen.place(*point))
           label.item.places.push_back(*place);

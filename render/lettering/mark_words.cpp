@@ -108,8 +108,9 @@ QString symbolText(model::DrawnUnit unit) {
 
 }  // namespace
 
-MarkWords::MarkWords(const std::string& language)
+MarkWords::MarkWords(const std::string& language, const model::KnownSides& sides)
     : m_table(tableOf(language)),
+      m_sides(sides),
       m_locale(QString::fromStdString(language.empty() ? "en" : model::firstLanguage(language))) {}
 
 QString MarkWords::view(const std::string& name, const model::Camera& camera) const {
@@ -118,7 +119,12 @@ QString MarkWords::view(const std::string& name, const model::Camera& camera) co
     return QString::fromStdString(name).simplified();
   const bool seen = model::nearestAnatomicalView(camera) == *named;
   const auto side = seen ? named : model::anatomicalViewOf(camera);
-  return side ? QString::fromUtf8(m_table.views[std::size_t(*side)]) : QString();
+  return side ? doubted(QString::fromUtf8(m_table.views[std::size_t(*side)]), model::axisOf(*side))
+              : QString();
+}
+
+QString MarkWords::doubted(const QString& text, int axis) const {
+  return m_sides.inDoubt(axis) ? text + QStringLiteral(" (?)") : text;
 }
 
 QString MarkWords::section(const model::Plane& plane, model::DrawnUnit unit) const {
@@ -132,7 +138,8 @@ QString MarkWords::section(const model::Plane& plane, model::DrawnUnit unit) con
   const QString at = QLatin1Char(letter) + QString(QChar::Nbsp) +
                      m_locale.toString(std::abs(place), 'f', 1) + QString(QChar::Nbsp) +
                      symbolText(unit);
-  return QString::fromUtf8(m_table.sections[std::size_t(*kept)]).arg(at);
+  return doubted(QString::fromUtf8(m_table.sections[std::size_t(*kept)]).arg(at),
+                 model::axisOf(*kept));
 }
 
 QString MarkWords::sections(std::size_t count) const {

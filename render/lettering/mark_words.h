@@ -17,8 +17,9 @@ struct MarkTable;
 
 class MarkWords {
  public:
-  /// Takes a BCP 47 tag; unknown languages become English.
-  explicit MarkWords(const std::string& language);
+  /// Takes a BCP 47 tag; unknown languages become English. What is said of sides that are in
+  /// doubt has a question mark.
+  MarkWords(const std::string& language, const model::KnownSides& sides);
 
   /// Returns "Anterior view"; a name other than the six sides' is returned unchanged. If the camera
   /// does not see mostly the named side, the side that it does see is returned, or nothing where it
@@ -37,7 +38,10 @@ class MarkWords {
   const QLocale& locale() const { return m_locale; }
 
  private:
+  QString doubted(const QString& text, int axis) const;
+
   const MarkTable& m_table;
+  model::KnownSides m_sides;
   QLocale m_locale;
 };
 

@@ -22,13 +22,21 @@ std::optional<ScaleLength> scaleLength(const model::Camera& camera, const glm::v
   return ScaleLength{.millimetres = millimetres, .drawn = millimetres / scale};
 }
 
+std::optional<glm::vec3> scalePlace(const model::Scene& scene) {
+  const model::Box bounds = scene.visibleBounds();
+  return bounds.empty() ? std::nullopt : std::optional(bounds.centre());
+}
+
 QString lengthText(double millimetres, const QLocale& locale, model::DrawnUnit unit) {
-  const int digits = unit == model::DrawnUnit::millimetre ? 4 : 9;
+  const bool angstrom = unit == model::DrawnUnit::angstrom;
+  const bool doubted = unit == model::DrawnUnit::doubtedMillimetre;
+  const int digits = angstrom ? 9 : 4;
   const auto text = [&](double value, std::string_view symbol) {
     return locale.toString(value, 'g', digits) + QLatin1Char(' ') +
-           QString::fromUtf8(symbol.data(), qsizetype(symbol.size()));
+           QString::fromUtf8(symbol.data(), qsizetype(symbol.size())) +
+           (doubted ? QStringLiteral("?") : QString());
   };
-  if (unit != model::DrawnUnit::millimetre)
+  if (angstrom)
     return text(millimetres, symbolOf(unit));
   if (millimetres >= 1000.0)
     return text(millimetres / 1000.0, "m");

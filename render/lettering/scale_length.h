@@ -8,6 +8,7 @@
 
 #include "model/scene/camera.h"
 #include "model/scene/known_frame.h"
+#include "model/scene/scene.h"
 
 namespace sline::render {
 
@@ -24,8 +25,13 @@ struct ScaleLength {
 /// picture of that height. It is absent where there is no scale: for a point behind the eye.
 std::optional<ScaleLength> scaleLength(const model::Camera& camera, const glm::vec3& at,
                                        double height, double most);
+/// Returns where the scale bars of a scene are true: in the middle of what is visible, in every
+/// product alike, so that a bar does not depend on what the camera turns around. It is absent where
+/// nothing is visible.
+std::optional<glm::vec3> scalePlace(const model::Scene& scene);
 /// Returns "5 mm", from 10 mm on "1 cm", from 1000 mm on "1 m", with the number as the locale
-/// writes it; for a scene that is drawn in another unit its number of those: "5 Å".
+/// writes it; for a scene that is drawn in another unit its number of those: "5 Å";
+/// where the unit is doubted "1 cm?".
 QString lengthText(double millimetres, const QLocale& locale,
                    model::DrawnUnit unit = model::DrawnUnit::millimetre);
 

@@ -10,6 +10,10 @@ namespace sline::render {
 namespace {
 // A share of F: surfaces nearer to the eye get no finer strokes.
 constexpr float nearest = 1e-3f;
+// The most cells that a picture looks at. A usual one looks at some hundred; but a flat side that
+// is seen along its length has cells all the way to the horizon. No level is taken of which not all
+// are.
+constexpr std::size_t mostHatchCells = 20'000;
 
 float depthOf(const ViewScale& scale, const model::Box& box) {
   float depth = std::numeric_limits<float>::infinity();
@@ -45,7 +49,8 @@ class Descent {
             m_perMm[c] = perMmAt(m_view.scale.project(bounds.centre).distanceMm - bounds.radius);
           }
     std::vector<const KeptCell*> candidates = m_layout.coarsest();
-    while (!candidates.empty()) {
+    for (std::size_t seen = 0; !candidates.empty() && seen + candidates.size() <= mostHatchCells;) {
+      seen += candidates.size();
       m_next.clear();
       for (const KeptCell* candidate : candidates)
         refine(*candidate);
@@ -86,7 +91,7 @@ class Descent {
     const float shown = std::min(most, perMmAt(depthOf(m_view.scale, reached)));
     if (2.0f * shown > whole)
       m_needed.push_back(&cell);
-    if (level >= finestHatchLevel || shown <= whole)
+    if (level >= m_layout.lastLevel() || shown <= whole)
       return;
     for (const KeptCell* finer : m_layout.finer(cell)) {
       if (m_seen.size() <= finer->number)

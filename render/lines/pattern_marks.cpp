@@ -168,6 +168,11 @@ class PatternArtist {
     rimMarks({.distance = 1.75, .pitch = 2.0, .length = 1.1, .share = 0.5, .width = {0.36f, 0.5f}});
   }
 
+  void rim() {
+    rimMarks(
+        {.distance = 0.5, .pitch = 1.4, .length = 1.35, .share = 0.95, .width = {0.42f, 0.5f}});
+  }
+
   void lamellae() {
     double deepest = 0.0;
     scatter(square(1.0), 0.0, 0.0, [&](const glm::dvec2& at, PlaceChance&) {
@@ -368,6 +373,7 @@ void drawPattern(CutPattern pattern, const PatternLayout& layout, FacePen& pen) 
   PatternArtist artist(layout, pen);
   switch (pattern) {
     case CutPattern::plain:
+    case CutPattern::blank:
       return;
     case CutPattern::spongy:
       return artist.spongy();
@@ -389,6 +395,8 @@ void drawPattern(CutPattern pattern, const PatternLayout& layout, FacePen& pen) 
       return artist.stipple();
     case CutPattern::crossed:
       return artist.crossed();
+    case CutPattern::rim:
+      return artist.rim();
   }
 }
 

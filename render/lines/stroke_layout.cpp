@@ -22,6 +22,11 @@ constexpr float sideMargin = 4.0f;
 // times the points of the last view.
 constexpr std::size_t fewPoints = 50'000;
 constexpr std::size_t viewsKept = 4;
+// Strokes lie at least this share of the farthest coordinate apart: some sixteen roundings.
+constexpr float leastApart = 0x1p-19f;
+// The most cells all over a surface from which to go on to finer ones. Where small forms decide on
+// the distance between strokes, as beside a stray vertex far away, even the first level has more.
+constexpr double mostCellsAtOnce = 4096.0;
 
 model::Box grown(const model::Box& box, float by) {
   return {box.low - by, box.high + by};
@@ -49,6 +54,25 @@ StrokeLayout::StrokeLayout(model::SurfacePtr surface, float length)
   m_firstLevel = coarsestHatchLevel;
   while (m_firstLevel < finestHatchLevel && spacing(m_firstLevel) > coarsest)
     ++m_firstLevel;
+  m_lastLevel = lastLevelApart();
+}
+
+int StrokeLayout::lastLevelApart() const {
+  const model::Box& box = m_surface->mesh->bounds();
+  float farthest = 0.0f;
+  for (int axis = 0; axis < 3 && !box.empty(); ++axis)
+    farthest = std::max({farthest, std::abs(box.low[axis]), std::abs(box.high[axis])});
+  int level = finestHatchLevel;
+  while (level >= m_firstLevel && !(spacing(level) > leastApart * farthest))
+    --level;
+  return level;
+}
+
+int StrokeLayout::levelOfFewCells() const {
+  int level = m_firstLevel;
+  while (rangeNear(level, m_surface->boundingSphere).count() > mostCellsAtOnce)
+    --level;
+  return level;
 }
 
 float StrokeLayout::spacing(int level) const {
@@ -136,8 +160,8 @@ std::shared_ptr<const LaidTile> StrokeLayout::tile(const KeptCell& cell) {
 
 const std::vector<const KeptCell*>& StrokeLayout::coarsest() {
   const std::lock_guard lock(m_mutex);
-  if (!m_knowsCoarsest)
-    m_coarsest = reaching(rangeNear(m_firstLevel, m_surface->boundingSphere));
+  if (!m_knowsCoarsest && m_lastLevel >= m_firstLevel)
+    m_coarsest = reaching(rangeNear(levelOfFewCells(), m_surface->boundingSphere));
   m_knowsCoarsest = true;
   return m_coarsest;
 }
@@ -216,6 +240,8 @@ std::shared_ptr<const LaidTile> StrokeLayout::found(KeptCell& known) {
 
 LaidTile StrokeLayout::lay(const KeptCell& known) {
   const LaidCell& cell = known.cell;
+  if (cell.level < m_firstLevel)
+    return {};
   const model::Box box = home(cell);
   std::vector<std::uint32_t> clusters;
   for (const std::uint32_t c : known.clusters)
@@ -275,9 +301,7 @@ void StrokeLayout::mark(const LaidTile& tile, const LaidStroke& stroke, float di
     const float apart = glm::distance(next.position, last.position);
     if (apart < markStep * distance && i + 1 < stroke.count)
       continue;
-    const int pieces = std::max(1, int(std::ceil(apart / (markStep * distance))));
-    for (int k = 1; k <= pieces; ++k)
-      taken.add({glm::mix(last.position, next.position, float(k) / float(pieces)), next.normal});
+    taken.addAlong(last.position, next, std::max(1, int(std::ceil(apart / (markStep * distance)))));
     last = next;
   }
 }

@@ -134,8 +134,10 @@ class StrokeLayout {
   float length() const { return m_length; }
   /// Returns the distance between strokes of a level, mm.
   float spacing(int level) const;
-  /// Returns the coarsest level that has more than a stroke or two.
+  /// Returns the coarsest level that has more than a stroke or two, and the finest whose strokes
+  /// lie farther apart than coordinates are rounded; that is less than the first where none is.
   int firstLevel() const { return m_firstLevel; }
+  int lastLevel() const { return m_lastLevel; }
 
   /// `home` returns the cube itself, in the patient's frame; `reached` all that strokes starting
   /// there may reach.
@@ -153,7 +155,8 @@ class StrokeLayout {
   void beginView();
   std::shared_ptr<const LaidTile> tile(const LaidCell& cell);
   std::shared_ptr<const LaidTile> tile(const KeptCell& cell);
-  /// Returns the cells of the first level whose strokes may reach the surface.
+  /// Returns the cells from which to go on to finer ones, of a level that has few of them all over
+  /// the surface: the first, or a coarser one, whose cells have no strokes.
   const std::vector<const KeptCell*>& coarsest();
   /// Returns those of the next level that share space with the cell.
   const std::vector<const KeptCell*>& finer(const KeptCell& cell);
@@ -186,6 +189,8 @@ class StrokeLayout {
   std::vector<std::uint32_t> clustersWithin(const model::Box& box) const;
   std::shared_ptr<const LaidTile> found(KeptCell& known);
   LaidTile lay(const KeptCell& known);
+  int lastLevelApart() const;
+  int levelOfFewCells() const;
   void markAround(const LaidCell& cell, const model::Box& box, StrokeSpacing& taken);
   StrokeSpacing::Mark markAt(const SurfacePoint& place) const;
   static void mark(const LaidTile& tile, const LaidStroke& stroke, float distance,
@@ -197,6 +202,7 @@ class StrokeLayout {
   StrokeDirections m_directions;
   float m_length;
   int m_firstLevel;
+  int m_lastLevel;
   std::mutex m_mutex;  ///< guards all below
   std::unordered_map<LaidCell, KeptCell, CellHash> m_cells;
   std::vector<KeptCell*> m_byNumber;

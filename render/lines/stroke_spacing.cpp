@@ -37,6 +37,29 @@ void StrokeSpacing::add(const Mark& mark) {
   first = std::int32_t(m_marks.size()) - 1;
 }
 
+void StrokeSpacing::addAlong(const glm::vec3& from, const Mark& to, int pieces) {
+  // The shares of the way between which it lies in the box.
+  float low = 0.0f;
+  float high = 1.0f;
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    const float way = to.position[axis] - from[axis];
+    if (way == 0.0f && (from[axis] < m_box.low[axis] || from[axis] > m_box.high[axis]))
+      return;
+    if (way == 0.0f)
+      continue;
+    const float one = (m_box.low[axis] - from[axis]) / way;
+    const float other = (m_box.high[axis] - from[axis]) / way;
+    low = std::clamp(std::min(one, other), low, 1.0f);
+    high = std::clamp(std::max(one, other), 0.0f, high);
+  }
+  // One more on either side, for the rounding.
+  const auto count = float(pieces);
+  const int first = std::max(1, int(std::floor(low * count)) - 1);
+  const int last = std::min(pieces, int(std::ceil(high * count)) + 1);
+  for (int k = first; k <= last; ++k)
+    add({glm::mix(from, to.position, float(k) / count), to.normal});
+}
+
 float StrokeSpacing::room(const Mark& place) const {
   const Cell low = cell(place.position - m_distance);
   const Cell high = cell(place.position + m_distance);

@@ -22,6 +22,9 @@ class StrokeSpacing {
   /// Keeps strokes `distance` mm apart; marks outside the box are ignored.
   StrokeSpacing(float distance, const model::Box& box);
   void add(const Mark& mark);
+  /// Adds marks at the ends of so many equal pieces of the way from there to the mark. Those
+  /// outside the box take no time: where it is small, there may be millions.
+  void addAlong(const glm::vec3& from, const Mark& to, int pieces);
   /// Returns the distance to the nearest mark as a share of that between strokes, at most 1.
   float room(const Mark& place) const;
 

@@ -30,7 +30,8 @@ double patternSpacing(double millimetresPerUnit) {
 Hatching tissuePattern(const CutFace& face, std::span<const model::Plane> others,
                        TissuePatternRequest request) {
   std::optional<PlaneWindow> window = windowOf(face);
-  if (!window || request.pattern == model::CutPattern::plain || !(request.spacing > 0.0))
+  if (!window || request.pattern == model::CutPattern::plain ||
+      request.pattern == model::CutPattern::blank || !(request.spacing > 0.0))
     return {};
   if (request.window)
     window = PlaneWindow{glm::max(window->low, request.window->low),

@@ -102,7 +102,8 @@ std::vector<Layer> planLayers(std::span<const PreparedStructure> shown, const Pi
                               const PixelRect& region, const PictureContent& parts) {
   std::vector<PixelRect> found(shown.size());
   parallelFor(shown.size(), 1, [&](std::size_t i) {
-    found[i] = coveredArea(shown[i], view, withStrokeReach(shown[i], view, region));
+    if (!shown[i].buried)
+      found[i] = coveredArea(shown[i], view, withStrokeReach(shown[i], view, region));
   });
   // The layer of all opaque structures comes first: its depths win ties.
   std::vector<Layer> layers(1);

@@ -29,6 +29,7 @@ struct PreparedStructure : DrawnStructure {
   /// pixels; null: of the surface itself. Belongs to `cached`.
   const model::Clusters* sampled = nullptr;
   bool printedHatching = false;           ///< hatched pixel by pixel
+  bool buried = false;                    ///< others of its like hide it: see Coinciding
   std::shared_ptr<CappedSurface> capped;  ///< the same as `cut`, with the GPU's part
 
   /// Tells whether both have one surface, cut alike, whose style and hatching may differ.

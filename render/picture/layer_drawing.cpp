@@ -105,16 +105,19 @@ void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input, cons
   }
 }
 
-void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
-                                std::span<const Layer> layers,
-                                std::span<const std::size_t> changed) const {
+Status LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
+                                  std::span<const Layer> layers,
+                                  std::span<const std::size_t> changed) const {
   gpu::DrawQueue queue(device.software());
   const bool enlarged = input.surfaceStep > 1;
   // Found depths come before all that is drawn, for which a driver would have to wait.
   for (const std::size_t i : changed)
     if (layers[i].shows() && !layers[i].pixels.empty())
-      m_atlas.surfaceDepths().upload(std::as_bytes(std::span(layers[i].pixels.surfaceDepths)),
-                                     surfacePlace(layers[i], layers[i].slot).slot);
+      if (Status s = m_atlas.surfaceDepths().upload(
+              std::as_bytes(std::span(layers[i].pixels.surfaceDepths)),
+              surfacePlace(layers[i], layers[i].slot).slot);
+          !s)
+        return s;
   for (const std::size_t i : changed)
     if (layers[i].shows() && layers[i].pixels.empty()) {
       m_wipePass->draw(device, m_atlas.surfaceTarget(),
@@ -135,6 +138,7 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
         queue.addCopies(layers[i].slot);
       }
   emptyInk(device, layers, changed);
+  return Unit{};
 }
 
 void LayerPainter::enlargeSurfaces(gpu::Device& device, const PictureInput& input,

@@ -79,8 +79,10 @@ Result<bool> LayerPainter::outlineOnProcessor(gpu::Device& device, const Picture
   const PixelRect& area = drawn.area;
   if (Status s = m_numbers.resize({place.region.width, place.region.height}, false); !s)
     return s.error();
-  m_numbers.colour->upload(std::as_bytes(std::span(drawn.ink->colours)),
-                           {0, 0, area.width, area.height});
+  if (Status s = m_numbers.colour->upload(std::as_bytes(std::span(drawn.ink->colours)),
+                                          {0, 0, area.width, area.height});
+      !s)
+    return s.error();
   m_overlayPass->draw(device, place.target,
                       {*m_numbers.colour, {area.x, area.y}, drawn.ink->rectangles});
   return true;
@@ -114,7 +116,8 @@ Status LayerPainter::outline(gpu::Device& device, const PictureInput& input,
     wanted.mark(grown(layer.area, look.reach()));
   const TileLists lists =
       tileLists(hidingLayers(m_kept, numbers, region, input.background), wanted);
-  m_resolvePass->upload(lists.tiles, lists.entries);
+  if (Status s = m_resolvePass->upload(lists.tiles, lists.entries); !s)
+    return s;
   m_resolvePass->drawOutlines(device, place.target,
                               {.numbers = *m_numbers.colour,
                                .numberDepths = *m_numbers.depth,

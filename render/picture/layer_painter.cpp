@@ -256,17 +256,19 @@ std::vector<ListedLayer> listedLayers(std::span<const Layer> layers, const Pixel
   return listed;
 }
 
-void LayerPainter::resolve(gpu::Device& device, Background background, const Canvas& canvas,
-                           std::span<const Layer> layers) {
+Status LayerPainter::resolve(gpu::Device& device, Background background, const Canvas& canvas,
+                             std::span<const Layer> layers) {
   const std::vector<ListedLayer> listed = listedLayers(layers, canvas.region, background);
   const TileLists lists = tileLists(listed, canvas.wanted);
-  m_resolvePass->upload(lists.tiles, lists.entries);
+  if (Status s = m_resolvePass->upload(lists.tiles, lists.entries); !s)
+    return s;
   m_resolvePass->draw(device, canvas.target,
                       {.colours = m_atlas.colours(),
                        .inks = m_atlas.inks(),
                        .depths = m_atlas.layerDepths(),
                        .background = backgroundColour(background),
                        .keepOthers = canvas.keeps});
+  return Unit{};
 }
 
 /// Draws a little from other textures, to and fro. Drivers hold on to the textures that they last
@@ -286,7 +288,8 @@ void LayerPainter::letGo(gpu::Device& device) {
     return;
   const passes::ResolveEntry entry = passes::resolveEntry({});
   const passes::ResolveTile tile = passes::resolveTile({0, 0, side, side}, {&entry, 1}, 0);
-  m_resolvePass->upload({&tile, 1}, {&entry, 1});
+  if (!m_resolvePass->upload({&tile, 1}, {&entry, 1}))
+    return;
   for (int i = 0; i < rounds; ++i)
     m_resolvePass->draw(device, i % 2 == 0 ? **one : **other,
                         {.colours = colours, .inks = inks, .depths = depths});
@@ -308,21 +311,28 @@ void LayerPainter::takeSpares(std::vector<Layer>& layers, std::span<const std::s
                    [](const LayerPixels& a, const LayerPixels& b) {
                      return a.depths.capacity() > b.depths.capacity();
                    });
-  for (std::size_t i = 0; i < std::min(order.size(), m_spares.size()); ++i)
+  for (std::size_t i = 0; i < std::min(order.size(), m_spares.size()); ++i) {
     layers[order[i]].pixels = std::move(m_spares[i]);
+    // What they held is another layer's, of another size: this one may show nothing, and would keep
+    // it for its own.
+    layers[order[i]].pixels.clear();
+  }
   m_spares.clear();
 }
 
-void LayerPainter::blendOnProcessor(Background background, const Canvas& canvas,
-                                    std::span<const Layer> layers, const gpu::Texture& pixels) {
+Status LayerPainter::blendOnProcessor(Background background, const Canvas& canvas,
+                                      std::span<const Layer> layers, const gpu::Texture& pixels) {
   const glm::vec4 ground = backgroundColour(background);
   const PixelRect& region = canvas.region;
   const std::size_t count = areaOf(region);
   if (!canvas.keeps || m_picture.size() != count)
     m_picture.assign(count, packedColour(ground));
+  for (const Layer& layer : layers)
+    if (layer.shows() && (layer.pixels.area != layer.area || !layer.pixels.complete()))
+      return gpu::misfit(std::as_bytes(std::span(layer.pixels.depths)).size(), layer.area);
   const std::vector<BlendLayer> blended = blendLayers(layers, background);
   blend({region, blended, canvas.wanted, ground}, m_picture);
-  pixels.upload(std::as_bytes(std::span(m_picture)), {0, 0, region.width, region.height});
+  return pixels.upload(std::as_bytes(std::span(m_picture)), {0, 0, region.width, region.height});
 }
 
 Status LayerPainter::upload(gpu::Device& device, std::span<Layer> layers) {
@@ -331,10 +341,17 @@ Status LayerPainter::upload(gpu::Device& device, std::span<Layer> layers) {
   for (Layer& layer : layers) {
     if (!layer.onProcessor || layer.uploaded || layer.pixels.empty())
       continue;
+    const LayerPixels& pixels = layer.pixels;
     if (layer.filled)
-      m_atlas.colours().upload(std::as_bytes(std::span(layer.pixels.colours)), layer.slot);
-    m_atlas.inks().upload(std::as_bytes(std::span(layer.pixels.inks)), layer.slot);
-    m_atlas.layerDepths().upload(std::as_bytes(std::span(layer.pixels.depths)), layer.slot);
+      if (Status s = m_atlas.colours().upload(std::as_bytes(std::span(pixels.colours)), layer.slot);
+          !s)
+        return s;
+    if (Status s = m_atlas.inks().upload(std::as_bytes(std::span(pixels.inks)), layer.slot); !s)
+      return s;
+    if (Status s =
+            m_atlas.layerDepths().upload(std::as_bytes(std::span(pixels.depths)), layer.slot);
+        !s)
+      return s;
     layer.uploaded = true;
   }
   return Unit{};
@@ -346,7 +363,8 @@ Result<LayerPainter::Outcome> LayerPainter::drive(gpu::Device& device, const Pic
                                                   Stopwatch& stopwatch) {
   if (Status s = upload(device, layers); !s)
     return s.error();
-  drawSurfaces(device, input, layers, driven);
+  if (Status s = drawSurfaces(device, input, layers, driven); !s)
+    return s.error();
   stopwatch.pass(device, "surface");
   if (input.isUnwanted())
     return Outcome::givenUp;
@@ -397,10 +415,10 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
       return outcome;
   }
   const Canvas all = canvas(*picture.target, region, layers, changed, blends);
-  if (blends)
-    blendOnProcessor(input.background, all, layers, *picture.colour);
-  else
-    resolve(device, input.background, all, layers);
+  const Status blended = blends ? blendOnProcessor(input.background, all, layers, *picture.colour)
+                                : resolve(device, input.background, all, layers);
+  if (!blended)
+    return blended.error();
   stopwatch.pass(device, "resolve");
   m_layersDrawn = int(std::count_if(changed.begin(), changed.end(),
                                     [&](std::size_t i) { return !layers[i].covered; }));

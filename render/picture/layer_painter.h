@@ -113,8 +113,8 @@ class LayerPainter {
   void enlargeSurfaces(gpu::Device& device, const PictureInput& input,
                        std::span<const Layer> layers, std::span<const std::size_t> changed,
                        gpu::DrawQueue& queue) const;
-  void drawSurfaces(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
-                    std::span<const std::size_t> changed) const;
+  Status drawSurfaces(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
+                      std::span<const std::size_t> changed) const;
   Status drawInk(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
                  std::span<const std::size_t> changed);
   /// Tells which part of a target is to be blended anew; the rest stays as it is.
@@ -126,11 +126,11 @@ class LayerPainter {
   };
   Canvas canvas(const gpu::Target& target, const PixelRect& region, std::span<const Layer> layers,
                 std::span<const std::size_t> changed, bool blends);
-  void resolve(gpu::Device& device, Background background, const Canvas& canvas,
-               std::span<const Layer> layers);
+  Status resolve(gpu::Device& device, Background background, const Canvas& canvas,
+                 std::span<const Layer> layers);
   /// Blends layers that the processor drew, and puts the region's pixels into the texture.
-  void blendOnProcessor(Background background, const Canvas& canvas, std::span<const Layer> layers,
-                        const gpu::Texture& pixels);
+  Status blendOnProcessor(Background background, const Canvas& canvas,
+                          std::span<const Layer> layers, const gpu::Texture& pixels);
   /// Gives the atlas what only the processor has of the layers.
   Status upload(gpu::Device& device, std::span<Layer> layers);
   /// Draws the layers on the graphics card.

@@ -2,13 +2,13 @@
 #include "render/picture/picture.h"
 
 #include <algorithm>
-#include <cassert>
 #include <optional>
 
 #include "model/base/parallel.h"
 #include "model/scene/visible_structures.h"
 #include "render/picture/layer_painter.h"
 #include "render/picture/picture_canvas.h"
+#include "render/strokes/coinciding.h"
 #include "render/strokes/face_patterns.h"
 #include "render/strokes/gamma_offsets.h"
 
@@ -62,7 +62,10 @@ Status checkRequest(const model::Camera& camera, const PictureSettings& settings
     return Error{.reason = "a picture of " + std::to_string(settings.width) + "×" +
                            std::to_string(settings.height) + " pixels cannot be drawn",
                  .remedy = "Ask for 1 to 65535 pixels each way"};
-  assert(settings.surfaceStep >= 1 && settings.surfaceStep <= 4);
+  if (settings.surfaceStep < 1 || settings.surfaceStep > 4)
+    return Error{.reason = "a surface cannot be drawn with one pixel for " +
+                           std::to_string(settings.surfaceStep) + " of the picture each way",
+                 .remedy = "Ask for 1 to 4"};
   if (const auto fault = model::cameraFault(camera))
     return Error{.where = "camera", .reason = std::string(*fault), .remedy = "Correct the camera"};
   return Unit{};
@@ -136,6 +139,9 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
   }
   std::sort(visible.begin(), visible.end(),
             [](const PreparedStructure& a, const PreparedStructure& b) { return a.id < b.id; });
+  Coinciding coinciding;
+  for (PreparedStructure& shown : visible)
+    shown.buried = coinciding.isBuried(shown);
   return visible;
 }
 
@@ -231,14 +237,17 @@ Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
       return s;
   if (output.image) {
     std::vector<std::byte> pixels(std::size_t(region.width) * region.height * 4);
-    device->read(*canvas.target, {0, 0, region.width, region.height}, pixels);
+    if (Status s = device->read(*canvas.target, {0, 0, region.width, region.height}, pixels); !s)
+      return s;
     copyRegion(pixels, region, *output.image);
     stopwatch.pass(*device, "read");
   }
   if (output.pieces) {
-    PicturePiece piece = pieceOf(*device, *canvas.target, region, int(input.view.size().y));
+    Result<PicturePiece> piece = pieceOf(*device, *canvas.target, region, int(input.view.size().y));
+    if (!piece)
+      return piece.error();
     stopwatch.pass(*device, "read");
-    givenUp = !output.pieces->take(std::move(piece));
+    givenUp = !output.pieces->take(std::move(*piece));
   }
   return Unit{};
 }
@@ -363,8 +372,10 @@ Result<bool> Picture::renderPieces(const model::Scene& scene, const model::Camer
                                    const PictureSettings& settings, const PicturePieces& pieces) {
   if (Status s = checkRequest(camera, settings); !s)
     return s.error();
-  assert(pieces.grid > 0 && settings.width % pieces.grid == 0 &&
-         settings.height % pieces.grid == 0 && pieces.bandRows % pieces.grid == 0);
+  if (pieces.grid < 1 || pieces.bandRows < 1 || settings.width % pieces.grid != 0 ||
+      settings.height % pieces.grid != 0 || pieces.bandRows % pieces.grid != 0)
+    return Error{.reason = "a picture cannot be drawn in such pieces",
+                 .remedy = "Ask for sizes that are multiples of the pieces' grid"};
   if (Status s = m_data->picture(scene, camera, settings, {.pieces = &pieces}); !s)
     return s.error();
   return !m_data->givenUp;
@@ -377,7 +388,9 @@ Status Picture::draw(const model::Scene& scene, const model::Camera& camera,
 
 Result<bool> Picture::drawInto(const TargetJob& job, const model::Scene& scene,
                                const model::Camera& camera, const PictureSettings& settings) {
-  assert(job.target.size() == (gpu::TextureSize{settings.width, settings.height}));
+  if (job.target.size() != gpu::TextureSize{settings.width, settings.height})
+    return Error{.reason = "a picture cannot be drawn into pixels of another size",
+                 .remedy = "Ask for a picture of their size"};
   const Output output{.target = &job.target, .unwanted = job.unwanted, .outlines = job.outlines};
   if (Status s = m_data->picture(scene, camera, settings, output); !s)
     return s.error();

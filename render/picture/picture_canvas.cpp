@@ -39,8 +39,8 @@ void copyRegion(const std::vector<std::byte>& pixels, const PixelRect& region, I
   }
 }
 
-PicturePiece pieceOf(gpu::Device& device, const gpu::Target& target, const PixelRect& region,
-                     int height) {
+Result<PicturePiece> pieceOf(gpu::Device& device, const gpu::Target& target,
+                             const PixelRect& region, int height) {
   PicturePiece piece{.left = region.x,
                      .top = height - region.top(),
                      .width = region.width,
@@ -50,10 +50,12 @@ PicturePiece pieceOf(gpu::Device& device, const gpu::Target& target, const Pixel
   piece.rgba.resize(row * std::size_t(region.height));
   const PixelRect all{0, 0, region.width, region.height};
   if (device.dialect() == gpu::Dialect::desktop330) {
-    device.read(target, all, std::span(piece.rgba));
+    if (Status s = device.read(target, all, std::span(piece.rgba)); !s)
+      return s.error();
   } else {
     std::vector<std::byte> bytes(piece.rgba.size());
-    device.read(target, all, bytes);
+    if (Status s = device.read(target, all, bytes); !s)
+      return s.error();
     std::transform(bytes.begin(), bytes.end(), piece.rgba.begin(), [](std::byte value) {
       return std::uint16_t(257 * std::to_integer<int>(value));
     });

@@ -30,8 +30,8 @@ struct PictureCanvas {
 void copyRegion(const std::vector<std::byte>& pixels, const PixelRect& region, Image& image);
 
 /// Returns the region's pixels as a piece of a picture `height` pixels high.
-PicturePiece pieceOf(gpu::Device& device, const gpu::Target& target, const PixelRect& region,
-                     int height);
+Result<PicturePiece> pieceOf(gpu::Device& device, const gpu::Target& target,
+                             const PixelRect& region, int height);
 
 /// Splits the region in two, at a multiple of `grid`.
 std::pair<PixelRect, PixelRect> halves(const PixelRect& region, int grid);

@@ -162,6 +162,7 @@ bool isHidden(const Layer& layer, const Occlusion& occlusion) {
 
 bool drawOnProcessor(const PictureInput& input, const PixelRect& region, Layer& layer) {
   if (!layer.shows()) {
+    layer.pixels.clear();
     layer.onProcessor = input.processor;
     return true;
   }

@@ -2,7 +2,6 @@
 #include "render/raster/image.h"
 
 #include <array>
-#include <cassert>
 #include <cstddef>
 
 namespace sline::render {
@@ -34,7 +33,8 @@ Pixel squareAverage(const std::uint8_t* corner, std::size_t stride, int side) {
 }  // namespace
 
 Image averaged(const Image& image, int side) {
-  assert(side > 0 && image.width % side == 0 && image.height % side == 0);
+  if (side < 1 || image.rgba.size() != std::size_t(4) * image.width * image.height)
+    return {};
   Image result{.width = image.width / side, .height = image.height / side, .rgba = {}};
   result.rgba.reserve(std::size_t(result.width) * result.height * 4);
   const std::size_t stride = std::size_t(image.width) * 4;

@@ -40,7 +40,8 @@ struct SampleArea {
 };
 
 /// Only the squares that a layer touches hold anything; elsewhere pixels are left as they were.
-/// Rows follow each other from the bottom.
+/// Rows follow each other from the bottom. Without an area there is nothing, but perhaps memory
+/// that served another layer, to be used again.
 struct LayerPixels {
   PixelRect area;      ///< in pixels of the picture
   SampleArea samples;  ///< of its surface
@@ -52,7 +53,14 @@ struct LayerPixels {
   std::vector<std::uint16_t> inks;
   std::vector<float> depths;  ///< of the layer: 1 where it has nothing
 
-  bool empty() const { return surfaceDepths.empty(); }
+  bool empty() const { return area.empty(); }
+  /// Leaves nothing but the memory.
+  void clear() { area = {}; }
+  /// Tells whether all that is shown of the layer has the area's size.
+  bool complete() const {
+    const std::size_t count = std::size_t(area.width) * std::size_t(area.height);
+    return depths.size() == count && inks.size() == count && (!filled || colours.size() == count);
+  }
   int step() const { return samples.grid.step; }
   /// Returns the place of a pixel of the area.
   std::size_t at(int x, int y) const {

@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "model/anatomy/cut_patterns.h"
 #include "render/strokes/section_caps.h"
@@ -90,14 +91,52 @@ std::optional<PlaneWindow> seenWindow(const model::Plane& plane, const PictureVi
                      (glm::ceil(window.high / step) + 0.5) * step};
 }
 
+/// Tells whether the place lies inside the surface: a line along z crosses it an odd number of
+/// times below and above.
+bool isInside(const model::Mesh& mesh, const glm::dvec3& place) {
+  std::array<int, 2> crossings{};
+  for (const model::Triangle& triangle : mesh.triangles()) {
+    const glm::dvec3 a = glm::dvec3(mesh.positions()[triangle[0]]) - place;
+    const glm::dvec3 b = glm::dvec3(mesh.positions()[triangle[1]]) - place;
+    const glm::dvec3 c = glm::dvec3(mesh.positions()[triangle[2]]) - place;
+    const double u = b.x * c.y - b.y * c.x;
+    const double v = c.x * a.y - c.y * a.x;
+    const double w = a.x * b.y - a.y * b.x;
+    const bool within = (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
+    if (within)
+      ++crossings[(u * a.z + v * b.z + w * c.z) / (u + v + w) > 0.0 ? 1 : 0];
+  }
+  return crossings[0] % 2 == 1 && crossings[1] % 2 == 1;
+}
+
+/// Tells whether another structure's surface begins inside that of the structure.
+bool enclosesAnother(const model::Scene& scene, const model::Node& node) {
+  const model::Box& box = node.mesh->bounds();
+  for (const model::Node& other : scene.nodes()) {
+    if (other.isGroup() || other.id == node.id || other.mesh == node.mesh ||
+        other.mesh->triangleCount() == 0)
+      continue;
+    const model::Box& inner = other.mesh->bounds();
+    const bool within = glm::all(glm::greaterThan(inner.low, box.low)) &&
+                        glm::all(glm::lessThan(inner.high, box.high));
+    // Surfaces of one grid have corners above each other: the line passes beside these.
+    const glm::dvec3 aside = double(glm::length(box.size())) * glm::dvec3(1.37e-5, 2.11e-5, 0.0);
+    if (within && isInside(*node.mesh, glm::dvec3(other.mesh->positions().front()) + aside))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 model::CutPattern cutPattern(const model::Scene& scene, const model::Node& node) {
   static const model::CutPatternTable table;
   for (const model::Node* at = &node; at; at = scene.find(at->parent))
-    if (const auto pattern = table.match(at->name))
-      return *pattern;
-  return model::CutPattern::plain;
+    if (const auto pattern = table.match(at->name)) {
+      const bool fatOfGroup = at != &node && *pattern == model::CutPattern::cells;
+      return fatOfGroup ? model::CutPattern::rim : *pattern;
+    }
+  return enclosesAnother(scene, node) ? model::CutPattern::blank : model::CutPattern::plain;
 }
 
 std::vector<FacePattern> facePatterns(const DrawnStructure& shown, const PictureView& view) {

@@ -20,7 +20,8 @@ struct FacePattern {
 };
 
 /// Returns how a structure's cut faces are drawn: by its own name, else by that of a group above
-/// it (resources/anatomy/tissue_patterns.tsv); plain where none of them says.
+/// it (resources/anatomy/tissue_patterns.tsv), but fat by its own alone. Where none of them says,
+/// plain, and blank if another structure lies within.
 model::CutPattern cutPattern(const model::Scene& scene, const model::Node& node);
 
 /// Returns the patterns of those of the structure's cut faces that show any.

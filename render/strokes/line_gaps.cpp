@@ -105,7 +105,8 @@ class EndGrid {
   }
 
   /// Calls `body` for each end and each earlier one in the cells around it, with the number of the
-  /// earlier one's place in the order of rows and columns.
+  /// earlier one's place in the order of rows and columns. Where thousands lie in one place, as
+  /// where the edges of so many triangles meet, some of them are enough.
   template <class Body>
   void forEachPair(const Body& body) const {
     std::array<std::size_t, 3> from{};  // where cells of the rows around begin that are near enough
@@ -116,8 +117,8 @@ class EndGrid {
         const std::uint64_t there = cell + row * nextRow - nextRow;
         while (from[row] < m_order.size() && m_order[from[row]] < there - nextColumn)
           ++from[row];
-        for (std::size_t k = from[row]; k < m_order.size() && m_order[k] < there + 2 * nextColumn;
-             ++k)
+        const std::size_t most = std::min(m_order.size(), from[row] + mostInRow);
+        for (std::size_t k = from[row]; k < most && m_order[k] < there + 2 * nextColumn; ++k)
           if (const std::size_t other = m_order[k] & endMask; other < end)
             body(end, other, m_order[k]);
       }
@@ -132,6 +133,7 @@ class EndGrid {
   static constexpr std::uint64_t endMask = mostEnds - 1;
   static constexpr std::uint64_t nextColumn = std::uint64_t(1) << endBits;
   static constexpr std::uint64_t nextRow = nextColumn << cellBits;
+  static constexpr std::size_t mostInRow = 64;   ///< of the ends in three cells of a row
   static constexpr float farthest = 500'000.0f;  // cells from the picture's corner
 
   static std::uint64_t key(int row, int column, std::size_t end) {

@@ -70,11 +70,20 @@ Colour asColour(const glm::vec3& rgb) {
   return {std::uint8_t(c.r), std::uint8_t(c.g), std::uint8_t(c.b)};
 }
 
+/// Tells whether the face has no colour: where the section says so, and where the structure is its
+/// wall or rim alone, so that a tint would fill with it what is something else.
+bool isPaper(const DrawnStructure& shown, std::size_t face) {
+  const model::CutFaces faces = shown.sections[face].faces;
+  if (faces == model::CutFaces::tint)
+    return shown.pattern == model::CutPattern::rim;
+  return faces == model::CutFaces::off || model::isOpenWithin(shown.pattern);
+}
+
 /// Returns the face's colour: the structure's own where that is shaded, else a tint. Under a
 /// pattern it is never so dark (on a dark ground: so light) that the strokes are lost in it.
 glm::vec3 faceColour(const DrawnStructure& shown, Background background, std::size_t face) {
   const glm::vec3 paper = paperColour(background);
-  if (shown.sections[face].faces == model::CutFaces::off)
+  if (isPaper(shown, face))
     return paper;
   float filled = capTint(shown.style.gamma.value());
   const auto colour = [&] { return glm::mix(paper, rgb(shown.style.colour), filled); };
@@ -114,7 +123,7 @@ bool hasCaps(const DrawnStructure& shown) {
 }
 
 bool showsPattern(const DrawnStructure& shown, std::size_t face) {
-  return shown.pattern != model::CutPattern::plain &&
+  return shown.pattern != model::CutPattern::plain && shown.pattern != model::CutPattern::blank &&
          shown.sections[face].faces == model::CutFaces::tissue;
 }
 

@@ -21,6 +21,8 @@ constexpr float leastOfRow = 0.6f;
 constexpr float leastRow = 2.0f;
 // Strokes that are veiled this much alike are one.
 constexpr float sameVeil = 0.03f;
+// Where thousands of strokes end in one place, so many of them are looked at for each.
+constexpr std::size_t mostInCell = 128;
 
 float lengthOf(const VisibleStroke& stroke) {
   float length = 0.0f;
@@ -78,7 +80,8 @@ std::vector<Joint> joints(const std::vector<StrokeEnd>& ends, float unit, float 
             if (ends[k].stroke != ends[i].stroke && goesOnIn(ends[k].direction, ends[i].direction,
                                                              ends[i].at - ends[k].at, unit, widest))
               found.push_back({glm::distance(ends[k].at, ends[i].at), k, i});
-    cells[{column, row}].push_back(i);
+    if (std::vector<std::size_t>& own = cells[{column, row}]; own.size() < mostInCell)
+      own.push_back(i);
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Joint& a, const Joint& b) { return a.distance < b.distance; });

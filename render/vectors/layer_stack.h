@@ -29,6 +29,7 @@ class LayerStack {
   /// Stacks the layers, given in the order of their structures' ids, in a picture of that size.
   LayerStack(std::span<const DepthLayer> layers, glm::vec2 size);
 
+  glm::vec2 size() const { return {float(m_width), float(m_height)}; }
   /// Returns what the fills of layers other than `own` leave of something at that depth.
   Veil before(const glm::vec2& pixel, float depth, std::size_t own) const;
   /// Tells whether a line of `own` at that depth stops beside a nearer structure.

@@ -8,6 +8,7 @@
 #include "model/base/parallel.h"
 #include "model/scene/visible_structures.h"
 #include "render/lines/line_technique.h"
+#include "render/strokes/coinciding.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/face_patterns.h"
 #include "render/strokes/gamma_offsets.h"
@@ -51,6 +52,12 @@ std::vector<StructureWork> structureWork(const model::Scene& scene, KeptSurfaces
     }
     work.push_back({std::move(shown), {}, {}});
   }
+  Coinciding coinciding;
+  std::vector<bool> buried(work.size());
+  for (std::size_t i = 0; i < work.size(); ++i)
+    buried[i] = coinciding.isBuried(work[i].shown);
+  std::size_t next = 0;
+  std::erase_if(work, [&](const StructureWork&) { return buried[next++]; });
   return work;
 }
 

@@ -37,7 +37,7 @@ struct StructureWork {
   bool hasLines() const { return showsLines(shown.style) || shown.cut != nullptr; }
 };
 
-/// Returns the visible structures, in the order of their ids, without lines.
+/// Returns the visible structures that add anything, in the order of their ids, without lines.
 std::vector<StructureWork> structureWork(const model::Scene& scene, KeptSurfaces& surfaces);
 /// Sets the areas that the structures take of the picture, a little beyond its edges, as lines
 /// there look at pixels beside them.

@@ -124,12 +124,51 @@ class StrokeSampler {
   const StrokeScene& m_scene;
 };
 
-std::vector<Sample> samples(const InkChain& chain, const StrokeSampler& sampler) {
+/// The part of a stroke, as shares of its way, that lies within reach of the picture.
+struct NearPart {
+  float from = 0.0f;
+  float to = 1.0f;
+};
+
+NearPart nearPart(const Stroke& s, const glm::vec2& size) {
+  constexpr float reach = 0.25f;  // of the picture's sides; moves and widths are less
+  NearPart part;
+  for (glm::length_t axis = 0; axis < 2; ++axis) {
+    const float way = s.b[axis] - s.a[axis];
+    const float low = (-reach * size[axis] - s.a[axis]) / way;
+    const float high = ((1.0f + reach) * size[axis] - s.a[axis]) / way;
+    if (std::isnan(low) || std::isnan(high))
+      continue;
+    part.from = std::max(part.from, std::min(low, high));
+    part.to = std::min(part.to, std::max(low, high));
+  }
+  return part;
+}
+
+/// Returns samples a pixel apart. A stroke that is many times as long as the picture, as close
+/// views have them, has some hidden ones for what lies outside.
+std::vector<Sample> samples(const InkChain& chain, const StrokeSampler& sampler,
+                            const glm::vec2& size) {
+  const double whole = 8.0 * double(std::max(size.x, size.y));
   std::vector<Sample> found;
+  const auto leaveOut = [&found] { found.resize(found.size() + shortestGap + 1); };
   for (const Stroke& s : chain) {
-    const int steps = std::max(1, int(std::ceil(glm::distance(s.a, s.b))));
-    for (int i = found.empty() ? 0 : 1; i <= steps; ++i)
+    const double length = std::ceil(double(glm::distance(s.a, s.b)));
+    const bool isLong = !(length <= whole);
+    const NearPart part = isLong ? nearPart(s, size) : NearPart();
+    if (isLong && !(part.from < part.to && std::isfinite(length))) {
+      leaveOut();
+      continue;
+    }
+    const double steps = std::max(1.0, length);
+    const double first = isLong ? std::floor(double(part.from) * steps) : 0.0;
+    const double last = isLong ? std::ceil(double(part.to) * steps) : steps;
+    if (first > 0.0)
+      leaveOut();
+    for (double i = found.empty() || first > 0.0 ? first : 1.0; i <= last; i += 1.0)
       found.push_back(sampler.sampleAt(s, float(i) / float(steps)));
+    if (last < steps)
+      leaveOut();
   }
   return found;
 }
@@ -232,7 +271,7 @@ std::vector<VisibleStroke> withinPage(std::vector<VisibleStroke> strokes, const 
 
 std::vector<VisibleStroke> visibleStrokes(const InkChain& chain, const StrokeScene& scene) {
   std::vector<VisibleStroke> strokes;
-  std::vector<Sample> all = samples(chain, StrokeSampler(scene));
+  std::vector<Sample> all = samples(chain, StrokeSampler(scene), scene.stack.size());
   if (all.size() == 2 && chain.front().a == chain.front().b)
     all.pop_back();  // a dot
   hideInked(all);

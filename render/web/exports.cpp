@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/known_frame.h"
 #include "render/labels/orientation_letters.h"
 #include "render/web/page_engine.h"
 
@@ -109,7 +110,7 @@ EMSCRIPTEN_KEEPALIVE int slineSide() {
 
 /// Returns the letters of the sides at the left, right, upper and lower edge: "R,L,S,I".
 EMSCRIPTEN_KEEPALIVE const char* slineEdges() {
-  const EdgeLetters edges = edgeLetters(engine->camera());
+  const EdgeLetters edges = edgeLetters(engine->camera(), knownSides(engine->shown()));
   static std::string letters;
   letters = edges.left + ',' + edges.right + ',' + edges.top + ',' + edges.bottom;
   return letters.c_str();

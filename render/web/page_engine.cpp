@@ -111,10 +111,8 @@ void PageEngine::roll(float degrees) {
 }
 
 void PageEngine::zoom(float factor, const glm::vec2& at) {
-  const model::Camera nearer =
-      model::zoomed(m_camera, model::pointAtDepthOf(m_camera, pivot(), at, pageSize()), factor);
-  if (model::withinReach(nearer, pivot(), m_shown))
-    setCamera(nearer);
+  const glm::vec3 place = model::pointAtDepthOf(m_camera, pivot(), at, pageSize());
+  setCamera(model::zoomedWithin(m_camera, place, factor, model::zoomEnds(m_shown.visibleBounds())));
 }
 
 void PageEngine::fit(std::span<const model::NodeId> ids) {
@@ -142,15 +140,19 @@ void PageEngine::goTo(std::size_t view, double share) {
   const std::vector<model::View>& views = m_unpacked.scene().views();
   if (view >= views.size())
     return;
-  if (share <= 0.0) {
+  if (share <= 0.0 || m_flyingTo != view) {
     m_flightFrom = m_camera;
+    m_flyingTo = view;
     m_view = view;
     m_changes.clear();
     show();
-    return;
   }
+  if (share <= 0.0)
+    return;
   const model::Camera to = model::withSides(views[view].camera, aspect(), freeSides());
   setCamera(model::CameraFlight(m_flightFrom, to).at(std::min(share, 1.0)));
+  if (share >= 1.0)
+    m_flyingTo.reset();
 }
 
 void PageEngine::setGamma(std::span<const model::NodeId> ids, float gamma) {

@@ -53,8 +53,8 @@ class PageEngine {
   void look(model::AnatomicalView from);
   const model::Camera& camera() const { return m_camera; }
   void setCamera(const model::Camera& camera);
-  /// Goes to a saved view: 0 begins at the camera as it is, and shows what the view shows; 1 is
-  /// there.
+  /// Goes to a saved view: what it shows is shown at once, 0 begins at the camera as it is, 1 is
+  /// there. Whatever the share is that comes first, it begins a way: there is none before.
   void goTo(std::size_t view, double share);
 
   void setGamma(std::span<const model::NodeId> ids, float gamma);
@@ -133,6 +133,7 @@ class PageEngine {
   model::Scene m_shown;
   model::Camera m_camera;
   model::Camera m_flightFrom;
+  std::optional<std::size_t> m_flyingTo;  ///< absent where no way has begun that goes on
   bool m_hasCamera = false;
   PageSize m_size;
 

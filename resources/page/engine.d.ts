@@ -65,7 +65,7 @@ declare class Engine {
   direction(name: Direction): void;
   camera(): CameraState;
   setCamera(camera: CameraState): void;
-  /** Views count from 1; share is that of the flight from where it began, 1 is there. */
+  /** Views count from 1; share is that of the flight: 0 begins it where the camera is and shows what the view shows, 1 is there. */
   goTo(view: number, share: number): void;
   /** The side that faces the reader: "A", "L", …; empty where the camera looks along no axis. */
   facing(): string;

@@ -26,6 +26,9 @@ class Flight {
     lesson.view = view;
     lesson.tell("view");
     if (!engine) return;
+    // What the view shows is shown from here on, wherever the reader was before.
+    engine.goTo(view, 0);
+    lesson.tell("look");
     const milliseconds = 1000 * Math.min(10, Math.max(0, facts.seconds));
     if (atOnce || stillnessWanted() || milliseconds < 50) this.land(engine, view);
     else this.fly(engine, view, milliseconds);

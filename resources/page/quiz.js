@@ -126,10 +126,10 @@ class Quiz {
     lesson.asking = true;
     stage.askedLabels = question.labelMode();
     if (question.facts.view) this.flight.goTo(question.facts.view, true);
+    // What is marked must be there to be seen; a view shows what is asked for.
+    else stage.engine?.setVisible(lesson.allStructuresIn(question.facts.structures), true);
     stage.cameraHeld = quiz.lockCamera;
     stage.lookHeld = quiz.lockLook;
-    // What is marked must be there to be seen.
-    stage.engine?.setVisible(lesson.allStructuresIn(question.facts.structures), true);
     lesson.choose(question.marked());
     lesson.tell("look");
     lesson.tell("quiz");

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "tests/cli/sline_process.h"
+#include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
@@ -29,6 +30,8 @@ class AnnotateTest : public QObject {
   void modes();
   void sameOnEveryRun();
   void kinds();
+  void distances_data();
+  void distances();
 
  private:
   QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
@@ -99,8 +102,8 @@ void AnnotateTest::namesThatAreTheSame() {
   QVERIFY2(listed.contains("\tblob\tblob\n"), listed);
 }
 
-// A saved view that left out no label shows those made later; another view shows them only if it is
-// named.
+// A saved view that left out no label shows those made later for all; what is made for one view no
+// other shows. A new view takes what is no other's.
 void AnnotateTest::savedViewsGetThem() {
   QCOMPARE(annotate({"--on", "kidney"}).code, 0);
   const auto view = [this](const QStringList& flags) {
@@ -115,8 +118,12 @@ void AnnotateTest::savedViewsGetThem() {
       0);
   const QByteArray listed = runSline({"view", scene(), "--list", "--json"}).out;
   const QJsonArray views = QJsonDocument::fromJson(listed).object()["views"].toArray();
-  QCOMPARE(views.at(0)["labels"].toArray(), QJsonArray({1, 2, 3}));
+  QCOMPARE(views.at(0)["labels"].toArray(), QJsonArray({1, 2}));
   QCOMPARE(views.at(1)["labels"].toArray(), QJsonArray({3, 4}));
+  QCOMPARE(view({"--add", "New", "--from", "left"}), 0);
+  const QByteArray now = runSline({"view", scene(), "--list", "--json"}).out;
+  QCOMPARE(QJsonDocument::fromJson(now).object()["views"].toArray().at(2)["labels"].toArray(),
+           QJsonArray());
 }
 
 void AnnotateTest::removes() {
@@ -139,6 +146,12 @@ void AnnotateTest::refusals_data() {
                                  << QByteArray("x,y,z");
   QTest::newRow("one end") << QStringList{"--on", "kidney", "--kind", "distance", "--at", "0,0,0"}
                            << QByteArray("--to");
+  QTest::newRow("unknown end") << QStringList{"--on",     "kidney", "--kind",
+                                              "distance", "--to",   "kidny"}
+                               << QByteArray("\"kidney\"");
+  QTest::newRow("end of nothing") << QStringList{"--label", "x",        "--at", "0,0,0",
+                                                 "--kind",  "distance", "--to", "kidney"}
+                                  << QByteArray("--on");
   QTest::newRow("end of a label") << QStringList{"--on", "kidney", "--to", "0,0,0"}
                                   << QByteArray("two places");
   QTest::newRow("no language") << QStringList{"--on", "kidney", "--text", "Niere"}
@@ -236,8 +249,41 @@ void AnnotateTest::kinds() {
            0);
   const QByteArray listed = list();
   QVERIFY2(listed.contains("2\tpin\t\tfree\n"), listed);
-  QVERIFY2(listed.contains("3\tdistance\tkidney\twide\n"), listed);
+  // Both ends are on what was named.
+  QVERIFY2(listed.contains("3\tdistance\tkidney\twide\tmm="), listed);
   QVERIFY(difference(rendered({}), rendered({"--labels", "on"})) > 500);
+}
+
+/// Returns the length that the list has for the only distance, mm; 0 where it has none.
+double listedLength(const QByteArray& list) {
+  const qsizetype at = list.indexOf("mm=");
+  return at < 0 ? 0.0 : list.mid(at + 3).split('\n').front().split('\t').front().toDouble();
+}
+
+void AnnotateTest::distances_data() {
+  QTest::addColumn<QStringList>("flags");
+  QTest::addColumn<double>("mm");
+  // A ball of 10 mm about the origin, one of 5 mm at 40 mm to the left.
+  QTest::newRow("between two structures") << QStringList{"--to", "tumour"} << 25.0;
+  QTest::newRow("from a place on one")
+      << QStringList{"--at", "0,-10,0", "--to", "tumour"} << std::sqrt(1700.0) - 5.0;
+  QTest::newRow("between two places on one")
+      << QStringList{"--at", "-30,0,0", "--to", "30,0,0"} << 20.0;
+}
+
+void AnnotateTest::distances() {
+  QFETCH(QStringList, flags);
+  QFETCH(double, mm);
+  const QString file = path("liver.ply");
+  const QString other = path("tumour.ply");
+  writeMesh(file, *test::sphere(10.0f, 5));
+  writeMesh(other, *test::moved(*test::sphere(5.0f, 5), 1.0f, {40.0f, 0.0f, 0.0f}));
+  QCOMPARE(runSline({"import", file, other, "--smooth", "off", "-o", scene()}).code, 0);
+  const Finished done = annotate(QStringList{"--kind", "distance", "--on", "liver"} + flags);
+  QVERIFY2(done.code == 0, done.err);
+  const QByteArray listed = list();
+  QVERIFY2(std::abs(listedLength(listed) - mm) < 0.05, listed);
+  QCOMPARE(listed.contains("liver – tumour"), flags.contains("tumour"));
 }
 
 }  // namespace sline::test

@@ -122,7 +122,7 @@ class ComposeTest : public QObject {
       QTest::newRow(name) << figure << target << code << QString::fromUtf8(told);
     };
     row("small letters", with("\"points\": 5"), "r.svg", 1,
-        "panel a: \"2 cm at mid-depth\" is set in 4 pt, and letters smaller than 6 pt are refused");
+        "panel a: \"1 cm at mid-depth\" is set in 4 pt, and letters smaller than 6 pt are refused");
     row("thin lines", with("\"pen\": 0.15, \"thin_lines\": \"refused\""), "r.svg", 1,
         "lines thinner than 0.25 pt are refused");
     row("kind of file", m_figure, "r.gif", 2, "a figure is a png, pdf or svg file");

@@ -48,7 +48,7 @@ class ExportLinksTest : public QObject {
     QCOMPARE(runSline({"annotate", m_scene, "--on", "kidney"}).code, 0);
     for (const char* side : {"anterior", "left"})
       QCOMPARE(runSline({"view", m_scene, "--add", QString("From ") + QLatin1String(side), "--from",
-                         side, "--text", "Go [QZXTEXT](#view=2) now", "--notes",
+                         side, "--labels", "all", "--text", "Go [QZXTEXT](#view=2) now", "--notes",
                          "Say [QZXNOTES](#view=1) then"})
                    .code,
                0);

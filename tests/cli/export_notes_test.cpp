@@ -19,7 +19,7 @@ class ExportNotesTest : public QObject {
 
  private slots:
   void initTestCase() {
-    QCOMPARE(runSline({"import", m_sample, "-o", m_scene}).code, 0);
+    QCOMPARE(runSline({"import", m_sample, "--sides", "right", "-o", m_scene}).code, 0);
     for (const auto& [label, structure] : {std::pair("the kidney", "kidney"),
                                            {"the artery", "renal artery"},
                                            {"the vein", "renal vein"}})

@@ -103,6 +103,7 @@ model::Scene dressed(model::Scene scene) {
   for (const model::NodeId id : scene.structuresBelow(model::rootId)) {
     model::Annotation label;
     label.anchors = {model::SurfacePoint{.structure = id, .triangle = 3}};
+    label.found = true;  // where one sees it, so that tests ask for it
     label.text = "a label";
     label.unread = unread;
     scene.appendAnnotation(label);
@@ -129,14 +130,41 @@ class ExportPrivacyTest : public QObject {
   QString m_scene = m_folder + "/QZXFILE.sline";
 
   QString out() const { return m_folder + "/out"; }
-  /// Exports the scene to an empty folder and returns the resulting files by their places there.
-  QStringList exported(const QString& kind, const QString& extension, const QStringList& view) {
+  /// The scene as it was imported, with the labels and views that a person adds by a click.
+  QString undressed() const { return m_folder + "/plain.sline"; }
+
+  /// Returns what is planted in the names of files and folders and in titles of files.
+  static QStringList plantedNames() {
+    return {QStringLiteral("QZXFILE"), QStringLiteral("QZXFOLDER"), QStringLiteral("QZXSTL"),
+            QStringLiteral("QZXPLY"), QStringLiteral("qzxpath")};
+  }
+
+  /// Imports a folder of named files in named folders and makes of it what is exported.
+  void writeUndressed() {
+    const QString top = m_folder + "/QZXFOLDER_qzxpath_4711";
+    QDir().mkpath(top + "/QZXFOLDER_bones");
+    const auto ball = [](float x) { return moved(*sphere(12.0f, 3), 1.0f, {x, 0.0f, 0.0f}); };
+    writeMesh(top + "/QZXFOLDER_bones/QZXFILE_femur.stl", *ball(-40.0f));
+    QByteArray stl = contents(top + "/QZXFOLDER_bones/QZXFILE_femur.stl");
+    stl.startsWith("solid") ? stl.insert(6, "QZXSTL ") : stl.replace(0, 6, "QZXSTL");
+    writeFile(top + "/QZXFOLDER_bones/QZXFILE_femur.stl", stl);
+    writeMesh(top + "/QZXFILE_4711.ply", *ball(0.0f));
+    writeMesh(top + "/4711-QZXFILE-liver.off", *ball(40.0f));
+    const Finished made = runSline({"import", top, m_folder + "/QZXFILE-1.ply", "-o", undressed()});
+    QVERIFY2(made.code == 0, made.err);
+    QCOMPARE(runSline({"annotate", undressed(), "--on", "liver", "--on", "femur"}).code, 0);
+    QCOMPARE(runSline({"view", undressed(), "--add", "front"}).code, 0);
+  }
+
+  /// Exports a scene to an empty folder and returns the resulting files by their places there.
+  QStringList exported(const QString& scene, const QString& kind, const QString& extension,
+                       const QStringList& view) {
     QDir(out()).removeRecursively();
     QDir().mkpath(out());
     const QString target = out() + "/figure" + (extension.isEmpty() ? "" : "." + extension);
     const Finished finished =
-        runSline(QStringList{"export", m_scene, "--" + kind, target, "--seconds", "0.5", "--fps",
-                             "6", "--film-height", "96"} +
+        runSline(QStringList{"export", scene, "--" + kind, target, "--seconds", "0.5", "--fps", "6",
+                             "--film-height", "96"} +
                  view);
     if (finished.code != 0)
       qWarning("%s", finished.err.constData());
@@ -171,6 +199,7 @@ class ExportPrivacyTest : public QObject {
     const QStringList held = markersIn(contents(m_scene), markers());
     for (const char* marker : {"QZXUNREAD", "QZXMEMBER", "QZXREASON", "QZXFILE", "QZXPART"})
       QVERIFY2(held.contains(marker), marker);
+    writeUndressed();
   }
 
   void nothingIsGivenAway_data() {
@@ -196,11 +225,47 @@ class ExportPrivacyTest : public QObject {
     QTest::newRow("cards as text") << "anki"
                                    << "zip" << size + QStringList{"--views", "all"};
   }
+  /// Names of files and folders that become names of what is in them are the way by which they
+  /// reach every product; nobody has given names here.
+  void namesOfFilesAreNotGivenAway_data() {
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<QString>("extension");
+    for (const render::ExportFormat& format : render::exportFormats())
+      QTest::newRow(format.id) << format.id << format.extension;
+  }
+  void namesOfFilesAreNotGivenAway() {
+    QFETCH(QString, kind);
+    QFETCH(QString, extension);
+    const QStringList planted = plantedNames();
+    QCOMPARE(markersIn(contents(undressed()), planted), QStringList());
+    const QStringList names = exported(undressed(), kind, extension, {});
+    QVERIFY2(!names.isEmpty(), "it wrote nothing");
+    for (const QString& name : names) {
+      const QByteArray bytes = contents(out() + '/' + name);
+      const QStringList found = markersIn(name.toUtf8() + '\n' + bytes, planted);
+      QVERIFY2(found.isEmpty(), qPrintable(name + ": " + found.join(", ")));
+      if (name.endsWith(".pdf"))
+        QCOMPARE(markersIn(textOfPdf(out() + '/' + name), planted), QStringList());
+    }
+  }
+
+  /// What commands print of a scene goes into reports and programs.
+  void printedOnesNeither() {
+    for (const QStringList& command :
+         {QStringList{"info", undressed()}, QStringList{"info", undressed(), "--json"},
+          QStringList{"describe", undressed()}, QStringList{"annotate", undressed(), "--list"}}) {
+      const Finished finished = runSline(command);
+      QVERIFY2(finished.code == 0, finished.err);
+      const QStringList found = markersIn(finished.out, plantedNames());
+      QVERIFY2(found.isEmpty(), qPrintable(command.join(' ') + ": " + found.join(", ")));
+    }
+  }
+
   void nothingIsGivenAway() {
     QFETCH(QString, kind);
     QFETCH(QString, extension);
     QFETCH(QStringList, flags);
-    const QStringList names = exported(kind, extension, flags);
+    const QStringList names = exported(m_scene, kind, extension, flags);
     QVERIFY2(!names.isEmpty(), "it wrote nothing");
     std::map<QString, QByteArray> first;
     for (const QString& name : names) {
@@ -215,7 +280,7 @@ class ExportPrivacyTest : public QObject {
       first[name] = bytes;
     }
     // The files are the same each time: no date in bytes that are never read, no random number.
-    QCOMPARE(exported(kind, extension, flags), names);
+    QCOMPARE(exported(m_scene, kind, extension, flags), names);
     for (const QString& name : names)
       QVERIFY2(contents(out() + '/' + name) == first[name], qPrintable(name));
   }

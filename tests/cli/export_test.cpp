@@ -164,7 +164,7 @@ void ExportTest::theViewsNameIsTrue() {
 /// Labels and marks are text in layers of their own; a name is text whatever it looks like.
 void ExportTest::labelsAndMarks() {
   const QString scene = m_folder.filePath("labelled.sline");
-  QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
+  QCOMPARE(runSline({"import", m_sample, "--sides", "right", "-o", scene}).code, 0);
   const QString name = "<b>Nephros</b> & \"νεφρός\"";
   QCOMPARE(runSline({"annotate", scene, "--label", name, "--on", "kidney"}).code, 0);
   const QString file = m_folder.filePath("labelled.svg");
@@ -434,7 +434,7 @@ void ExportTest::surfacesAndCards() {
   QVERIFY(contents(glb).contains("renal vein"));
   QVERIFY(!contents(glb).contains(".obj"));
   const QString scene = m_folder.filePath("labelled.sline");
-  QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
+  QCOMPARE(runSline({"import", m_sample, "--sides", "right", "-o", scene}).code, 0);
   QCOMPARE(runSline({"annotate", scene, "--on", "kidney", "--on", "renal vein"}).code, 0);
   const QString deck = m_folder.filePath("deck");
   QCOMPARE(

@@ -62,6 +62,8 @@ class ImportTest : public QObject {
   void diskTroubles_data();
   void diskTroubles();
   void fewerTriangles();
+  void patientsStayApart();
+  void unitsAreAskedAbout();
 
  private:
   QString at(const QString& name) const { return m_folder.filePath(name); }
@@ -69,6 +71,56 @@ class ImportTest : public QObject {
   QString m_meshes;
   QString m_scene;
 };
+
+namespace {
+QByteArray cornerOf(int size) {
+  const QByteArray s = QByteArray::number(size);
+  return "v 0 0 0\nv " + s + " 0 0\nv 0 " + s + " 0\nv 0 0 " + s +
+         "\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+}
+}  // namespace
+
+void ImportTest::patientsStayApart() {
+  const QStringList inputs{at("sub-01_liver.obj"), at("sub-02_spleen.obj")};
+  for (const QString& input : inputs)
+    writeFile(input, cornerOf(150));
+  for (const QString& command : QStringList{"info", "render", "import", "describe"}) {
+    const QString out = at(command == "import" ? "two.sline" : "two.png");
+    QStringList arguments = QStringList{command} + inputs;
+    if (command == "render" || command == "import")
+      arguments += {"-o", out};
+    const Finished refused = runSline(arguments);
+    QCOMPARE(refused.code, 1);
+    for (const QByteArray& part : {QByteArray("sub-01_liver.obj"), QByteArray("sub-02_spleen.obj"),
+                                   QByteArray("2 patients"), QByteArray("--together")})
+      QVERIFY2(refused.err.contains(part), refused.err.constData());
+    QVERIFY(!arguments.contains(out) || !QFile::exists(out));
+    QCOMPARE(runSline(arguments + QStringList{"--together"}).code, 0);
+  }
+}
+
+void ImportTest::unitsAreAskedAbout() {
+  const QString kidney = at("left kidney.obj");
+  writeFile(kidney, cornerOf(10));
+  const QString out = at("kidney.sline");
+  const Finished asked = runSline({"import", kidney, "-o", out});
+  QCOMPARE(asked.code, 0);
+  for (const QByteArray& part : {QByteArray("\"left kidney\" is 10 mm large"),
+                                 QByteArray("--unit cm"), QByteArray("--unit mm")})
+    QVERIFY2(asked.err.contains(part), asked.err.constData());
+  const Finished later = runSline({"info", out});
+  QVERIFY2(later.out.contains("10.0 mm?") && later.err.contains("stand with a"),
+           later.out.constData());
+  const QJsonObject plan = objectOf({"import", kidney, "--plan", "--json"});
+  QCOMPARE(plan["unit_doubts"][0]["fitting_mm_per_unit"][0].toDouble(), 10.0);
+  for (const QString& unit : QStringList{"cm", "mm", "10", "um", "0.5"}) {
+    const Finished settled = runSline({"import", kidney, "-o", out, "--unit", unit});
+    QCOMPARE(settled.code, 0);
+    QVERIFY2(!settled.err.contains("--unit"), settled.err.constData());
+  }
+  for (const QString& unit : QStringList{"0", "-1", "nan", "inf"})
+    QCOMPARE(runSline({"import", kidney, "-o", out, "--unit", unit}).code, 2);
+}
 
 void ImportTest::initTestCase() {
   m_meshes = writeSample(at("meshes"));
@@ -146,7 +198,7 @@ void ImportTest::planAsJson() {
   const QJsonObject plan =
       objectOf({"import", m_meshes, "--plan", "--json", "--unit", "cm", "-o", at("never.sline")});
   QCOMPARE(plan.keys(), QStringList({"bounds_mm", "decimate_mm", "inputs", "left_out", "nodes",
-                                     "notes", "repaired"}));
+                                     "notes", "repaired", "unit_doubts"}));
   const QJsonArray nodes = plan["nodes"].toArray();
   QCOMPARE(nodes.size(), 5);
   QVERIFY(!nodes[0].toObject().contains("file"));
@@ -156,6 +208,8 @@ void ImportTest::planAsJson() {
   QCOMPARE(kidney["mm_per_unit"].toDouble(), 10.0);
   QCOMPARE(kidney["unit_reason"].toString(), QString("chosen by the user"));
   QCOMPARE(kidney["frame"].toString(), QString("LPS"));
+  QCOMPARE(kidney["read_as"].toString(), QString("LPS"));
+  QCOMPARE(kidney["sides"].toString(), QString("assumed"));
   QVERIFY(!kidney["frame_reason"].toString().isEmpty());
   QCOMPARE(plan["bounds_mm"][1][0].toDouble(), 700.0);
   QVERIFY(!QFile::exists(at("never.sline")));

@@ -39,6 +39,7 @@ class InfoTest : public QObject {
   void jsonHasItsShape();
   void frameTurnsCoordinates_data();
   void frameTurnsCoordinates();
+  void doubtIsTold();
   void openAndPartedMeshes();
   void warningsAreListed();
   void tableNamesStructures();
@@ -91,8 +92,9 @@ void InfoTest::jsonHasItsShape() {
   const QJsonObject root = info({writeSample(folder.path())});
   QStringList keys = root.keys();
   keys.sort();
-  QCOMPARE(keys, QStringList({"annotations", "bounds_mm", "frame", "scans", "structures",
-                              "triangles", "vertices", "views", "warnings"}));
+  QCOMPARE(keys, QStringList({"annotations", "bounds_mm", "frame", "frame_reason", "front",
+                              "read_as", "scans", "sides", "structures", "triangles",
+                              "unit_doubted", "vertices", "views", "warnings"}));
   QCOMPARE(root["structures"].toArray().size(), 3);
   QCOMPARE(root["triangles"].toInt(), 5120 + 2 * 1280);
   QCOMPARE(root["vertices"].toInt(), 2562 + 2 * 642);
@@ -103,8 +105,8 @@ void InfoTest::jsonHasItsShape() {
   const QJsonObject artery = structureNamed(root, "renal artery");
   keys = artery.keys();
   keys.sort();
-  QCOMPARE(keys, QStringList({"bounds_mm", "closed", "components", "group", "name", "triangles",
-                              "vertices"}));
+  QCOMPARE(keys, QStringList({"bounds_mm", "closed", "components", "frame", "front", "group",
+                              "name", "read_as", "sides", "triangles", "vertices"}));
   QCOMPARE(artery["group"].toString(), QString("Vessels"));
   QCOMPARE(artery["triangles"].toInt(), 1280);
   QCOMPARE(artery["vertices"].toInt(), 642);
@@ -126,9 +128,38 @@ void InfoTest::frameTurnsCoordinates() {
   QFETCH(double, x);
   const QTemporaryDir folder;
   const QJsonObject root = info({writeSample(folder.path()), "--frame", frame});
-  QCOMPARE(root["frame"].toString(), frame);
+  // The bounds are those in the scene, whatever frame the files have.
+  QCOMPARE(root["frame"].toString(), frame == "file" ? frame : QString("LPS"));
+  QCOMPARE(root["read_as"].toString(), frame);
+  QCOMPARE(root["sides"].toString(), frame == "file" ? QString("none") : QString("settled"));
   const QJsonValue box = structureNamed(root, "renal artery")["bounds_mm"];
   QCOMPARE(0.5 * (box[0][0].toDouble() + box[1][0].toDouble()), x);
+}
+
+/// What was assumed is said to be, on standard error and for programs, until it is settled.
+void InfoTest::doubtIsTold() {
+  const QTemporaryDir folder;
+  const QString sample = writeSample(folder.path());
+  const Finished doubted = runSline({"info", sample, "--json"});
+  QCOMPARE(doubted.err.count("left and right are not certain of 3 structures (LPS: no header"), 1);
+  QJsonObject root = QJsonDocument::fromJson(doubted.out).object();
+  QCOMPARE(root["sides"].toString(), QString("assumed"));
+  QCOMPARE(structureNamed(root, "renal artery")["sides"].toString(), QString("assumed"));
+  const QJsonValue before = structureNamed(root, "renal artery")["bounds_mm"];
+  const Finished mirrored = runSline({"info", sample, "--json", "--sides", "mirror"});
+  QCOMPARE(mirrored.err, QByteArray());
+  root = QJsonDocument::fromJson(mirrored.out).object();
+  QCOMPARE(root["sides"].toString(), QString("settled"));
+  QCOMPARE(root["read_as"].toString(), QString("RPS"));
+  const QJsonValue after = structureNamed(root, "renal artery")["bounds_mm"];
+  QCOMPARE(after[0][0].toDouble(), -before[1][0].toDouble());
+  QCOMPARE(after[0][1].toDouble(), before[0][1].toDouble());
+  const QString scene = folder.filePath("kept.sline");
+  QVERIFY(runSline({"import", sample, "-o", scene}).err.contains("not certain"));
+  QVERIFY(runSline({"info", scene}).err.contains("not certain"));
+  QCOMPARE(runSline({"import", scene, "-o", scene, "--sides", "right"}).err, QByteArray());
+  QCOMPARE(runSline({"info", scene}).err, QByteArray());
+  QCOMPARE(runSline({"info", scene, "--sides", "left"}).code, 2);
 }
 
 void InfoTest::openAndPartedMeshes() {
@@ -152,7 +183,7 @@ void InfoTest::warningsAreListed() {
 
 void InfoTest::tableNamesStructures() {
   const QTemporaryDir folder;
-  const Finished finished = runSline({"info", writeSample(folder.path())});
+  const Finished finished = runSline({"info", writeSample(folder.path()), "--sides", "right"});
   QCOMPARE(finished.code, 0);
   for (const char* text : {"kidney", "renal artery", "Vessels", "3 structures", "LPS"})
     QVERIFY2(finished.out.contains(text), finished.out.constData());

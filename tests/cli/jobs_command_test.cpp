@@ -107,16 +107,46 @@ class JobsCommandTest : public QObject {
       QVERIFY2(finished.err.contains(says), finished.err.constData());
   }
 
-  void resumeLeavesOutWhatIsThere() {
-    const QString file =
-        list("input,svg,size-mm\nsample,out/a.svg,24x18\nsample,out/b.svg,24x18\n");
+  /// What was done is left out; what is there but is not what the job writes, is cut short, or was
+  /// made of something else is done again.
+  void resumeLeavesOutWhatIsDone() {
+    const QByteArray jobs = "input,svg,size-mm\nsample,out/a.svg,24x18\nsample,out/b.svg,24x18\n";
+    const auto resumed = [&](const QByteArray& says) {
+      const Finished finished = runSline({"jobs", list(jobs), "--resume"});
+      return finished.code == 0 && finished.err.contains(says);
+    };
     QDir(m_folder.path()).mkdir("out");
-    writeFile(m_folder.filePath("out/a.svg"), "mine");
-    const Finished finished = runSline({"jobs", file, "--resume"});
-    QCOMPARE(finished.code, 0);
-    QVERIFY(finished.err.contains("1 jobs done, 0 failed, 1 skipped"));
-    QCOMPARE(contents(m_folder.filePath("out/a.svg")), QByteArray("mine"));
-    QVERIFY(contents(m_folder.filePath("out/b.svg")).contains("<svg"));
+    writeFile(m_folder.filePath("out/a.svg"), "another's");
+    QVERIFY(resumed("2 jobs done, 0 failed, 0 skipped"));
+    const QByteArray whole = contents(m_folder.filePath("out/a.svg"));
+    QVERIFY(whole.contains("<svg"));
+    QVERIFY(resumed("0 jobs done, 0 failed, 2 skipped"));
+
+    writeFile(m_folder.filePath("out/b.svg"), whole.left(whole.size() / 2));
+    QVERIFY(resumed("1 jobs done, 0 failed, 1 skipped"));
+    QVERIFY(contents(m_folder.filePath("out/b.svg")).endsWith(whole.right(8)));
+
+    const QByteArray larger = QByteArray(jobs).replace("b.svg,24x18", "b.svg,48x36");
+    QVERIFY(
+        runSline({"jobs", list(larger), "--resume"}).err.contains("1 jobs done, 0 failed, 1 sk"));
+    QVERIFY(resumed("1 jobs done, 0 failed, 1 skipped"));
+
+    QFile::remove(m_folder.filePath("out/a.svg"));
+    QVERIFY(resumed("1 jobs done, 0 failed, 1 skipped"));
+  }
+
+  void resumeSeesThatInputsHaveChanged() {
+    const QString mesh = m_folder.filePath("piece.obj");
+    const auto triangle = [](const char* z) {
+      return QByteArray("v 0 0 0\nv 10 0 0\nv 0 0 ") + z + "\nf 1 2 3\n";
+    };
+    writeFile(mesh, triangle("10"));
+    const QString file = list("input,svg,size-mm\npiece.obj,out/a.svg,24x18\n");
+    QCOMPARE(runSline({"jobs", file, "--resume"}).code, 0);
+    QVERIFY(runSline({"jobs", file, "--resume"}).err.contains("1 skipped"));
+    writeFile(mesh, triangle("12"));
+    QVERIFY(runSline({"jobs", file, "--resume"}).err.contains("1 jobs done"));
+    QVERIFY(runSline({"jobs", file, "--resume"}).err.contains("1 skipped"));
   }
 
   void filmsAreTargets() {

@@ -91,8 +91,8 @@ void RenderTest::writesEveryKind() {
 }
 
 void RenderTest::silentInAPipe() {
-  const Finished finished =
-      runSline({"render", m_sample, "-o", m_folder.filePath("quiet.png"), "--size", "64x64"});
+  const Finished finished = runSline({"render", m_sample, "-o", m_folder.filePath("quiet.png"),
+                                      "--size", "64x64", "--sides", "right"});
   QCOMPARE(finished.code, 0);
   QCOMPARE(finished.out, QByteArray());
   QCOMPARE(finished.err, QByteArray());
@@ -233,7 +233,8 @@ void RenderTest::sectionsKeepTheirSide() {
   QFETCH(bool, vein);
   const Pixels picture =
       rendered({"--size", "300x200", "--gamma", "5", "--color", "renal artery=#ff0000", "--color",
-                "renal vein=#0000ff", "--only", "Vessels", "--view", view, "--section", section});
+                "renal vein=#0000ff", "--only", "Vessels", "--view", view, "--section", section,
+                "--section-faces", "tint"});
   QCOMPARE(tinted(picture, 0).count > 100, artery);
   QCOMPARE(tinted(picture, 2).count > 100, vein);
 }

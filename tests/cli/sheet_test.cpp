@@ -238,7 +238,7 @@ void SheetTest::longLegends() {
   QVERIFY(QDir().mkpath(folder));
   for (int i = 0; i < 100; ++i)
     writeObj(
-        folder + QString("/branch of a vessel with a long name %1.obj").arg(i, 2, 10, QChar('0')),
+        folder + QString("/branch of a vessel with a long wall %1.obj").arg(i, 2, 10, QChar('0')),
         *moved(*sphere(4.0f, 1), 1.0f, {float(i % 10) * 10.0f, 0.0f, float(i / 10) * 10.0f}));
   for (const QStringList& flags : {QStringList{}, QStringList{"--landscape"}}) {
     const QString file = exported(QStringList{folder, "--sheet", "figure"} + flags);
@@ -249,7 +249,7 @@ void SheetTest::longLegends() {
     QVERIFY(all.contains("continued"));
     QCOMPARE(all.count("with a long"), 100);
     for (int i = 0; i < 100; ++i)
-      QVERIFY(all.contains(QString("name %1").arg(i, 2, 10, QChar('0'))));
+      QVERIFY(all.contains(QString("wall %1").arg(i, 2, 10, QChar('0'))));
   }
 }
 

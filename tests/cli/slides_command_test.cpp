@@ -30,15 +30,16 @@ class SlidesCommandTest : public QObject {
  private slots:
   void initTestCase() {
     const QString sample = writeSample(m_folder.path());
-    QCOMPARE(runSline({"import", sample, "-o", m_scene}).code, 0);
+    QCOMPARE(runSline({"import", sample, "--sides", "right", "-o", m_scene}).code, 0);
     QCOMPARE(runSline({"annotate", m_scene, "--on", "kidney"}).code, 0);
     QCOMPARE(runSline({"view", m_scene, "--add", "Front", "--from", "anterior", "--title",
                        "From in front", "--notes", "say it"})
                  .code,
              0);
-    QCOMPARE(
-        runSline({"view", m_scene, "--add", "Side", "--from", "left", "--text", "**Look**"}).code,
-        0);
+    QCOMPARE(runSline({"view", m_scene, "--add", "Side", "--from", "left", "--labels", "all",
+                       "--text", "**Look**"})
+                 .code,
+             0);
   }
 
   void eachViewHasASlide() {

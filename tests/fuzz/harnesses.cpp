@@ -6,12 +6,14 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "model/base/utf8.h"
 #include "model/edit/letter_style.h"
 #include "model/figure/figure_file.h"
 #include "model/import/credits/source_credit.h"
 #include "model/import/dicom/dicom.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/import.h"
+#include "model/import/plan/patients.h"
 #include "model/import/slicer/bundle.h"
 #include "model/import/slicer/fiducials.h"
 #include "model/import/slicer/mrml_scene.h"
@@ -162,7 +164,7 @@ std::string sceneFile(std::string_view bytes) {
   const Result<model::SceneDocument> document = model::documentFromBytes(bytes);
   if (!document.ok())
     return faultOf(document.error());
-  return document->isNewer() ? "" : savedTwice(*document);
+  return savedTwice(*document);
 }
 
 std::string sceneJson(std::string_view bytes) {
@@ -182,11 +184,10 @@ std::string sceneJson(std::string_view bytes) {
     parts.meshes[name] = mesh;
   for (const std::string& name : model::paintsCalledFor(*root))
     parts.paints[name] = paint;
-  Result<model::Scene> scene = model::sceneFromJson(*root, parts);
+  std::vector<model::JsonRefusal> leftOut;
+  Result<model::Scene> scene = model::sceneFromJson(*root, parts, leftOut);
   if (!scene.ok())
     return faultOf(scene.error());
-  if (*schema > model::sceneSchema)
-    return {};
   return savedTwice({.scene = std::move(*scene)});
 }
 
@@ -246,9 +247,9 @@ std::string credit(std::string_view bytes) {
   const model::SourceCredit said =
       model::creditIn(bytes.substr(std::min<std::size_t>(1, bytes.size())), kind);
   for (const std::string* text : {&said.authors, &said.source, &said.licence})
-    if (text->size() > model::longestCredit ||
-        std::any_of(text->begin(), text->end(),
-                    [](char letter) { return std::uint8_t(letter) < ' ' || letter == 0x7f; }))
+    if (!isUtf8(*text) || std::any_of(text->begin(), text->end(), [](char letter) {
+          return std::uint8_t(letter) < ' ' || letter == 0x7f;
+        }))
       return "no line of text";
   return {};
 }
@@ -328,6 +329,16 @@ std::string wholeImport(std::string_view bytes) {
   return {};
 }
 
+/// Asks whose a file is, under each kind of name that is looked into.
+std::string patientMarks(std::string_view bytes) {
+  static const InputFolder folder;
+  for (const char* ending : {".dcm", ".nrrd", ".mha", ".hdr", ".mnc", ".mrml"})
+    for (const model::PatientMarks& marks : model::patientMarks(folder.put(ending, bytes), {}))
+      if (!marks.any())
+        return "marks that say nothing";
+  return {};
+}
+
 // A reader that stands in the table of kinds needs its row here and a folder of seeds.
 constexpr Harness table[] = {
     {"obj", surfaces<".obj">},
@@ -376,6 +387,7 @@ constexpr Harness table[] = {
     {"figure", figure},
     {"page_scene", pageScene},
     {"import", wholeImport},
+    {"patient_marks", patientMarks},
 };
 }  // namespace
 

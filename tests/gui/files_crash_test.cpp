@@ -56,6 +56,36 @@ class FilesCrashTest : public QObject {
     return count;
   }
 
+  /// Starts the program in a folder with a scene's file, changes that and kills the program.
+  bool editedAndKilled(const QString& folder, const QString& path) const {
+    QProcess program;
+    program.setWorkingDirectory(folder);
+    start(program, {path});
+    if (!program.waitForStarted())
+      return false;
+    ForeignWindow window(program.processId());
+    const std::string name = QFileInfo(path).fileName().toStdString();
+    // The key light belongs to the scene.
+    if (!soon([&] { return window.title().starts_with(name); }) || !window.press("k") ||
+        !soon([&] { return window.title().starts_with(name + "*"); }) ||
+        !soon([&] { return journalsThere() == 1; }))
+      return false;
+    QTest::qWait(1000);  // what is older than that may not be lost
+    return ::kill(pid_t(program.processId()), SIGKILL) == 0 && program.waitForFinished();
+  }
+  /// Recovers what the start page offers first; returns false unless the title begins like that
+  /// then.
+  static bool recoveredBy(ForeignWindow& window, const char* title) {
+    const auto recovered = [&] { return window.title().starts_with(title); };
+    // Before the page has found the journal a key does nothing, then the button has the focus.
+    constexpr int patience = 3000;
+    for (int i = 0; i < 20 && !recovered(); ++i) {
+      window.press("space");
+      static_cast<void>(QTest::qWaitFor(recovered, patience));
+    }
+    return recovered();
+  }
+
  private slots:
   void killedAndRecovered() {
     const QTemporaryDir body;
@@ -72,17 +102,7 @@ class FilesCrashTest : public QObject {
       return *model::sceneFileBytes({.scene = scene});
     };
 
-    QProcess first;
-    start(first, {path});
-    QVERIFY(first.waitForStarted());
-    ForeignWindow window(first.processId());
-    QVERIFY(soon([&] { return window.title().starts_with("body.sline"); }));
-    QVERIFY(window.press("k"));  // the key light belongs to the scene
-    QVERIFY(soon([&] { return window.title().starts_with("body.sline*"); }));
-    QVERIFY(soon([&] { return journalsThere() == 1; }));
-    QTest::qWait(1000);  // what is older than that may not be lost
-    QCOMPARE(::kill(pid_t(first.processId()), SIGKILL), 0);
-    QVERIFY(first.waitForFinished());
+    QVERIFY(editedAndKilled(m_folder.path(), path));
     const auto found = model::recoverableIn(journals());
     QCOMPARE(found.size(), std::size_t(1));
     QVERIFY(found[0].source.file == file);
@@ -92,14 +112,7 @@ class FilesCrashTest : public QObject {
     start(second, {});
     QVERIFY(second.waitForStarted());
     ForeignWindow again(second.processId());
-    // Before the page has found the journal a key does nothing, then the button has the focus.
-    const auto recovered = [&] { return again.title().starts_with("body.sline*"); };
-    constexpr int patience = 3000;
-    for (int i = 0; i < 20 && !recovered(); ++i) {
-      again.press("space");
-      static_cast<void>(QTest::qWaitFor(recovered, patience));
-    }
-    QVERIFY(recovered());
+    QVERIFY(recoveredBy(again, "body.sline*"));
     // The scene is in a journal of its own before the old one goes.
     QVERIFY(soon([&] { return !fs::exists(found[0].journal) && journalsThere() == 1; }));
     QVERIFY(again.press("s", true));
@@ -114,10 +127,64 @@ class FilesCrashTest : public QObject {
     QCOMPARE(second.exitCode(), 0);
   }
 
-  void startedTwice() {
+  void recoveredElsewhere_data() {
+    QTest::addColumn<bool>("changed");
+    QTest::newRow("from another folder, with a file of that name") << false;
+    QTest::newRow("after the file has changed") << true;
+  }
+  /// A name on the command line is one of the folder where the program was started, and a file that
+  /// has changed since is not the one that was being edited.
+  void recoveredElsewhere() {
+    QFETCH(bool, changed);
+    const QTemporaryDir place;
     const QTemporaryDir body;
     writeBody(body.path());
-    const std::string name = QFileInfo(body.path()).fileName().toStdString();
+    widgets::Session reader;
+    reader.openPaths({body.path().toStdString()});
+    QVERIFY(soon([&] { return !reader.busy(); }));
+    const auto bytesOf = [](const fs::path& file) {
+      return *model::sceneFileBytes({.scene = model::readSceneFile(file)->scene});
+    };
+    const fs::path folders = place.path().toStdString();
+    for (const char* name : {"A", "B"}) {
+      fs::create_directory(folders / name);
+      QVERIFY(
+          model::writeSceneFile(folders / name / "scene.sline", {.scene = reader.scene()}).ok());
+    }
+    const fs::path file = folders / "A" / "scene.sline";
+    const std::string before = bytesOf(file);
+
+    QVERIFY(editedAndKilled(place.filePath(QStringLiteral("A")), QStringLiteral("scene.sline")));
+    if (changed)
+      QVERIFY(model::writeSceneFile(file, {.scene = {}}).ok());
+
+    QProcess second;
+    second.setWorkingDirectory(place.filePath(QStringLiteral("B")));
+    start(second, {});
+    QVERIFY(second.waitForStarted());
+    ForeignWindow again(second.processId());
+    QVERIFY(recoveredBy(again, "scene.sline"));
+    QCOMPARE(again.title().find("read-only") != std::string::npos, changed);
+    QVERIFY(again.press("s", true));
+    if (changed)
+      QTest::qWait(3000);  // for what must not happen
+    else
+      QVERIFY(soon([&] { return bytesOf(file) != before; }));
+    QVERIFY(bytesOf(folders / "B" / "scene.sline") == before);
+    if (changed)
+      QVERIFY(model::readSceneFile(file)->scene.nodes().empty());
+    second.kill();
+    QVERIFY(second.waitForFinished());
+    for (const model::Recoverable& left : model::recoverableIn(journals()))
+      model::forget(left);
+  }
+
+  void startedTwice() {
+    // A folder's name that may be a person's is no title.
+    const std::string name = "pelvis";
+    const QDir body(m_folder.filePath(QStringLiteral("pelvis")));
+    QVERIFY(body.mkpath(QStringLiteral(".")));
+    writeBody(body.path());
     QProcess first;
     start(first, {});
     QVERIFY(first.waitForStarted());

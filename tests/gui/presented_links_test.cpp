@@ -26,6 +26,7 @@ struct Linked : Views {
     callout.anchors = {model::SurfacePoint{right, 0, {0.3f, 0.3f}}};
     session.apply(QStringLiteral("callout"), model::withAnnotation(scene(), callout));
     addThree();
+    showAllLabels();
     session.apply(QStringLiteral("hide"), model::withHidden(scene(), std::array{right}));
     session.apply(
         QStringLiteral("view"),

@@ -28,9 +28,11 @@ struct Presented : Views {
     for (const model::NodeId id : {left, right}) {
       model::Annotation label{.text = scene().find(id)->name};
       label.anchors = {model::SurfacePoint{id, 0, {0.3f, 0.3f}}};
+      label.found = true;  // where one sees it: the quiz asks for nothing else
       session.apply(QStringLiteral("label"), model::withAnnotation(scene(), label));
     }
     addThree();
+    showAllLabels();
     model::ViewWords words;
     words.title.text = "The <b>balls</b>";
     words.text.text = "Seen *from the front*";

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests finding one's way in the picture: keys, presets, orientation cube, scale bar, flights; and
 // a picture that comes back when OpenGL goes.
+#include <QGridLayout>
 #include <QLabel>
 #include <QLayout>
+#include <QScopeGuard>
 #include <QtTest>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <stdexcept>
 
 #include "render/labels/orientation_letters.h"
+#include "tests/gui/gated_painter.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
 
@@ -33,6 +37,52 @@ class FailingPainter : public widgets::PicturePainter {
  private:
   std::unique_ptr<widgets::PicturePainter> m_painter;
   std::shared_ptr<std::atomic<int>> m_failures;
+};
+
+/// What a painter throws, and how often; what it does otherwise.
+struct Throws {
+  enum class At { nowhere, making, drawing, gettingReady, refining };
+  std::atomic<At> at = At::nowhere;
+  std::atomic<bool> known = true;  ///< an exception of the library's
+  std::atomic<int> thrown = 0;
+
+  void maybe(At here) {
+    if (at != here)
+      return;
+    ++thrown;
+    if (known)
+      throw std::runtime_error("of no use");
+    throw 42;
+  }
+};
+
+/// A painter that throws where it is told to.
+class ThrowingPainter : public widgets::PicturePainter {
+ public:
+  ThrowingPainter(std::unique_ptr<widgets::PicturePainter> painter, std::shared_ptr<Throws> throws)
+      : m_painter(std::move(painter)), m_throws(std::move(throws)) {
+    m_throws->maybe(Throws::At::making);
+  }
+  Result<bool> paint(const widgets::PictureRequest& request,
+                     const render::Picture::TargetJob& job) override {
+    m_throws->maybe(Throws::At::drawing);
+    m_throws->maybe(Throws::At::making);  // only then is a painter made anew
+    return m_painter->paint(request, job);
+  }
+  Result<bool> refine(const widgets::PictureRequest& request,
+                      const render::Picture::TargetJob& job) override {
+    m_throws->maybe(Throws::At::refining);
+    return m_painter->refine(request, job);
+  }
+  void makeReady(const widgets::PictureRequest& request,
+                 const std::atomic<bool>& unwanted) override {
+    m_throws->maybe(Throws::At::gettingReady);
+    m_painter->makeReady(request, unwanted);
+  }
+
+ private:
+  std::unique_ptr<widgets::PicturePainter> m_painter;
+  std::shared_ptr<Throws> m_throws;
 };
 
 widgets::PainterFactory failing(const std::shared_ptr<std::atomic<int>>& failures,
@@ -110,6 +160,51 @@ class ViewportNavigationTest : public QObject {
     QTest::keyClick(&f.window, Qt::Key_Home);
     QVERIFY(f.settled());
     QVERIFY(kidney(f).height() < 0.5 * picture.height());
+  }
+
+  /// The wheel over a place beside the pivot zoomed on between two floats, and no way led back.
+  void zoomHasEndsAndComesBack_data() {
+    QTest::addColumn<int>("notch");
+    QTest::addColumn<bool>("orthographic");
+    QTest::newRow("in") << 120 << false;
+    QTest::newRow("out") << -120 << false;
+    QTest::newRow("in, orthographic") << 120 << true;
+    QTest::newRow("out, orthographic") << -120 << true;
+  }
+  void zoomHasEndsAndComesBack() {
+    QFETCH(int, notch);
+    QFETCH(bool, orthographic);
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    if (orthographic) {
+      model::Camera camera = f.viewport().camera();
+      camera.projection = model::Projection::orthographic;
+      f.viewport().setCamera(camera);
+    }
+    const QPointF mouse = f.viewport().rect().center() + QPoint(90, 60);
+    const auto turn = [&](int angle) {
+      QWheelEvent wheel(mouse, f.viewport().mapToGlobal(mouse), {}, {0, angle}, Qt::NoButton,
+                        Qt::NoModifier, Qt::NoScrollPhase, false);
+      QCoreApplication::sendEvent(&f.viewport(), &wheel);
+    };
+    const auto shown = [&] {
+      return model::millimetresPerPixel(f.viewport().camera(), f.viewport().pivot(), 1.0f);
+    };
+    for (int i = 0; i < 250; ++i)
+      turn(notch);
+    const float whole = glm::length(f.session.scene().visibleBounds().size());
+    const float end = notch > 0 ? 1e-4f * whole : 100.0f * whole;
+    QVERIFY2(std::abs(shown() / end - 1.0f) < 0.05f, qPrintable(QString::number(shown() / whole)));
+    turn(notch);
+    QVERIFY(std::abs(shown() / end - 1.0f) < 0.05f);
+    turn(-notch);
+    const float back = notch > 0 ? 1.15f : 1.0f / 1.15f;
+    QVERIFY(std::abs(shown() / (back * end) - 1.0f) < 0.05f);
+    QTest::keyClick(&f.window, Qt::Key_Home);
+    QVERIFY(f.settled());
+    QVERIFY(shown() > 0.3f * whole && shown() < 3.0f * whole);
+    QVERIFY(f.viewport().rect().contains(kidney(f)));
   }
 
   void presetsChangeTheHand() {
@@ -210,6 +305,41 @@ class ViewportNavigationTest : public QObject {
     QVERIFY(f.viewport().rect().contains(time.geometry()));
   }
 
+  /// The bar is true in the middle of what is visible, whatever the camera turns around: the same
+  /// picture has the same bar.
+  void scaleBarIsTrueInEveryView() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    auto& mark = f.control<widgets::ScaleBarMark>("scaleBar");
+    const auto scale = [&] { return mark.bar()->millimetres / mark.bar()->drawn; };
+    const auto truth = [&] {
+      return double(model::millimetresPerPixel(f.viewport().camera(),
+                                               f.session.scene().visibleBounds().centre(),
+                                               float(f.viewport().height())));
+    };
+    QVERIFY(mark.bar());
+    QVERIFY2(mark.accessibleName().contains("mid-depth"), qPrintable(mark.accessibleName()));
+    QCOMPARE(scale(), truth());
+    const double before = scale();
+
+    model::Camera nearer = f.viewport().camera();
+    QVERIFY(nearer.projection == model::Projection::perspective);
+    nearer.target = glm::mix(nearer.target, nearer.eye, 0.3f);
+    f.viewport().setPivot(nearer.target);
+    QVERIFY(f.settled());
+    QCOMPARE(scale(), before);
+    f.viewport().travelTo(nearer, f.session.scene(), f.session.scene());
+    QVERIFY(f.settled());
+    QVERIFY2(std::abs(scale() / before - 1.0) < 1e-4, qPrintable(QString::number(scale())));
+
+    nearer.eye = glm::mix(nearer.eye, nearer.target, 0.4f);
+    f.viewport().travelTo(nearer, f.session.scene(), f.session.scene());
+    QVERIFY(f.settled());
+    QVERIFY(scale() < 0.9 * before);
+    QCOMPARE(scale(), truth());
+  }
+
   /// A flight ends at its view, and grasping the picture ends it before.
   void flightsCanBeInterrupted() {
     WindowFixture f;
@@ -249,7 +379,7 @@ class ViewportNavigationTest : public QObject {
     QVERIFY(f.settled());
     QCOMPARE(difference(before, f.picture()), QRect());
     f.viewport().setParent(home);
-    home->layout()->addWidget(&f.viewport());
+    static_cast<QGridLayout*>(home->layout())->addWidget(&f.viewport(), 0, 0);
     f.viewport().show();
     other.hide();
     QTRY_COMPARE(f.viewport().size(), size);
@@ -283,6 +413,51 @@ class ViewportNavigationTest : public QObject {
     *failures = 0;
     QTest::keyClick(&f.window, Qt::Key_A);
     QVERIFY(f.settled());
+    QVERIFY(!f.control<QWidget>("messageText").isVisible());
+  }
+
+  void whatIsThrownIsSurvived_data() {
+    QTest::addColumn<int>("at");
+    QTest::addColumn<bool>("known");
+    QTest::addColumn<bool>("told");
+    using At = Throws::At;
+    QTest::newRow("drawing") << int(At::drawing) << true << true;
+    QTest::newRow("drawing, and nobody knows what") << int(At::drawing) << false << true;
+    QTest::newRow("getting ready") << int(At::gettingReady) << true << false;
+    QTest::newRow("getting ready, unknown") << int(At::gettingReady) << false << false;
+    QTest::newRow("refining, unknown") << int(At::refining) << false << false;
+    QTest::newRow("making a painter") << int(At::making) << true << true;
+  }
+  /// A picture that cannot be drawn costs nothing but itself: the document can be edited, undone
+  /// and drawn again.
+  void whatIsThrownIsSurvived() {
+    QFETCH(int, at);
+    QFETCH(bool, known);
+    QFETCH(bool, told);
+    const auto throws = std::make_shared<Throws>();
+    WindowFixture f(rendererBehind<ThrowingPainter>(throws));
+    widgets::chooseRefinement(Throws::At(at) == Throws::At::refining);
+    const auto usual = qScopeGuard([] { widgets::chooseRefinement(false); });
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    const QImage before = f.picture();
+    throws->known = known;
+    throws->at = Throws::At(at);
+    f.viewport().setBackground(render::Background::dark);
+    QTRY_VERIFY(throws->thrown > 0);
+    if (told)
+      QTRY_VERIFY(f.control<QWidget>("messageText").isVisible());
+    else
+      QVERIFY(f.settled());
+    QCOMPARE(f.control<QWidget>("messageText").isVisible(), told);
+    // The document is as it was, and can be edited.
+    QTest::keyClick(&f.window, Qt::Key_K);
+    QVERIFY(f.session.modified());
+    f.session.undo();
+    throws->at = Throws::At::nowhere;
+    f.viewport().setBackground(render::Background::paper);
+    QVERIFY(f.settled());
+    QCOMPARE(difference(before, f.picture()), QRect());
   }
 };
 

@@ -83,6 +83,19 @@ struct Views : WindowFixture {
       add(key);
     QVERIFY(settled());
   }
+  /// Has all views show all labels; a new one takes those alone that are no other's.
+  void showAllLabels() {
+    model::Scene all = scene();
+    std::vector<model::Annotation> annotations = all.annotations();
+    for (model::Annotation& annotation : annotations)
+      annotation.visible = true;
+    all.setAnnotations(std::move(annotations));
+    std::vector<model::View> views = all.views();
+    for (model::View& view : views)
+      view.annotations.reset();
+    all.setViews(std::move(views));
+    session.apply(QStringLiteral("labels"), {std::move(all), true});
+  }
   void setGamma(model::NodeId id, float gamma) {
     session.apply(QStringLiteral("Γ"),
                   model::withLook(scene(), std::array{id}, {.gamma = Gamma::clamped(gamma)}));

@@ -177,7 +177,8 @@ class WaitingTest : public QObject {
         QVERIFY(f.drop(m_body.path() + QStringLiteral("/Vessels")));
       QTRY_VERIFY(!f.session.busy());
       QCoreApplication::processEvents();
-      QCOMPARE(letters(), before);
+      // Nothing of the document before stays on screen, its marks neither.
+      QCOMPARE(letters(), QStringList());
       gate->open = true;
       gate->pass.release(4);
       QVERIFY(f.settled());

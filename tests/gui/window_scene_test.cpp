@@ -7,6 +7,7 @@
 
 #include "model/edit/look.h"
 #include "model/edit/views.h"
+#include "tests/gui/gated_painter.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
@@ -80,6 +81,40 @@ class WindowSceneTest : public QObject {
     QVERIFY(f.viewport().camera() == view.camera);
     f.session.undo();
     QVERIFY(f.session.scene().resolve(kidney).visible);
+  }
+
+  /// Its picture, its marks and what was said of it go at once, however long the next picture
+  /// takes.
+  void nothingOfTheSceneBeforeStays() {
+    const QTemporaryDir body;
+    writeBody(body.path());
+    const auto gate = std::make_shared<Gate>();
+    WindowFixture f(gated(gate));
+    const auto plain = [&f] {
+      const QImage picture = f.picture();
+      QImage paper = picture;
+      paper.fill(picture.pixel(0, 0));
+      return picture == paper;
+    };
+    for (int i = 0; i < 2; ++i) {
+      QVERIFY(f.drop(body.path()));
+      QVERIFY(f.settled());
+    }
+    QVERIFY(!plain() && f.control<QWidget>("scaleBar").isVisible());
+    emit f.session.failed({.reason = "it cannot be done", .remedy = "Do something else"});
+    QVERIFY(f.control<QWidget>("messageText").isVisible());
+    gate->open = false;
+    f.session.undo();
+    QVERIFY(plain() && f.viewport().isBlank());
+    QVERIFY(!f.control<QWidget>("scaleBar").isVisible());
+    QVERIFY(!f.control<QWidget>("messageText").isVisible());
+    QTRY_VERIFY(gate->begun > gate->done);
+    QTest::qWait(100);
+    QVERIFY(plain());
+    gate->open = true;
+    gate->pass.release(1000);
+    QVERIFY(f.settled());
+    QVERIFY(!plain() && f.control<QWidget>("scaleBar").isVisible());
   }
 
   void keyLightIsOfTheScene() {

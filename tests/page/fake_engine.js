@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An engine for tests of the page: it draws balls on a Canvas 2D. Its scene is JSON. What was asked of
-// it is kept in `window.engineCalls`.
+// An engine for tests of what needs none: it draws balls on a Canvas 2D. Its scene is JSON. What was
+// asked of it is kept in `window.engineCalls`. What readers see is tested with the real one (made.mjs).
 
 /** @typedef {{id: number, at: [number, number, number], size: [number, number, number], colour: string,
  *             gamma: number, visible: boolean}} Ball */
@@ -118,14 +118,13 @@ class Engine {
 
   /** @param {number} view @param {number} share */
   goTo(view, share) {
-    if (this.flight.view !== view || share === 1) this.calls.push(`view ${view} ${share === 1 ? 1 : 0}`);
-    if (this.flight.view !== view) this.flight = { view, from: { ...this.eye } };
+    if (share === 0 || share === 1) this.calls.push(`view ${view} ${share === 1 ? 1 : 0}`);
+    if (share === 0) this.flight = { view, from: { ...this.eye } };
     const to = { roll: 0, x: 0, y: 0, ...this.scene.views[view - 1] };
     for (const field of /** @type {const} */ (["turn", "tilt", "scale", "roll", "x", "y"]))
       this.eye[field] = this.flight.from[field] * (1 - share) + to[field] * share;
     this.view = view;
-    if (share < 1) return;
-    this.flight = { view: 0, from: this.eye };
+    if (share > 0) return;
     this.resetLook();
     for (const ball of this.scene.balls) ball.gamma = to.gamma?.[ball.id] ?? ball.gamma;
   }

@@ -4,59 +4,20 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { join } from "node:path";
-import { here } from "./assemble.mjs";
 import { modules } from "./browser.mjs";
 import { hashed } from "./lesson.mjs";
+import { Browsers, drivers, factsOf } from "./made.mjs";
 
-const { chromium } = modules("playwright-core");
 const axe = readFileSync(modules.resolve("axe-core/axe.min.js"), "utf8");
 const made = (process.env.PAGE_MADE ?? "").split(":").filter((file) => file);
 const skip = made.length === 0 && "no page was made";
-/** Whether the engine draws without WebGL, too; else still pictures have to do. */
-const drawsAnywhere = /means = .*"canvas"/.test(readFileSync(join(here, "..", "..", "render", "web", "engine.js"), "utf8"));
-const drivers = { webgl: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
-                  canvas: ["--disable-3d-apis"] };
-const browsers = {};
 
+let browsers;
 before(async () => {
-  if (skip) return;
-  for (const [means, args] of Object.entries(drivers))
-    browsers[means] = await chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", ...args] });
+  if (!skip) browsers = await Browsers.open(...Object.keys(drivers));
 });
-after(() => Promise.all(Object.values(browsers).map((browser) => browser.close())));
-
-const factsOf = (file) => JSON.parse(/id="facts">([^]*?)<\/script>/.exec(readFileSync(file, "utf8"))[1]);
-
-/**
- * Opens a page and waits for the whole scene; errors fail the test at `page.done`. With a `card` the engine is told of
- * a graphics card, and has the driver draw what its own drawing would where the driver is software.
- */
-async function open(file, { means = "webgl", hash = "", width = 1280, height = 800, touch = false, card = false } = {}) {
-  const context = await browsers[means].newContext({ viewport: { width, height }, hasTouch: touch, isMobile: touch, locale: "en" });
-  const page = await context.newPage();
-  if (card)
-    await page.addInitScript(() => {
-      const { getParameter } = WebGL2RenderingContext.prototype;
-      WebGL2RenderingContext.prototype.getParameter = function (name) {
-        window.askedForCard ||= name === 0x9246;
-        return name === 0x9246 ? "A card" : getParameter.call(this, name);
-      };
-    });
-  const complaints = [];
-  page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
-  page.on("pageerror", (error) => complaints.push(String(error)));
-  await page.goto(`file://${file}${hash}`);
-  await page.waitForFunction(() => document.body.classList.contains("complete") || !document.getElementById("stills").hidden,
-                             undefined, { timeout: 60000 });
-  page.still = means === "canvas" && !drawsAnywhere;
-  assert.equal(await page.locator("#stills .notice[role=alert]").count(), page.still ? 1 : 0, `${file} with ${means}`);
-  page.done = async () => {
-    await context.close();
-    assert.deepEqual(complaints, []);
-  };
-  return page;
-}
+after(() => browsers?.close());
+const open = (file, how) => browsers.visit(file, how);
 
 /** A picture as few numbers: how much ink there is in each of 16 × 16 fields. */
 const fields = (page) => page.evaluate(async () => {

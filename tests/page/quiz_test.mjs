@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The quiz in its three modes, and what a learning system is told.
+// What a learning system is told of the quiz, its three modes and its rules: an engine that draws balls
+// is enough. Whether questions can be answered by what is seen: student_test.mjs.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { Pages, until } from "./browser.mjs";

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # run.sh BUILD_DIR [TEST…]: checks the types of the students' page and works it in headless Chromium,
-# with an engine that draws balls. run.sh BUILD_DIR --made DATA: has the built program make pages, of a
-# demo and of the abdomen in the folder DATA, and works those. run.sh BUILD_DIR --packages: has it make
+# with an engine that draws balls: what needs no engine, or one that notes what is asked of it. run.sh
+# BUILD_DIR --made DATA: has the built program make pages, of demos and of the abdomen in the folder
+# DATA, and works those, as students do. run.sh BUILD_DIR --packages: has it make
 # packages, and checks these by the standards' schemas. What npm brings goes into BUILD_DIR. Ends with 77 (skipped) if Node.js, npm, Chromium or the page's program is absent or npm cannot fetch, unless
 # SLINE_NOTHING_ABSENT is set.
 set -euo pipefail
@@ -34,6 +35,33 @@ flock -u 9
 export PAGE_MODULES=$work/node_modules
 export PAGE_PROGRAMS=$build/bin
 
+# lesson FOLDER: makes a scene of four views there, one of them cut and one with a focus, each with labels of its
+# own, a page of it, and a quiz for a learning system.
+lesson() {
+  local scene=$1/lesson.sline view name
+  local asked="sacrum,right ureter,left external iliac artery,left sciatic nerve,urinary bladder,uterus,rectum"
+  "$sline" demo pelvis -o "$scene"
+  "$sline" view "$scene" --add Bladder --from Overview --focus "urinary bladder" --labels none \
+    --text "The [urinary bladder](#structure=urinary bladder) alone"
+  while IFS=: read -r view name; do
+    "$sline" annotate "$scene" --view "$view" --on "$name" >/dev/null
+  done <<'END'
+Overview:sacrum
+Overview:left external iliac artery
+Overview:right psoas major
+From behind:left sciatic nerve
+From behind:right piriformis
+Midsagittal:rectum
+Midsagittal:uterus
+Midsagittal:pubic symphysis
+Bladder:urinary bladder
+Bladder:right ureter
+END
+  "$sline" export "$scene" --page "$1/lesson.html" --ask-only "$asked" --no-quiz-order
+  "$sline" export "$scene" --moodle "$1/lesson.xml" --views all --ask-only "$asked"
+  export PAGE_LESSON=$1/lesson.html PAGE_LESSON_SCENE=$scene PAGE_MOODLE=$1/lesson.xml
+}
+
 if [ "${1:-}" = --made ]; then
   sline=$build/bin/sline
   [ -e "${SLINE_PAGE:-$build/bin/page}/engine.wasm" ] || absent "the page's program is not built"
@@ -46,7 +74,8 @@ if [ "${1:-}" = --made ]; then
     "$sline" export "$2/abdomen" --page "$made/abdomen.html"
     PAGE_MADE+=:$made/abdomen.html
   fi
-  node --test --test-reporter=spec "$here/made_test.mjs"
+  lesson "$made"
+  node --test --test-reporter=spec "$here/made_test.mjs" "$here/views_test.mjs" "$here/student_test.mjs"
   exit
 fi
 
@@ -79,5 +108,5 @@ for project in $(node "$here/types.mjs" "$work/types"); do
   "$work/node_modules/.bin/tsc" -p "$project"
 done
 tests=("$@")
-[ ${#tests[@]} -eq 0 ] && mapfile -t tests < <(ls "$here"/*_test.mjs | grep -v '/made_test\|/schema_test')
+[ ${#tests[@]} -eq 0 ] && mapfile -t tests < <(ls "$here"/*_test.mjs | grep -v '/\(made\|schema\|student\|views\)_test')
 node --test --test-reporter=spec "${tests[@]}"

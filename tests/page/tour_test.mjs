@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tour, links in its texts and into the page, languages, and texts that would be programs.
+// The tour's texts, links in them and into the page, languages, and texts that would be programs:
+// nothing of it is in the picture. What views show: views_test.mjs.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { Pages, until } from "./browser.mjs";
@@ -15,7 +16,6 @@ test("button, contents and keys lead through the views", async () => {
   const page = await pages.show();
   await page.getByRole("button", { name: "Begin the tour" }).click();
   assert.equal(await title(page), "The bladder from in front");
-  await until(async () => (await page.calls()).includes("view 1 1"), true, "the flight lands");
   await page.locator(".steps").getByRole("button", { name: "Next" }).click();
   assert.equal(await title(page), "Where ureter and artery cross");
   assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "Next", "focus stays on the button");
@@ -27,7 +27,6 @@ test("button, contents and keys lead through the views", async () => {
   assert.equal(await title(page), "Where ureter and artery cross");
   await page.locator(".contents button").nth(2).click();
   assert.equal(await title(page), "Into the true pelvis");
-  await until(() => page.evaluate(() => window.engine.view), 3);
   assert.match(page.url(), /#view=3$/);
   assert.match(await page.locator("#scene-words").textContent(), /^Into the true pelvis: the bladder/);
   await page.done();
@@ -40,23 +39,6 @@ test("on the drawing arrows turn, and Page Down goes on", async () => {
   assert.equal(await page.locator(".view-text").count(), 0);
   await page.keyboard.press("PageDown");
   assert.equal(await title(page), "The bladder from in front");
-  await page.done();
-});
-
-test("a view is there with its look; a hand on the scene ends the flight", async () => {
-  const page = await pages.show({}, { hash: "#view=2" });
-  assert.ok((await page.calls()).includes("view 2 1"));
-  assert.equal(await page.gamma(15), 0.4);
-  assert.equal(await page.locator("li[data-id='15'] > .row .gamma").inputValue(), "0.4");
-  await page.keyboard.press("PageDown");
-  await page.mouse.move(640, 400);
-  await page.mouse.down();
-  await page.mouse.move(660, 400, { steps: 3 });
-  await page.mouse.up();
-  const camera = await page.evaluate(() => JSON.stringify(window.engine.eye));
-  await page.waitForTimeout(500);
-  assert.equal(await page.evaluate(() => JSON.stringify(window.engine.eye)), camera);
-  assert.equal(await page.gamma(15), 2.4, "the look is that of the view all the same");
   await page.done();
 });
 
@@ -101,7 +83,6 @@ test("languages: names and the page's own texts", async () => {
     assert.equal(await page.locator(".panel-button span").first().innerText(), structures);
     assert.equal(await page.locator("#card h2").innerText(), rectum);
     assert.equal(await page.locator("#card h2").getAttribute("lang"), language);
-    await until(() => page.locator(".overlay .label[data-id='6']").textContent(), rectum);
   }
   await page.done();
 });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/process_memory.h"
 
+#include <sys/resource.h>
+
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -27,6 +29,11 @@ double residentMiB() {
 
 double peakResidentMiB() {
   return statusMiB("VmHWM:");
+}
+
+double childrenPeakMiB() {
+  rusage used{};
+  return getrusage(RUSAGE_CHILDREN, &used) == 0 ? double(used.ru_maxrss) / 1024.0 : 0.0;
 }
 
 void resetPeak() {

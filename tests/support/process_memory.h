@@ -15,6 +15,8 @@ inline constexpr bool sanitized = false;
 /// Return MiB, now and at their highest; 0 if the system does not tell (/proc/self/status).
 double residentMiB();
 double peakResidentMiB();
+/// Returns the highest of any process that this one started and that has ended, MiB.
+double childrenPeakMiB();
 /// Restarts the peak from what is resident now, if the system allows it.
 void resetPeak();
 

@@ -71,6 +71,8 @@ QString shownText(const model::Scene& scene, const model::Annotation& annotation
 
 QString placeText(Session& session, const model::Annotation& annotation) {
   const QString first = anchorText(session, annotation.anchors.front());
+  if (annotation.kind != model::AnnotationKind::distance)
+    return first;
   const QString last = anchorText(session, annotation.anchors.back());
   return first == last ? first : tr("%1 – %2").arg(first, last);
 }

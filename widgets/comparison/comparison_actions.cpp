@@ -89,7 +89,7 @@ void ComparisonActions::showDialog() {
   if (part.nodes().empty())
     return;
   const QString name = part.nodes().size() == 1 ? m_session.names().shown(part.nodes().front().name)
-                                                : QFileInfo(m_session.title()).completeBaseName();
+                                                : m_session.publicTitle();
   const std::filesystem::path& file = m_session.file().path;
   m_dialog =
       new ComparisonDialog({.whole = {name.toStdString(), std::move(part)},

@@ -45,14 +45,20 @@ ComparisonPicture::ComparisonPicture(QString caption, QWidget* parent)
   setCursor(Qt::OpenHandCursor);
 }
 
-void ComparisonPicture::setCamera(const model::Camera& camera, const glm::vec3& pivot) {
+void ComparisonPicture::setCamera(const model::Camera& camera, const glm::vec3& pivot,
+                                  const model::ZoomEnds& ends) {
   m_camera = camera;
   m_pivot = pivot;
+  m_ends = ends;
 }
 
 void ComparisonPicture::setImage(const QImage& image) {
   m_image = image;
   update();
+}
+
+void ComparisonPicture::zoom(float factor) {
+  emit turned(zoomedWithin(m_camera, m_pivot, factor, m_ends));
 }
 
 int ComparisonPicture::room() const {
@@ -92,8 +98,11 @@ void ComparisonPicture::paintEvent(QPaintEvent*) {
 
 void ComparisonPicture::mousePressEvent(QMouseEvent* event) {
   if (const auto kind = dragOf(*event))
-    m_drag.emplace(model::CameraDrag::Start{
-        .kind = *kind, .pixel = within(event->position()), .camera = m_camera, .pivot = m_pivot});
+    m_drag.emplace(model::CameraDrag::Start{.kind = *kind,
+                                            .pixel = within(event->position()),
+                                            .camera = m_camera,
+                                            .pivot = m_pivot,
+                                            .ends = m_ends});
 }
 
 void ComparisonPicture::mouseMoveEvent(QMouseEvent* event) {
@@ -108,7 +117,7 @@ void ComparisonPicture::mouseReleaseEvent(QMouseEvent*) {
 void ComparisonPicture::wheelEvent(QWheelEvent* event) {
   const double notches = double(event->angleDelta().y()) / unitsOfNotch;
   if (notches != 0.0)
-    emit turned(zoomed(m_camera, m_pivot, std::pow(zoomByNotch, float(notches))));
+    zoom(std::pow(zoomByNotch, float(notches)));
 }
 
 void ComparisonPicture::keyPressEvent(QKeyEvent* event) {
@@ -123,9 +132,9 @@ void ComparisonPicture::keyPressEvent(QKeyEvent* event) {
       return emit turned(orbited(m_camera, m_pivot, 0.0f, turnByKey));
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-      return emit turned(zoomed(m_camera, m_pivot, zoomByKey));
+      return zoom(zoomByKey);
     case Qt::Key_Minus:
-      return emit turned(zoomed(m_camera, m_pivot, 1.0f / zoomByKey));
+      return zoom(1.0f / zoomByKey);
     default:
       QWidget::keyPressEvent(event);
   }

@@ -21,7 +21,7 @@ class ComparisonPicture : public QWidget {
   /// The caption is the model's name, where there are several.
   explicit ComparisonPicture(QString caption, QWidget* parent = nullptr);
 
-  void setCamera(const model::Camera& camera, const glm::vec3& pivot);
+  void setCamera(const model::Camera& camera, const glm::vec3& pivot, const model::ZoomEnds& ends);
   void setImage(const QImage& image);
   const QImage& image() const { return m_image; }
   /// Returns the side of the largest square that has room here, in pixels of the window.
@@ -42,6 +42,7 @@ class ComparisonPicture : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void zoom(float factor);
   QRect square() const;
   /// Returns the place within the square.
   glm::vec2 within(const QPointF& at) const;
@@ -51,6 +52,7 @@ class ComparisonPicture : public QWidget {
   int m_side = 16;
   model::Camera m_camera;
   glm::vec3 m_pivot{0.0f};
+  model::ZoomEnds m_ends;
   std::optional<model::CameraDrag> m_drag;
 };
 

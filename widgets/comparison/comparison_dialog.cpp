@@ -168,7 +168,8 @@ QWidget* ComparisonDialog::makeBottom() {
 
 void ComparisonDialog::change() {
   for (const Place& place : m_places)
-    place.picture->setCamera(m_rows.shown(place.row).camera, m_rows.pivot(place.row));
+    place.picture->setCamera(m_rows.shown(place.row).camera, m_rows.pivot(place.row),
+                             m_rows.ends(place.row));
   ++m_round;
   m_soon.start();
 }

@@ -19,6 +19,7 @@ ComparisonRows::ComparisonRows(const std::vector<Model>& models, const model::Ca
     m_rows.push_back({.model = compared,
                       .shown = compared,
                       .pivot = model.scene.visibleBounds().centre(),
+                      .ends = model::zoomEnds(model.scene.visibleBounds()),
                       .target = fitted.target,
                       .size = std::max(size, 1e-6f)});
   }

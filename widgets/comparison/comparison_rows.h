@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "model/scene/camera_moves.h"
 #include "render/export/comparison/comparison.h"
 
 namespace sline::widgets {
@@ -28,6 +29,8 @@ class ComparisonRows {
   const render::ComparedModel& shown(std::size_t row) const { return m_rows[row].shown; }
   /// Returns the place about which a row's camera turns.
   const glm::vec3& pivot(std::size_t row) const { return m_rows[row].pivot; }
+  /// Returns how far its camera may zoom.
+  const model::ZoomEnds& ends(std::size_t row) const { return m_rows[row].ends; }
   /// Gives a row that camera and all others the like.
   void turn(std::size_t row, const model::Camera& camera);
   /// Returns what a sheet shows: each model as it is and, if its surface is roughened, that below.
@@ -38,6 +41,7 @@ class ComparisonRows {
     render::ComparedModel model;  ///< as it is
     render::ComparedModel shown;  ///< the same or roughened
     glm::vec3 pivot{0.0f};
+    model::ZoomEnds ends;
     glm::vec3 target{0.0f};  ///< that of the camera which shows it as large as others, LPS, mm
     float size = 1.0f;       ///< that camera's distance or height, mm
   };

@@ -158,8 +158,8 @@ void ExportActions::prepareDraft() {
   const std::filesystem::path& file = m_session.file().path;
   if (folder.isEmpty() || !QFileInfo(folder).isDir())
     folder = file.empty() ? QDir::homePath() : textOf(file.parent_path());
-  const QString name = QString::fromStdString(
-      render::safeFileName(QFileInfo(m_session.title()).completeBaseName().toStdString()));
+  const QString name =
+      QString::fromStdString(render::safeFileName(m_session.publicTitle().toStdString()));
   m_draft.target = withEndingOf(QDir(folder).filePath(name), m_draft.kind);
 }
 

@@ -143,7 +143,7 @@ void remember(const ExportDraft& draft, const render::ExportOrder& seen, QSettin
       settings.setValue(seenKey(*option), valueIn(seen, *option).toString());
   }
   if (!draft.target.isEmpty())
-    settings.setValue(keyOf("folder"), QFileInfo(draft.target).path());
+    settings.setValue(keyOf("folder"), QFileInfo(draft.target).absolutePath());
 }
 
 QString withEndingOf(const QString& target, const QString& kind) {

@@ -56,6 +56,9 @@ QString fact(const render::ExportNote& note) {
                 count);
     case Kind::cardsWithoutRoom:
       return tr("%n labels found no room and have no card: %1.", nullptr, count);
+    case Kind::labelsNotAsked:
+      return tr("%n labels are not asked for, as one does not see there what is named: %1.",
+                nullptr, count);
     case Kind::marksWithoutRoom:
       return tr("At the picture's edge there is no room for: %1.");
     case Kind::legendWithoutRoom:
@@ -100,6 +103,7 @@ QString remedy(render::ExportNote::Kind kind) {
     case Kind::labelsOffPage:
       return tr("Choose a view that shows them.");
     case Kind::labelsHidden:
+    case Kind::labelsNotAsked:
       return tr("Choose a view that shows it, or draw less of what is before it.");
     case Kind::labelsUntranslated:
       return tr("Write them in the list of labels, or choose another language.");

@@ -19,6 +19,16 @@ bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) 
   return !a.empty() && !b.empty() && std::filesystem::equivalent(a, b, unknown);
 }
 
+/// Reads a scene for printing, of which nothing may be missing in silence.
+Result<model::SceneDocument> wholeScene(const std::filesystem::path& file) {
+  Result<model::SceneDocument> document = model::readSceneFile(file);
+  if (!document.ok() || document->leftOut.empty())
+    return document;
+  return Error{.file = file.string(),
+               .reason = "something in it is at fault: " + document->leftOut.front(),
+               .remedy = "Open it by itself and save it under another name"};
+}
+
 }  // namespace
 
 FigureDesk::FigureDesk(OpenScene open) : m_open(std::move(open)) {
@@ -60,7 +70,7 @@ Result<FigureDesk> FigureDesk::read(const OpenScene& open, const std::filesystem
       desk.m_scenes[name] = open.scene;
       continue;
     }
-    Result<model::SceneDocument> document = model::readSceneFile(*path);
+    Result<model::SceneDocument> document = wholeScene(*path);
     if (!document.ok())
       return document.error();
     desk.m_scenes[name] = std::make_shared<const model::Scene>(model::dressed(document->scene));
@@ -103,7 +113,7 @@ Status FigureDesk::save(const std::filesystem::path& file) {
 }
 
 Status FigureDesk::addScene(const std::filesystem::path& file) {
-  Result<model::SceneDocument> document = model::readSceneFile(file);
+  Result<model::SceneDocument> document = wholeScene(file);
   if (!document.ok())
     return document.error();
   std::string name = file.filename().string();

@@ -2,10 +2,12 @@
 #include "widgets/focus/role_texts.h"
 
 #include <QLocale>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "model/focus/context.h"
+#include "model/scene/measured_extent.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -24,11 +26,24 @@ QString hidesText(const model::Relation& relation) {
   return tr("hides up to %1 % of it").arg(qRound(100.0f * relation.hides));
 }
 
-QString distanceText(const model::Relation& relation) {
+/// Tells whether the structure and all in focus have the surfaces that were read.
+bool isBetweenReadSurfaces(const model::Scene& scene, const model::Relation& relation) {
+  std::vector<model::NodeId> both = scene.structuresBelow(scene.focus().targets);
+  both.push_back(relation.structure);
+  return std::all_of(both.begin(), both.end(), [&](model::NodeId id) {
+    const model::Node* node = scene.find(id);
+    return !node || model::isAsRead(node->provenance);
+  });
+}
+
+QString distanceText(Session& session, const model::Relation& relation) {
   if (!std::isfinite(relation.gapMm))
     return tr("Cut away");
   const double mm = double(relation.gapMm);
-  return tr("%1 mm away").arg(QLocale().toString(mm, 'f', mm < 10.0 ? 1 : 0));
+  const QString text = tr("%1 mm away").arg(QLocale().toString(mm, 'f', mm < 10.0 ? 1 : 0));
+  return isBetweenReadSurfaces(session.scene(), relation)
+             ? text
+             : tr("%1, between smoothed surfaces").arg(text);
 }
 
 QString firstClause(Session& session, const model::Relation& relation) {
@@ -44,12 +59,12 @@ QString firstClause(Session& session, const model::Relation& relation) {
     case RoleReason::touches:
       return tr("Lies against it");
     case RoleReason::hides:
-      return tr("Lies outside, %1").arg(distanceText(relation));
+      return tr("Lies outside, %1").arg(distanceText(session, relation));
     case RoleReason::near:
     case RoleReason::far:
       break;
   }
-  return distanceText(relation);
+  return distanceText(session, relation);
 }
 
 QString tissueName(model::Tissue tissue) {
@@ -138,7 +153,7 @@ QString subjectText(Session& session, const std::string& title) {
 
 std::vector<RoleRow> roleRows() {
   return {{ContextRole::target, tr("In focus"), tr("In focus")},
-          {ContextRole::feeder, tr("Vessel or duct"), tr("Vessels and ducts")},
+          {ContextRole::feeder, tr("Vessel, nerve or duct"), tr("Vessels, nerves and ducts")},
           {ContextRole::neighbour, tr("Neighbour"), tr("Neighbours")},
           {ContextRole::shell, tr("Shell"), tr("Shells around it")},
           {ContextRole::backdrop, tr("Backdrop"), tr("Backdrop")}};

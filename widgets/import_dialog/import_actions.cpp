@@ -3,10 +3,14 @@
 
 #include <QAction>
 #include <QFileInfo>
+#include <QPointer>
 #include <QSettings>
 #include <algorithm>
 
+#include "model/edit/settled_units.h"
 #include "model/scene_file/scene_file.h"
+#include "widgets/import_dialog/choice_rows.h"
+#include "widgets/import_dialog/patients_question.h"
 #include "widgets/preferences/preferences.h"
 #include "widgets/shell/file_dialogs.h"
 #include "widgets/shell/message_bar.h"
@@ -40,15 +44,14 @@ ImportActions::ImportActions(const Context& context, QWidget& window)
       m_preferences(context.preferences),
       m_actions(context.actions),
       m_message(context.message),
-      m_window(window) {
+      m_window(window),
+      m_takeUnit(new QAction(this)),
+      m_keepSize(new QAction(tr("The Size Is Right"), this)) {
   connectActions();
   connect(&m_session, &Session::documentChanged, this, &ImportActions::updateActions);
-  connect(&m_session, &Session::remarked, this, [this] {
-    const QAction& again = m_actions[QStringLiteral("importAgain")];
-    const int opening = m_session.document().opening;
-    if (again.isEnabled() && std::exchange(m_offered, opening) != opening)
-      m_message.offer(m_actions[QStringLiteral("importAgain")]);
-  });
+  connect(&m_session, &Session::remarked, this, &ImportActions::offer);
+  connect(&m_session, &Session::patientsFound, this,
+          [this](const PatientQuestion& question) { askAboutPatients(m_window, question); });
   updateActions();
 }
 
@@ -59,6 +62,38 @@ void ImportActions::connectActions() {
   on("importFiles", [this] { choose(false); });
   on("importFolder", [this] { choose(true); });
   on("importAgain", [this] { show(m_session.sources()); });
+  connect(m_takeUnit, &QAction::triggered, this, &ImportActions::takeUnit);
+  connect(m_keepSize, &QAction::triggered, this, [this] {
+    m_session.apply(tr("The size is right"), model::withUnitsSettled(m_session.scene()));
+    m_message.hide();
+  });
+}
+
+void ImportActions::offer() {
+  QAction& again = m_actions[QStringLiteral("importAgain")];
+  const int opening = m_session.document().opening;
+  if (std::exchange(m_offered, opening) == opening)
+    return;
+  if (again.isEnabled())
+    m_message.offer(again);
+  if (!model::hasDoubtedUnits(m_session.scene()))
+    return;
+  const std::vector<model::UnitDoubt> doubts = m_session.unitDoubts();
+  // One unit for all that was opened: where files differ, the dialog has them one by one.
+  if (doubts.size() == 1 && doubts.front().file.empty() && !doubts.front().units.empty()) {
+    m_takeUnit->setText(tr("Take %1 as the Unit").arg(unitText(doubts.front().units.front())));
+    m_message.offer(*m_takeUnit);
+  }
+  m_message.offerOther(*m_keepSize);
+}
+
+void ImportActions::takeUnit() {
+  const std::vector<model::UnitDoubt> doubts = m_session.unitDoubts();
+  if (doubts.empty() || doubts.front().units.empty())
+    return;
+  m_guard([this, unit = doubts.front().units.front()] {
+    m_session.openPaths(m_session.sources(), {.unit = unit});
+  });
 }
 
 void ImportActions::updateActions() {
@@ -104,15 +139,32 @@ void ImportActions::show(std::vector<std::filesystem::path> inputs) {
 }
 
 void ImportActions::carryOut(const model::ImportPlan& plan, bool intoScene) {
-  m_session.openMade(titleOf(plan.inputs), [plan, intoScene](const model::ImportProgress& progress,
+  std::vector<std::filesystem::path> all = m_session.sources();
+  all.insert(all.end(), plan.inputs.begin(), plan.inputs.end());
+  const auto together = [self = QPointer(this), plan](model::PatientsWanted wanted) {
+    if (!self)
+      return;  // the window's controls were made anew meanwhile
+    model::ImportPlan answered = plan;
+    answered.options.patients = wanted;
+    self->carryOut(answered, true);
+  };
+  m_session.openMade(
+      titleOf(plan.inputs), [plan, intoScene, all, together](const model::ImportProgress& progress,
                                                              const std::stop_token&) {
-    Result<model::Imported> imported = model::carryOut(plan, progress);
-    if (!imported.ok())
-      return Result<LoadedDocument>(imported.error());
-    LoadedDocument loaded = loadedDocument(std::move(*imported), plan.inputs);
-    loaded.added = intoScene;
-    return Result<LoadedDocument>(std::move(loaded));
-  });
+        // What is open may be of another patient than what is added.
+        if (intoScene && plan.options.patients != model::PatientsWanted::together)
+          if (model::Patients patients =
+                  model::patientsAmong(all, plan.options.limits, model::ScannerSlices::read);
+              patients.several())
+            return Result<LoadedDocument>(
+                LoadedDocument{.question = PatientQuestion{std::move(patients), false, together}});
+        Result<model::Imported> imported = model::carryOut(plan, progress);
+        if (!imported.ok())
+          return Result<LoadedDocument>(imported.error());
+        LoadedDocument loaded = loadedDocument(std::move(*imported), plan.inputs);
+        loaded.added = intoScene;
+        return Result<LoadedDocument>(std::move(loaded));
+      });
 }
 
 }  // namespace sline::widgets

@@ -47,6 +47,9 @@ class ImportActions : public QObject {
   void choose(bool folder);
   void carryOut(const model::ImportPlan& plan, bool intoScene);
   void updateActions();
+  /// Offers what can be done about the opening's remarks.
+  void offer();
+  void takeUnit();
 
   Session& m_session;
   QSettings& m_settings;
@@ -56,6 +59,8 @@ class ImportActions : public QObject {
   QWidget& m_window;
   Guard m_guard = [](const std::function<void()>& then) { then(); };
   QPointer<ImportDialog> m_dialog;
+  QAction* m_takeUnit;
+  QAction* m_keepSize;
   int m_offered = 0;  ///< the opening that was offered another import
 };
 

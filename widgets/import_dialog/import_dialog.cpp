@@ -13,7 +13,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/import_dialog/choice_rows.h"
 #include "widgets/import_dialog/options_panel.h"
+#include "widgets/import_dialog/patients_question.h"
 #include "widgets/import_dialog/plan_texts.h"
 #include "widgets/import_dialog/plan_tree.h"
 #include "widgets/import_dialog/selection_panel.h"
@@ -70,6 +72,8 @@ ImportDialog::ImportDialog(const DisplayNames& names, std::vector<std::filesyste
       m_intoScene(intoScene),
       m_summary(plainLabel("importSummary")),
       m_doubt(plainLabel("importDoubt")),
+      m_takeUnit(new QPushButton),
+      m_keepUnit(new QPushButton(tr("The Size Is Right"))),
       m_tabs(new QTabWidget) {
   setObjectName(QStringLiteral("importDialog"));
   setWindowTitle(tr("Import %1").arg(nameOf(inputs)));
@@ -81,6 +85,7 @@ ImportDialog::ImportDialog(const DisplayNames& names, std::vector<std::filesyste
   layout->setSpacing(10);
   layout->addWidget(m_summary);
   layout->addWidget(m_doubt);
+  layout->addWidget(makeUnitButtons());
   layout->addWidget(new OptionsPanel(m_draft));
   m_tabs->addTab(makeStructures(), tr("Structures"));
   m_tabs->addTab(makeLeftOut(), tr("Left out"));
@@ -130,6 +135,39 @@ QWidget* ImportDialog::makeLeftOut() {
   m_leftOut->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_leftOut->setTabKeyNavigation(false);
   return m_leftOut;
+}
+
+QWidget* ImportDialog::makeUnitButtons() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  m_takeUnit->setObjectName(QStringLiteral("takeUnitButton"));
+  m_keepUnit->setObjectName(QStringLiteral("keepUnitButton"));
+  layout->addWidget(m_takeUnit);
+  layout->addWidget(m_keepUnit);
+  layout->addStretch(1);
+  connect(m_takeUnit, &QPushButton::clicked, this,
+          [this] { chooseUnit(m_draft.plan().report.unitDoubts.front().units.front()); });
+  connect(m_keepUnit, &QPushButton::clicked, this,
+          [this] { chooseUnit(m_draft.plan().report.unitDoubts.front().unit); });
+  return row;
+}
+
+void ImportDialog::showUnitDoubt() {
+  const auto& doubts = m_draft.plan().report.unitDoubts;
+  const bool any = m_draft.ready() && !doubts.empty();
+  const bool proposed = any && !doubts.front().units.empty();
+  m_takeUnit->setVisible(proposed);
+  m_keepUnit->setVisible(any);
+  m_takeUnit->parentWidget()->setVisible(any);
+  if (proposed)
+    m_takeUnit->setText(tr("Take %1 as the Unit").arg(unitText(doubts.front().units.front())));
+}
+
+void ImportDialog::chooseUnit(float millimetres) {
+  const model::ImportPlan& plan = m_draft.plan();
+  m_draft.choose(model::structuresOf(plan, plan.report.unitDoubts.front()),
+                 [millimetres](model::StructureChoice& choice) { choice.unit = millimetres; });
 }
 
 QWidget* ImportDialog::makeButtons() {
@@ -185,6 +223,11 @@ void ImportDialog::connectDraft() {
     showPlan();
     showState();
   });
+  connect(&m_draft, &ImportDraft::patientsFound, this, [this](const PatientQuestion& question) {
+    m_progress->setVisible(false);
+    m_state->clear();
+    askAboutPatients(*this, question, [this] { reject(); });
+  });
   connect(&m_draft, &ImportDraft::failed, this, [this](const Error& error) {
     m_failure = told(error.text());
     showPlan();
@@ -224,11 +267,14 @@ void ImportDialog::showPlan() {
   } else {
     m_summary->setText(summaryText(plan, m_draft.figures()));
     doubts << sideDoubt(plan, m_draft.figures()) << sizeDoubt(plan, m_draft.figures());
+    for (const model::UnitDoubt& doubt : plan.report.unitDoubts)
+      doubts << told(doubt.text());
     doubts.removeAll(QString());
   }
   m_doubt->setStyleSheet(messageStyleSheet(palette(), !m_failure.isEmpty()));
   m_doubt->setText(doubts.join(QLatin1Char('\n')));
   m_doubt->setVisible(!doubts.isEmpty());
+  showUnitDoubt();
 }
 
 void ImportDialog::showLeftOut() {

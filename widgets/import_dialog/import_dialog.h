@@ -41,12 +41,16 @@ class ImportDialog : public QDialog {
   QWidget* makeStructures();
   QWidget* makeLeftOut();
   QWidget* makeButtons();
+  QWidget* makeUnitButtons();
   void connectDraft();
   void showState();
   void showPlan();
   void showLeftOut();
   void showScans();
   void fitRows();
+  /// Shows what speaks against a unit, with a button that takes the likelier one.
+  void showUnitDoubt();
+  void chooseUnit(float millimetres);
   void give(void (ImportDialog::*wanted)(const model::ImportPlan&));
 
   const DisplayNames& m_names;
@@ -55,6 +59,8 @@ class ImportDialog : public QDialog {
   QString m_failure;
   QLabel* m_summary;
   QLabel* m_doubt;
+  QPushButton* m_takeUnit;
+  QPushButton* m_keepUnit;
   QTabWidget* m_tabs;
   PlanTree* m_tree = nullptr;
   SelectionPanel* m_selection = nullptr;

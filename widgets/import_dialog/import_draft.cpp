@@ -10,7 +10,7 @@ namespace {
 
 bool decidesPlaces(const model::ImportOptions& a, const model::ImportOptions& b) {
   return a.frame != b.frame || a.unit != b.unit || a.overlay != b.overlay || a.repair != b.repair ||
-         a.thresholds != b.thresholds;
+         a.thresholds != b.thresholds || a.patients != b.patients;
 }
 
 }  // namespace
@@ -84,6 +84,12 @@ void ImportDraft::start() {
   m_job = new SceneJob(
       [request = m_plan, before = m_figures, result](const model::ImportProgress& progress,
                                                      const std::stop_token&) {
+        if (!request.read && request.options.patients == model::PatientsWanted::one) {
+          result->patients = model::patientsAmong(request.inputs, request.options.limits,
+                                                  model::ScannerSlices::read);
+          if (result->patients.several())
+            return Result<LoadedDocument>(LoadedDocument{});
+        }
         Result<model::ImportPlan> plan = model::planAgain(request, progress);
         if (!plan)
           return Result<LoadedDocument>(plan.error());
@@ -104,6 +110,15 @@ void ImportDraft::start() {
 
 void ImportDraft::take(Planned result) {
   std::exchange(m_job, nullptr)->deleteLater();
+  if (result.patients.several()) {
+    const auto goOn = [this](model::PatientsWanted wanted) {
+      model::ImportOptions answered = m_plan.options;
+      answered.patients = wanted;
+      setOptions(answered);
+    };
+    emit patientsFound({std::move(result.patients), true, goOn});
+    return;
+  }
   m_plan = std::move(result.plan);
   m_figures = std::move(result.figures);
   emit planned();

@@ -44,11 +44,14 @@ class ImportDraft : public QObject {
   /// Tells that a choice was made for some nodes or for all; the plan's tree is unchanged.
   void chosen();
   void failed(const sline::Error& error);
+  /// Tells that the inputs are of several patients, before they are read.
+  void patientsFound(const sline::widgets::PatientQuestion& question);
 
  private:
   struct Planned {
     model::ImportPlan plan;
     std::shared_ptr<const PlanFigures> figures;
+    model::Patients patients = {};  ///< instead of the others
   };
   void start();
   void take(Planned result);

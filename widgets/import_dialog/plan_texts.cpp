@@ -120,6 +120,9 @@ QString sizeDoubt(const model::ImportPlan& plan, const PlanFigures& figures) {
   constexpr float likelyLow = 50.0f;
   constexpr float likelyHigh = 2300.0f;
   const float size = extent(figures.all.box);
+  // Names tell sizes better than the whole does.
+  if (!plan.report.unitDoubts.empty())
+    return {};
   if (figures.molecules || plan.parts.empty() || size <= 0.0f ||
       (size >= smallest && size <= largest))
     return {};

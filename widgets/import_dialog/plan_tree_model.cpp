@@ -150,7 +150,8 @@ QString PlanTreeModel::text(const model::Node& node, int column) const {
     return {};  // structures of a scene file stay as they are
   switch (column) {
     case frame:
-      return QString::fromStdString(node.provenance.frame);
+      return QString::fromStdString(node.provenance.frame) +
+             (node.provenance.evidence.isSure() ? QString() : QStringLiteral("?"));
     case unit:
       return m_draft.figures().molecules ? tr("Å") : unitText(node.provenance.mmPerUnit);
     case smoothing:

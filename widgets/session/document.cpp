@@ -4,6 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include "model/anatomy/shown_names.h"
+#include "model/import/kinds/file_kinds.h"
+#include "model/scene_file/scene_file.h"
 #include "widgets/session/session.h"
 
 namespace sline::widgets {
@@ -28,7 +31,10 @@ QString titleOf(const std::vector<std::filesystem::path>& paths) {
   std::filesystem::path path = paths.empty() ? std::filesystem::path() : paths.front();
   if (!path.has_filename())  // "folder/"
     path = path.parent_path();
-  const QString name = QString::fromStdString(path.filename().string());
+  // Whoever saved a scene has named it; what is imported is often named after a patient.
+  const std::string shown =
+      model::isSceneFile(path) ? path.filename().string() : model::shownName(model::stemOf(path));
+  const QString name = shown.empty() ? Session::tr("Untitled") : QString::fromStdString(shown);
   return paths.size() < 2 ? name
                           : Session::tr("%1 and %n more", nullptr, int(paths.size()) - 1).arg(name);
 }
@@ -38,7 +44,8 @@ LoadedDocument loadedDocument(model::Imported imported,
   LoadedDocument loaded{.scene = std::move(imported.scene),
                         .title = titleOf(paths),
                         .remarks = remarksOf(imported.report),
-                        .paths = paths};
+                        .paths = paths,
+                        .unitDoubts = imported.report.unitDoubts};
   if (!imported.others.empty())
     loaded.file = DocumentFile{.others = std::make_shared<const std::vector<model::ZipMember>>(
                                    std::move(imported.others))};

@@ -4,9 +4,11 @@
 #include <QString>
 #include <QStringList>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "model/import/plan/patients.h"
 #include "model/import/plan/reload.h"
 #include "widgets/session/document_file.h"
 
@@ -22,12 +24,22 @@ struct Document {
   bool operator==(const Document&) const = default;
 };
 
+/// What is to be asked before files become a scene, because they are of several patients.
+struct PatientQuestion {
+  model::Patients patients;
+  bool firstAlone = true;  ///< what is of the first patient may come alone
+  /// Loads what was asked for as it was answered; called on the GUI's thread.
+  std::function<void(model::PatientsWanted)> goOn;
+};
+
 /// A scene that is being loaded, and what its reader had to leave out or mend.
 struct LoadedDocument {
   model::Scene scene;
   QString title;
   QStringList remarks;
   std::vector<std::filesystem::path> paths;  ///< the sources; none if the scene was made here
+  std::vector<model::UnitDoubt> unitDoubts;
+  std::optional<PatientQuestion> question;  ///< instead of a scene
   /// New meshes for the open scene, instead of a scene.
   std::optional<std::vector<model::NewMesh>> renewed;
   std::optional<DocumentFile> file;  ///< of a scene file
@@ -37,7 +49,9 @@ struct LoadedDocument {
   int reverts = 0;     ///< the opening that returns to the state on disk; 0: a new opening
 };
 
-/// Returns a title for files and folders: "pelvis", or "liver.stl and 3 more".
+/// Returns a title for files and folders of what of their names may be shown to others
+/// (model/anatomy/shown_names.h): "pelvis", or "liver and 3 more"; that of a scene file is its
+/// name.
 QString titleOf(const std::vector<std::filesystem::path>& paths);
 
 /// Returns what was imported from the paths, ready to become a document.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/session/document_file.h"
 
+#include <limits>
 #include <system_error>
 
 #include "model/disk/whole_file.h"
+#include "model/scene_file/fingerprint.h"
+#include "widgets/text/told.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -14,6 +17,13 @@ namespace {
 
 std::shared_ptr<const std::string> textOrNone(std::string text) {
   return text.empty() ? nullptr : std::make_shared<const std::string>(std::move(text));
+}
+
+/// Returns the path as it is from everywhere.
+fs::path wholePath(const fs::path& path) {
+  std::error_code fault;
+  fs::path all = fs::absolute(path, fault);
+  return fault ? path : all;
 }
 
 void deny(DocumentFile& file, Writable why, const QString& reason) {
@@ -42,15 +52,29 @@ void lock(DocumentFile& file, std::shared_ptr<const model::FileLock> held) {
   deny(file, taken ? Writable::lockedElsewhere : Writable::notPermitted, reason);
 }
 
+/// Says what of a file is at fault and therefore not in the scene.
+QString reasonOf(const std::vector<std::string>& leftOut) {
+  const QString first = told(leftOut.front());
+  const auto more = int(leftOut.size()) - 1;
+  return more == 0
+             ? tr("Something in it is at fault and was left out: %1").arg(first)
+             : tr("Something in it is at fault and was left out: %1; and %n more", nullptr, more)
+                   .arg(first);
+}
+
 }  // namespace
 
-std::optional<FileStamp> stampOf(const fs::path& file) {
+std::optional<model::Fingerprint> stampOf(const fs::path& file) {
+  constexpr model::Fingerprint ofNoFile{.bytes = std::numeric_limits<std::uint64_t>::max()};
   std::error_code fault;
-  const std::uintmax_t bytes = fs::file_size(file, fault);
-  if (fault)
+  const fs::file_status status = fs::status(file, fault);
+  if (status.type() == fs::file_type::not_found)
     return std::nullopt;
-  const fs::file_time_type when = fs::last_write_time(file, fault);
-  return fault ? std::nullopt : std::optional(FileStamp{bytes, when});
+  // Reading from a pipe or a device may never end.
+  if (fault || !fs::is_regular_file(status))
+    return ofNoFile;
+  const Result<model::Fingerprint> found = model::fingerprintOfFile(file);
+  return found.ok() ? *found : ofNoFile;
 }
 
 bool isLockOf(const model::FileLock& lock, const fs::path& file) {
@@ -62,7 +86,7 @@ bool isLockOf(const model::FileLock& lock, const fs::path& file) {
 Result<ReadDocument> readDocument(const fs::path& path,
                                   std::shared_ptr<const model::FileLock> held) {
   ReadDocument read;
-  read.file.path = path;
+  read.file.path = wholePath(path);
   // The lock comes first, so that what is read then stays what is on the disk.
   lock(read.file, std::move(held));
   read.file.stamp = stampOf(path);
@@ -71,7 +95,10 @@ Result<ReadDocument> readDocument(const fs::path& path,
     return document.error();
   if (document->isNewer())
     deny(read.file, Writable::newerProgram,
-         tr("A newer version of the program has written it; what is unknown here is not shown"));
+         tr("A newer version of the program has written it; what is unknown here is not shown, and "
+            "a copy is saved in the form of this version"));
+  else if (document->isForReading())
+    deny(read.file, Writable::newerProgram, reasonOf(document->leftOut));
   read.file.thumbnail = textOrNone(std::move(document->thumbnail));
   if (!document->others.empty())
     read.file.others =
@@ -91,24 +118,29 @@ Result<ReadDocument> readRecovered(const model::Recoverable& found,
     read.file.others =
         std::make_shared<const std::vector<model::ZipMember>>(std::move(recovered->rest.others));
   read.recovered = std::move(*recovered);
-  if (found.source.file.empty())
+  // A name without its folder may be that of any file.
+  if (!found.source.file.is_absolute())
     return read;
   read.file.path = found.source.file;
+  read.file.stamp = found.source.saved;
   lock(read.file, std::move(held));
-  read.file.stamp = stampOf(read.file.path);
-  if (read.file.writable == Writable::yes && read.file.stamp && read.file.stamp->when > found.when)
+  const std::optional<model::Fingerprint> now = stampOf(read.file.path);
+  if (read.file.writable == Writable::yes && now && now != read.file.stamp)
     deny(read.file, Writable::changedOnDisk,
-         tr("It was saved after the last of these changes was made"));
+         read.file.stamp ? tr("It has changed since the program ended with these changes unsaved")
+                         : tr("Whether it has changed since the program ended is not known"));
   return read;
 }
 
 void relock(DocumentFile& file) {
   if (file.path.empty() || file.lock || file.writable == Writable::newerProgram)
     return;
-  if (stampOf(file.path) != file.stamp)
-    deny(file, Writable::changedOnDisk, tr("Another program has changed it since"));
-  else
+  // Where there is no file any more, nothing is written over.
+  const std::optional<model::Fingerprint> now = stampOf(file.path);
+  if (!now || now == file.stamp)
     lock(file, nullptr);
+  else if (file.writable != Writable::changedOnDisk)
+    deny(file, Writable::changedOnDisk, tr("Another program has changed it since"));
 }
 
 }  // namespace sline::widgets

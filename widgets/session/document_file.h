@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QString>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -15,14 +14,10 @@
 
 namespace sline::widgets {
 
-/// Tells whether a file is still the one that was read or written.
-struct FileStamp {
-  std::uintmax_t bytes = 0;
-  std::filesystem::file_time_type when;
-  bool operator==(const FileStamp&) const = default;
-};
-/// Returns the file's stamp; none where there is no file.
-std::optional<FileStamp> stampOf(const std::filesystem::path& file);
+/// Returns what the file holds, which tells whether it is still the one that was read or written:
+/// times do not, as copies and archives bring their own. None where there is no file; of one that
+/// cannot be read, a fingerprint that no file has.
+std::optional<model::Fingerprint> stampOf(const std::filesystem::path& file);
 
 enum class Writable {
   yes,
@@ -35,7 +30,7 @@ enum class Writable {
 /// The scene file of a document. It belongs to an opening, not to a `Document`: undo restores a
 /// scene, but not the name under which it was saved meanwhile.
 struct DocumentFile {
-  std::filesystem::path path;  ///< empty: never saved
+  std::filesystem::path path;  ///< absolute; empty: never saved
   Writable writable = Writable::yes;
   QString reason;  ///< why it is not writable, as a sentence without its full stop
   /// Members of the file that have no meaning here, kept for saving; null for none.
@@ -43,7 +38,7 @@ struct DocumentFile {
   std::shared_ptr<const std::string> thumbnail;  ///< PNG; null for none
   /// The scene as it came in or was saved last; absent if no file has it (it was recovered).
   std::optional<model::Scene> saved;
-  std::optional<FileStamp> stamp;               ///< of the file as it was read or written last
+  std::optional<model::Fingerprint> stamp;      ///< of the file as it was read or written last
   std::optional<model::Recoverable> left;       ///< the journal from which it was recovered
   std::shared_ptr<const model::FileLock> lock;  ///< held while the document is open
 };
@@ -61,7 +56,7 @@ Result<ReadDocument> readDocument(const std::filesystem::path& path,
                                   std::shared_ptr<const model::FileLock> held);
 
 /// Reads a journal of unsaved work; its file is the one that was being edited, which is locked as
-/// in `readDocument`.
+/// in `readDocument`. It is not writable where it is not known to be as it was then.
 Result<ReadDocument> readRecovered(const model::Recoverable& found,
                                    std::shared_ptr<const model::FileLock> held);
 

@@ -18,7 +18,7 @@ constexpr std::chrono::milliseconds meshesBetween(20);
 constexpr std::chrono::milliseconds longestUnsynced(300);
 
 model::JournalSource sourceOf(const Session& session) {
-  return {session.title().toStdString(), session.file().path};
+  return {session.title().toStdString(), session.file().path, session.file().stamp};
 }
 }  // namespace
 

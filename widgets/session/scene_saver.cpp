@@ -61,7 +61,9 @@ Error notSaved(const std::filesystem::path& file, const std::string& reason) {
 SceneSaver::SceneSaver(Session& session, QObject* parent) : QObject(parent), m_session(session) {}
 
 void SceneSaver::save(const std::filesystem::path& file, As as, const Companions& companions) {
-  SaveTask task{.path = file,
+  std::error_code fault;
+  const std::filesystem::path whole = std::filesystem::absolute(file, fault);
+  SaveTask task{.path = fault ? file : whole,
                 .as = as,
                 .opening = m_session.document().opening,
                 .file = m_session.file(),

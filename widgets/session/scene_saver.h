@@ -50,7 +50,7 @@ class SceneSaver : public QObject {
   /// that while any owner holds it: a save may be requested before the previous one of the same
   /// file is done.
   struct Written {
-    std::optional<FileStamp> stamp;
+    std::optional<model::Fingerprint> stamp;
     std::weak_ptr<const model::FileLock> lock;
   };
   std::map<std::filesystem::path, Written> m_written;  ///< belongs to the queue's thread

@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/anatomy/shown_names.h"
 #include "model/edit/annotations.h"
+#include "model/scene/scene_limits.h"
+#include "model/scene_file/scene_file.h"
+#include "widgets/text/path_text.h"
 
 namespace sline::widgets {
 
@@ -61,6 +65,10 @@ void Session::redo() {
 bool Session::apply(const QString& name, model::Edited edited, const QString& series) {
   if (!edited.changed)
     return false;
+  if (const std::optional<Error> fault = model::limitFault(edited.scene)) {
+    emit failed(*fault);
+    return false;
+  }
   if (m_beforePreview)
     commitPreview(name);
   Document after = m_document;
@@ -95,10 +103,15 @@ void Session::preview(model::Scene scene) {
 void Session::commitPreview(const QString& name) {
   if (!m_beforePreview)
     return;
-  if (*m_beforePreview == m_document)
+  const std::optional<Error> fault = model::limitFault(m_document.scene);
+  if (fault) {
+    cancelPreview();
+    emit failed(*fault);
+  } else if (*m_beforePreview == m_document) {
     m_beforePreview.reset();
-  else
+  } else {
     push(name, m_document, {});
+  }
 }
 
 void Session::cancelPreview() {
@@ -177,6 +190,16 @@ const DocumentFile& Session::file() const {
 QString Session::title() const {
   return file().path.empty() ? m_document.title
                              : QString::fromStdString(file().path.filename().string());
+}
+
+QString Session::publicTitle() const {
+  const std::filesystem::path name = pathOf(m_document.title);
+  // The program itself has given names that are no files'.
+  if (file().path.empty() && !model::isSceneFile(name))
+    return m_document.title;
+  const std::filesystem::path& named = file().path.empty() ? name : file().path;
+  const std::string shown = model::shownName(named.stem().string());
+  return shown.empty() ? tr("Untitled") : QString::fromStdString(shown);
 }
 
 void Session::noteSaved(int opening, DocumentFile file) {

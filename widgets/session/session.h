@@ -55,6 +55,9 @@ class Session : public QObject {
   const DocumentFile& file() const;
   /// Returns the file's name if there is a file, otherwise the document's title.
   QString title() const;
+  /// Returns of the title what may be shown to others (model/anatomy/shown_names.h), for names of
+  /// what is made of the document.
+  QString publicTitle() const;
   /// Tells whether there is unsaved work: the scene differs from what the file has or, where there
   /// is none, from what came in. A drag under way counts.
   bool modified() const { return m_modified; }
@@ -81,13 +84,18 @@ class Session : public QObject {
 
   /// Reads the files and folders in the background; the scene becomes the document once it is read
   /// (one undo step). A job that is under way is cancelled.
-  void openPaths(std::vector<std::filesystem::path> paths);
+  /// Where they are of several patients, `patientsFound` comes first, unless the options say what
+  /// to do with them.
+  void openPaths(std::vector<std::filesystem::path> paths,
+                 const model::ImportOptions& options = {});
   /// Reads meshes again if their files have changed since they were opened, in the background, as
   /// one undo step. The places of these files are known only in this session.
   void reloadSources();
   /// Tells whether any source is known from which to reload.
   bool canReload() const { return !sources().empty(); }
   void openMade(const QString& title, SceneMaker maker);
+  /// Returns what speaks against the units of what was opened.
+  std::vector<model::UnitDoubt> unitDoubts() const;
   /// Returns the files and folders that the document was made of, as they were named.
   std::vector<std::filesystem::path> sources() const;
   /// Opens an empty scene.
@@ -120,6 +128,8 @@ class Session : public QObject {
   void jobEnded();
   /// Tells that something could not be done; the document is as it was.
   void failed(const sline::Error& error);
+  /// Tells that what was asked for is of several patients and waits for an answer.
+  void patientsFound(const sline::widgets::PatientQuestion& question);
   /// Tells that a scene came in, but parts of it were left out or mended.
   void remarked(const QStringList& remarks);
 
@@ -154,6 +164,7 @@ class Session : public QObject {
   int m_openings = 0;
   /// The sources by Document::opening, so that they are right after undo, too.
   std::map<int, std::vector<std::filesystem::path>> m_sources;
+  std::map<int, std::vector<model::UnitDoubt>> m_unitDoubts;  ///< likewise
   std::map<int, DocumentFile> m_files;
 };
 

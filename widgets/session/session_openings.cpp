@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "model/edit/look.h"
+#include "model/edit/settled_units.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/scene_inputs.h"
 #include "widgets/session/session.h"
@@ -59,9 +60,15 @@ model::Scene solid(const model::Scene& scene) {
 
 }  // namespace
 
-void Session::openPaths(std::vector<std::filesystem::path> paths) {
+void Session::openPaths(std::vector<std::filesystem::path> paths,
+                        const model::ImportOptions& options) {
   const QString title = titleOf(paths);
-  startJob(title, [paths = std::move(paths), title, lock = file().lock](
+  const auto again = [this, paths, options](model::PatientsWanted wanted) {
+    model::ImportOptions answered = options;
+    answered.patients = wanted;
+    openPaths(paths, answered);
+  };
+  startJob(title, [paths = std::move(paths), options, again, title, lock = file().lock](
                       const model::ImportProgress& progress, const std::stop_token&) {
     if (paths.size() == 1 && model::isSceneFile(paths.front())) {
       Result<LoadedDocument> loaded = loadedDocument(readDocument(paths.front(), lock), title);
@@ -69,11 +76,22 @@ void Session::openPaths(std::vector<std::filesystem::path> paths) {
         loaded->paths = paths;
       return loaded;
     }
-    auto imported = model::importInputs(paths, {}, progress);
+    if (options.patients == model::PatientsWanted::one)
+      if (model::Patients patients =
+              model::patientsAmong(paths, options.limits, model::ScannerSlices::leftOut);
+          patients.several())
+        return Result<LoadedDocument>(
+            LoadedDocument{.question = PatientQuestion{std::move(patients), true, again}});
+    auto imported = model::importInputs(paths, options, progress);
     if (!imported)
       return Result<LoadedDocument>(imported.error());
     return Result<LoadedDocument>(loadedDocument(std::move(*imported), paths));
   });
+}
+
+std::vector<model::UnitDoubt> Session::unitDoubts() const {
+  const auto found = m_unitDoubts.find(m_document.opening);
+  return found == m_unitDoubts.end() ? std::vector<model::UnitDoubt>() : found->second;
 }
 
 void Session::openMade(const QString& title, SceneMaker maker) {
@@ -126,6 +144,7 @@ void Session::closeDocument() {
 void Session::open(const LoadedDocument& loaded) {
   cancelPreview();
   m_sources[m_openings + 1] = loaded.paths;
+  m_unitDoubts[m_openings + 1] = loaded.unitDoubts;
   DocumentFile file = loaded.file.value_or(DocumentFile());
   // What was being edited comes back as it was.
   Document document{.scene = loaded.recovered ? loaded.scene : solid(loaded.scene),
@@ -138,8 +157,13 @@ void Session::open(const LoadedDocument& loaded) {
   if (loaded.recovered)
     restore(*loaded.recovered);
   emit opened(loaded.paths);
-  if (!loaded.remarks.isEmpty())
-    emit remarked(loaded.remarks);
+  QStringList remarks = loaded.remarks;
+  if (loaded.unitDoubts.empty() && model::hasDoubtedUnits(loaded.scene))
+    remarks << tr(
+        "Nobody has said how long the unit of its files is: what is named has not the "
+        "size of such structures, and lengths stand with a “?”");
+  if (!remarks.isEmpty())
+    emit remarked(remarks);
 }
 
 void Session::restore(const model::Recovered& recovered) {
@@ -165,9 +189,10 @@ void Session::add(const LoadedDocument& loaded) {
   for (const auto& [old, id] : model::append(together, solid(loaded.scene)))
     if (old != model::rootId)
       fresh.push_back(id);
+  if (!apply(tr("Add %1").arg(loaded.title), {std::move(together), true}))
+    return;
   std::vector<std::filesystem::path>& sources = m_sources[m_document.opening];
   sources.insert(sources.end(), loaded.paths.begin(), loaded.paths.end());
-  apply(tr("Add %1").arg(loaded.title), {std::move(together), true});
   select(fresh);
   if (!loaded.remarks.isEmpty())
     emit remarked(loaded.remarks);
@@ -212,7 +237,9 @@ void Session::startJob(const QString& title, SceneMaker maker) {
     if (job != m_job)
       return;
     endJob();
-    if (loaded.renewed)
+    if (loaded.question)
+      emit patientsFound(*loaded.question);
+    else if (loaded.renewed)
       renew(loaded);
     else if (loaded.added)
       add(loaded);

@@ -118,6 +118,10 @@ void MessageBar::offer(QAction& action) {
   offerOn(*m_remedy, action);
 }
 
+void MessageBar::offerOther(QAction& action) {
+  offerOn(*m_other, action);
+}
+
 void MessageBar::offerOn(QPushButton& button, QAction& action) {
   button.setText(QString(action.text()).remove(QLatin1Char('&')));
   button.setToolTip(action.toolTip());
@@ -128,6 +132,11 @@ void MessageBar::offerOn(QPushButton& button, QAction& action) {
 
 void MessageBar::hideNotice() {
   if (m_kind == Kind::notice)
+    hide();
+}
+
+void MessageBar::hideError(const Error& error) {
+  if (m_kind == Kind::error && m_error == error)
     hide();
 }
 

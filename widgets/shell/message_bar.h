@@ -23,6 +23,8 @@ class MessageBar : public QFrame {
   void showRemarks(const QStringList& remarks);
   /// Adds a button for what can be done about the current message; it disappears with the message.
   void offer(QAction& action);
+  /// Adds a second button likewise.
+  void offerOther(QAction& action);
   /// Shows a notice that stays until it is closed or `hideNotice` is called; the button runs the
   /// action.
   void showNotice(const QString& heading, const QString& body, QAction& action);
@@ -32,6 +34,8 @@ class MessageBar : public QFrame {
                 const QStringList& remarks = {});
   /// Hides a notice; other messages stay.
   void hideNotice();
+  /// Hides the error, where that is what is shown: it is so no longer.
+  void hideError(const Error& error);
   /// Hides a reported success; other messages stay.
   void hideDone();
   QString text() const;

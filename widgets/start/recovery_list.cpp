@@ -29,9 +29,11 @@ QString whenOf(const model::Recoverable& found) {
 }
 
 QString fileOf(const model::Recoverable& found) {
-  return found.source.file.empty()
-             ? RecoveryList::tr("never saved")
-             : QDir::toNativeSeparators(QString::fromStdString(found.source.file.string()));
+  if (found.source.file.empty())
+    return RecoveryList::tr("never saved");
+  const QString file = QDir::toNativeSeparators(QString::fromStdString(found.source.file.string()));
+  return found.source.file.is_absolute() ? file
+                                         : RecoveryList::tr("%1, in an unknown folder").arg(file);
 }
 
 QPushButton* button(const QString& text, const QString& name, const QString& title) {

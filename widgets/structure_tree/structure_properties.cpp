@@ -19,6 +19,7 @@
 
 #include "model/edit/credits.h"
 #include "model/fairing/faired.h"
+#include "model/scene/measured_extent.h"
 #include "model/scene/resolved_styles.h"
 #include "widgets/gamma/stages.h"
 #include "widgets/text/told.h"
@@ -89,8 +90,9 @@ void addOrigin(std::vector<Property>& rows, const model::Provenance& p) {
   if (!p.part.empty())
     rows.push_back(
         {QStringLiteral("part"), tr("Part of the file"), QString::fromStdString(p.part)});
+  const QString doubt = p.evidence.isSure() ? QString() : QStringLiteral("?");
   rows.push_back({QStringLiteral("frame"), tr("Coordinates"),
-                  withReason(QString::fromStdString(p.frame), p.frameReason)});
+                  withReason(QString::fromStdString(p.frame) + doubt, p.frameReason)});
   rows.push_back(
       {QStringLiteral("unit"), tr("Unit"),
        withReason(tr("%1 mm").arg(QLocale().toString(double(p.mmPerUnit), 'g', 6)), p.unitReason)});
@@ -162,21 +164,29 @@ std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids
   return rows;
 }
 
-std::vector<Property> extentProperties(const std::vector<model::MeshPtr>& meshes) {
+std::vector<Property> extentProperties(const std::vector<model::Node>& structures) {
   double area = 0.0;
   double volume = 0.0;
   std::size_t closed = 0;
-  for (const model::MeshPtr& mesh : meshes) {
-    const model::Extent extent = model::extentOf(*mesh);
-    area += extent.area;
-    volume += extent.volume.value_or(0.0);
-    closed += extent.volume ? 1 : 0;
+  bool areaAsRead = true;
+  bool volumeAsRead = true;
+  for (const model::Node& structure : structures) {
+    const model::MeasuredExtent measured = model::measuredExtent(structure);
+    area += measured.extent.area;
+    volume += measured.extent.volume.value_or(0.0);
+    closed += measured.extent.volume ? 1 : 0;
+    areaAsRead = areaAsRead && measured.areaAsRead;
+    volumeAsRead = volumeAsRead && measured.volumeAsRead;
   }
-  QString inside =
-      closed == 0 ? tr("none: the surface has holes") : tr("%1 ml").arg(number(volume / 1000.0, 2));
-  if (closed > 0 && closed < meshes.size())
+  const auto with = [](const QString& text, bool asRead) {
+    return asRead ? text : tr("%1, of the smoothed surface").arg(text);
+  };
+  QString inside = closed == 0 ? tr("none: the surface has holes")
+                               : with(tr("%1 ml").arg(number(volume / 1000.0, 2)), volumeAsRead);
+  if (closed > 0 && closed < structures.size())
     inside = tr("%1, of %2 closed surfaces").arg(inside, count(closed));
-  return {{QStringLiteral("area"), tr("Surface"), tr("%1 cm²").arg(number(area / 100.0, 2))},
+  return {{QStringLiteral("area"), tr("Surface"),
+           with(tr("%1 cm²").arg(number(area / 100.0, 2)), areaAsRead)},
           {QStringLiteral("volume"), tr("Volume"), inside}};
 }
 
@@ -218,12 +228,12 @@ StructureProperties::StructureProperties(Session& session, const NodeIds& ids,
   addCredit(session, ids);
   if (!explanation.isEmpty())
     add({{QStringLiteral("drawn"), tr("Drawn"), explanation}});
-  std::vector<model::MeshPtr> meshes;
+  std::vector<model::Node> structures;
   for (const auto& [node, style] : model::resolvedBelow(session.scene(), ids))
-    meshes.push_back(node->mesh);
+    structures.push_back(*node);
   // A million triangles take longer than a window may stand still.
-  QThreadPool::globalInstance()->start([meshes, dialog = QPointer(this)] {
-    const std::vector<Property> rows = extentProperties(meshes);
+  QThreadPool::globalInstance()->start([structures, dialog = QPointer(this)] {
+    const std::vector<Property> rows = extentProperties(structures);
     QMetaObject::invokeMethod(QCoreApplication::instance(), [dialog, rows] {
       if (dialog)
         dialog->add(rows);

@@ -23,7 +23,7 @@ struct Property {
 std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids);
 /// Returns the area of the structures at or below the nodes, and the volume of those that are
 /// closed.
-std::vector<Property> extentProperties(const std::vector<model::MeshPtr>& meshes);
+std::vector<Property> extentProperties(const std::vector<model::Node>& structures);
 
 /// Shows the properties as they are when it opens, as text that can be selected and copied, and
 /// fields in which one says whose work the surfaces are.

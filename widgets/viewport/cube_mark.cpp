@@ -46,7 +46,7 @@ float CubeMark::half() const {
   return float(side) / 2.0f / 1.78f;  // √3, and a line's width
 }
 
-void CubeMark::setCamera(const model::Camera& camera, bool sides) {
+void CubeMark::setCamera(const model::Camera& camera, const model::KnownSides& sides) {
   m_camera = camera;
   m_sides = sides;
   m_faces = cubeFaces(camera, half());
@@ -131,6 +131,13 @@ void CubeMark::leaveEvent(QEvent*) {
   mark(std::nullopt);
 }
 
+QString CubeMark::letterOf(const CubeFace& face) const {
+  if (!m_sides.any)
+    return QString::fromStdString(axisOf(face.part));
+  const int axis = face.part.x != 0 ? 0 : face.part.y != 0 ? 1 : 2;
+  return QLatin1Char(face.letter) + (m_sides.inDoubt(axis) ? QStringLiteral("?") : QString());
+}
+
 void CubeMark::paintFace(QPainter& painter, const CubeFace& face) const {
   const QColor body = m_dark ? QColor(70, 72, 76) : QColor(250, 249, 246);
   const QColor shade = m_dark ? QColor(44, 46, 50) : QColor(214, 211, 204);
@@ -177,9 +184,7 @@ void CubeMark::paintEvent(QPaintEvent*) {
     QColor ink = m_dark ? QColor(232, 232, 232) : QColor(58, 55, 50);
     ink.setAlphaF(std::min(1.0f, (face.facing - legible) / 0.35f));
     painter.setPen(ink);
-    painter.drawText(
-        QRectF(-em, -em, 2 * em, 2 * em), Qt::AlignCenter,
-        m_sides ? QString(QChar(face.letter)) : QString::fromStdString(axisOf(face.part)));
+    painter.drawText(QRectF(-em, -em, 2 * em, 2 * em), Qt::AlignCenter, letterOf(face));
     painter.restore();
   }
 }

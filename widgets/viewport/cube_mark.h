@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include "model/scene/known_frame.h"
 #include "widgets/viewport/orientation_cube.h"
 
 namespace sline::widgets {
@@ -13,8 +14,11 @@ class CubeMark : public QWidget {
   Q_OBJECT
  public:
   explicit CubeMark(QWidget* parent);
-  /// Without sides of a body, faces have the names of the file's axes.
-  void setCamera(const model::Camera& camera, bool sides);
+  /// Without sides of a body, faces have the names of the file's axes; sides in doubt have a
+  /// question mark.
+  void setCamera(const model::Camera& camera, const model::KnownSides& sides);
+  /// Returns what stands on the face.
+  QString letterOf(const CubeFace& face) const;
   void setDark(bool dark);
   QSize sizeHint() const override;
   /// Returns the pixel in the middle of a part that is seen; for tests.
@@ -45,7 +49,7 @@ class CubeMark : public QWidget {
   void paintFace(QPainter& painter, const CubeFace& face) const;
 
   model::Camera m_camera;
-  bool m_sides = true;
+  model::KnownSides m_sides;
   std::vector<CubeFace> m_faces;
   bool m_dark = false;
   std::optional<CubeDirection> m_marked;

@@ -48,16 +48,24 @@ void DriverScreen::initializeGL() {
   m_told.ready();
 }
 
+void DriverScreen::showPaper() {
+  context()->functions()->glClearColor(m_paper.redF(), m_paper.greenF(), m_paper.blueF(), 1.0f);
+  context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
+}
+
 void DriverScreen::paintGL() {
   if (!m_handoff)
     return;
   if (m_shown == 0) {
     // The background is shown until there is a picture.
-    context()->functions()->glClearColor(m_paper.redF(), m_paper.greenF(), m_paper.blueF(), 1.0f);
-    context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
+    showPaper();
     m_handoff->warmUp();
   }
   const std::uint64_t shown = m_handoff->show(pixelsOf(*this));
+  if (shown <= m_blank) {
+    showPaper();
+    return;
+  }
   if (std::exchange(m_shown, shown) != shown)
     m_told.shown(shown);
 }

@@ -21,6 +21,10 @@ class DriverScreen : public QOpenGLWidget, public PictureScreen {
   bool start() override;
   void stop() override;
   void showNewest() override { update(); }
+  void blank(std::uint64_t upTo) override {
+    m_blank = upTo;
+    update();
+  }
   QImage picture() override { return grabFramebuffer(); }
 
   Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) override {
@@ -34,11 +38,14 @@ class DriverScreen : public QOpenGLWidget, public PictureScreen {
   void paintGL() override;
 
  private:
+  void showPaper();
+
   Told m_told;
   QString m_driver;
   QColor m_paper;
   std::unique_ptr<render::gpu::Handoff> m_handoff;  ///< null: not started
   std::uint64_t m_shown = 0;                        ///< on screen
+  std::uint64_t m_blank = 0;                        ///< pictures up to this one are not shown
 };
 
 }  // namespace sline::widgets

@@ -42,7 +42,10 @@ PictureMarks::PictureMarks(QWidget& picture) : QObject(&picture), m_picture(pict
 }
 
 MarkedScene markedScene(const model::Scene& scene) {
-  return {.any = !scene.nodes().empty(), .sides = hasSides(scene), .unit = drawnUnit(scene)};
+  return {.any = !scene.nodes().empty(),
+          .sides = knownSides(scene),
+          .unit = drawnUnit(scene),
+          .middle = render::scalePlace(scene)};
 }
 
 void PictureMarks::choose(const MarkChoice& choice) {
@@ -116,7 +119,7 @@ std::vector<QRectF> PictureMarks::places() const {
   };
   if (m_choice.frameTime)
     add(cornerBox(sizeOf(*m_time, timeText(9999.0, 0.5f)), Qt::BottomRightCorner));
-  const QSize letters = sizeOf(*m_letters[0], QStringLiteral("SLA"));
+  const QSize letters = sizeOf(*m_letters[0], QStringLiteral("SL?A?"));
   const QPoint middle = m_picture.rect().center();
   for (std::size_t i = 0; i < m_letters.size(); ++i) {
     QRect box(QPoint(), letters);
@@ -138,8 +141,7 @@ void PictureMarks::placeAtEdge(QRect& box, std::size_t edge) const {
     box.moveBottom(m_picture.height() - marksMargin);
 }
 
-void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot,
-                         const MarkedScene& scene) {
+void PictureMarks::place(const model::Camera& camera, const MarkedScene& scene) {
   m_scene = scene.any;
   const int letters = m_presented ? m_picture.height() / presentedLines : 0;
   if (std::exchange(m_letterPixels, letters) != letters)
@@ -147,15 +149,18 @@ void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot,
   placeLetters(camera, scene.sides);
   m_cube->setCamera(camera, scene.sides);
   placeCorner(*m_cube, Qt::TopRightCorner);
-  m_scaleBar->show(render::scaleLength(camera, pivot, m_picture.height(), ScaleBarMark::most),
-                   scene.unit);
+  m_scaleBar->show(
+      scene.middle
+          ? render::scaleLength(camera, *scene.middle, m_picture.height(), ScaleBarMark::most)
+          : std::nullopt,
+      {.unit = scene.unit, .atMidDepth = camera.projection == model::Projection::perspective});
   placeCorner(*m_scaleBar, Qt::BottomLeftCorner);
   placeCorner(*m_time, Qt::BottomRightCorner);
   choose(m_choice);
 }
 
-void PictureMarks::placeLetters(const model::Camera& camera, bool sides) {
-  const render::EdgeLetters letters = render::edgeLetters(camera);
+void PictureMarks::placeLetters(const model::Camera& camera, const model::KnownSides& sides) {
+  const render::EdgeLetters letters = render::edgeLetters(camera, sides);
   const std::array<const std::string*, 4> texts{&letters.left, &letters.right, &letters.top,
                                                 &letters.bottom};
   const QPoint middle = m_picture.rect().center();
@@ -167,7 +172,7 @@ void PictureMarks::placeLetters(const model::Camera& camera, bool sides) {
     box.moveCenter(middle);
     placeAtEdge(box, i);
     label.setGeometry(box);
-    label.setVisible(m_scene && sides);
+    label.setVisible(m_scene && sides.any);
   }
 }
 

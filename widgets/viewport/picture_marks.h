@@ -4,6 +4,7 @@
 #include <QObject>
 #include <array>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "render/strokes/picture_settings.h"
@@ -24,9 +25,10 @@ struct MarkChoice {
 
 /// What marks need to know of a scene.
 struct MarkedScene {
-  bool any = false;    ///< it holds something
-  bool sides = false;  ///< model::hasSides
+  bool any = false;  ///< it holds something
+  model::KnownSides sides{.any = false, .evidence = {}};
   model::DrawnUnit unit = model::DrawnUnit::millimetre;
+  std::optional<glm::vec3> middle;  ///< where the scale bar is true: render::scalePlace
   bool operator==(const MarkedScene&) const = default;
 };
 MarkedScene markedScene(const model::Scene& scene);
@@ -42,9 +44,9 @@ class PictureMarks : public QObject {
   void choose(const MarkChoice& choice);
   const MarkChoice& choice() const { return m_choice; }
   void setBackground(render::Background background);
-  /// Places the marks for the camera and the point it turns around; without a scene there is
-  /// nothing to mark. Where nobody knows the scene's sides there are no letters.
-  void place(const model::Camera& camera, const glm::vec3& pivot, const MarkedScene& scene);
+  /// Places the marks for the camera; without a scene there is nothing to mark. Where nobody knows
+  /// the scene's sides there are no letters; those in doubt have a question mark.
+  void place(const model::Camera& camera, const MarkedScene& scene);
   /// Sets how many pixels at the upper edge are covered by something else.
   void setHeadroom(int pixels) { m_headroom = pixels; }
   /// Makes the letters grow with the picture's height, and keeps labels off the covered rectangle.
@@ -59,7 +61,7 @@ class PictureMarks : public QObject {
 
  private:
   void dress();
-  void placeLetters(const model::Camera& camera, bool sides);
+  void placeLetters(const model::Camera& camera, const model::KnownSides& sides);
   QRect cornerBox(const QSize& size, Qt::Corner corner) const;
   static QString timeText(double milliseconds, float scale);
   /// Moves a box, centred in the picture, to its left, right, upper or lower edge.

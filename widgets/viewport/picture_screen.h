@@ -44,6 +44,8 @@ class PictureScreen {
   virtual void stop() = 0;
   /// Brings the newest picture on screen, soon.
   virtual void showNewest() = 0;
+  /// Shows paper at once, and no picture up to that number: what they show is open no longer.
+  virtual void blank(std::uint64_t upTo) = 0;
   /// Returns the newest picture as it is on screen, in the screen's own pixels.
   virtual QImage picture() = 0;
 

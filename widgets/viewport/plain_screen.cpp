@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <new>
+#include <stdexcept>
 #include <utility>
 
 namespace sline::widgets {
@@ -35,12 +36,17 @@ void PlainScreen::showNewest() {
   update();
 }
 
+void PlainScreen::blank(std::uint64_t upTo) {
+  m_blank = upTo;
+  update();
+}
+
 QImage PlainScreen::picture() {
   showNewest();
   const render::gpu::TextureSize size = pixelsOf(*this);
   QImage image(size.width, size.height, QImage::Format_RGB32);
   image.fill(m_paper);
-  if (m_showing.number != 0) {
+  if (!isBlank()) {
     QPainter painter(&image);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(image.rect(), m_showing.image);
@@ -60,8 +66,10 @@ void PlainScreen::publish(std::uint64_t number) {
     m_drawn.image = QImage(size, QImage::Format_RGB32);
   if (m_drawn.image.isNull())
     throw std::bad_alloc();
-  m_readback.read({reinterpret_cast<std::uint32_t*>(m_drawn.image.bits()),
-                   std::size_t(m_size.width) * std::size_t(m_size.height)});
+  if (const Status read = m_readback.read({reinterpret_cast<std::uint32_t*>(m_drawn.image.bits()),
+                                           std::size_t(m_size.width) * std::size_t(m_size.height)});
+      !read)
+    throw std::length_error(read.error().reason);
   m_drawn.number = number;
   m_drawn.turn = ++m_turn;
   const std::lock_guard lock(m_mutex);
@@ -76,7 +84,7 @@ void PlainScreen::showEvent(QShowEvent* event) {
 
 void PlainScreen::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  if (m_showing.number == 0) {
+  if (isBlank()) {
     painter.fillRect(rect(), m_paper);
     return;
   }

@@ -20,6 +20,7 @@ class PlainScreen : public QWidget, public PictureScreen {
   bool start() override { return true; }
   void stop() override;
   void showNewest() override;
+  void blank(std::uint64_t upTo) override;
   QImage picture() override;
 
   Result<const render::gpu::Target*> begin(render::gpu::TextureSize size) override;
@@ -37,6 +38,7 @@ class PlainScreen : public QWidget, public PictureScreen {
     std::uint64_t turn = 0;    ///< counts what was published
   };
   void takeNewest();
+  bool isBlank() const { return m_showing.number <= m_blank; }
 
   Told m_told;
   QString m_driver;
@@ -44,6 +46,7 @@ class PlainScreen : public QWidget, public PictureScreen {
   bool m_opened = false;
   Numbered m_showing;
   std::uint64_t m_shown = 0;  ///< what was last told
+  std::uint64_t m_blank = 0;  ///< pictures up to this one are not shown
   // Three pictures take turns, so that neither side waits: one is shown, one lies ready and one is
   // drawn.
   std::mutex m_mutex;

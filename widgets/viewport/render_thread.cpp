@@ -17,6 +17,23 @@ std::atomic<bool>& refining() {
   return on;
 }
 
+/// Calls body(), whatever it throws: an exception that left the thread would end the program, and
+/// with it what is not saved. Returns what was wrong.
+template <class Body>
+Status guarded(const Body& body) {
+  std::string reason;
+  try {
+    body();
+    return Unit{};
+  } catch (const std::exception& failure) {
+    reason = failure.what();
+  } catch (...) {
+    reason = "no reason is given";
+  }
+  return Error{.reason = "the picture could not be drawn: " + reason,
+               .remedy = "Hide some structures, or close other programs to free memory"};
+}
+
 class RendererPainter : public PicturePainter {
  public:
   explicit RendererPainter(std::unique_ptr<render::Picture> picture)
@@ -156,26 +173,30 @@ RenderThread::Work RenderThread::next() {
 }
 
 Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& request) {
-  try {
+  Result<bool> drawn = false;
+  const Status done = guarded([&] {
     const auto target =
         m_screen.begin({.width = request.settings.width, .height = request.settings.height});
-    if (!target)
-      return target.error();
-    const Result<bool> painted = painter.paint(
-        request, {.target = **target, .unwanted = &m_unwanted, .outlines = request.outlines});
-    if (!painted || !*painted)
-      return painted;
+    drawn = target
+                ? painter.paint(
+                      request,
+                      {.target = **target, .unwanted = &m_unwanted, .outlines = request.outlines})
+                : Result<bool>(target.error());
+    if (!drawn || !*drawn)
+      return;
     // The labels are drawn before the picture is published, so that both appear together.
     m_sheet = m_labels.draw(request.scene, request.camera, request.labels);
     m_unlabelled.reset();
     if (!m_sheet)
       m_unlabelled = request;
     m_screen.publish(request.number);
-    return true;
-  } catch (const std::exception& failure) {
-    return Error{.reason = std::string("the picture could not be drawn: ") + failure.what(),
-                 .remedy = "Hide some structures, or close other programs to free memory"};
-  }
+  });
+  return done ? drawn : Result<bool>(done.error());
+}
+
+void RenderThread::makeReady(PicturePainter& painter, const PictureRequest& request) {
+  // A picture that needs what could not be made ready says so itself.
+  static_cast<void>(guarded([&] { painter.makeReady(request, m_unwanted); }));
 }
 
 void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& request) {
@@ -197,17 +218,17 @@ void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& re
                 .labels = m_sheet});
   }
   if (!request.moving && !m_unwanted)
-    painter.makeReady(request, m_unwanted);
+    makeReady(painter, request);
   const std::lock_guard lock(m_mutex);
   m_pictureEnd = std::chrono::steady_clock::now();
 }
 
 void RenderThread::refine(PicturePainter& painter) {
-  try {
+  // Without it the picture is only less smooth, which is not worth a message.
+  static_cast<void>(guarded([&] {
     const PictureRequest request = *std::exchange(m_unrefined, std::nullopt);
     const auto target =
         m_screen.begin({.width = request.settings.width, .height = request.settings.height});
-    // Without it the picture is only less smooth, which is not worth a message.
     if (!target)
       return;
     const Result<bool> done = painter.refine(
@@ -219,15 +240,25 @@ void RenderThread::refine(PicturePainter& painter) {
       // It may have made way for a preview.
       m_unrefined = request;
     }
-  } catch (const std::exception&) {
-    return;
-  }
+  }));
 }
 
 void RenderThread::drawLabels() {
-  if (m_labels.prepare(m_unlabelled->scene))
+  bool ready = false;
+  const Status done = guarded([&] {
+    ready = !m_labels.prepare(m_unlabelled->scene);
+    if (ready)
+      m_sheet = m_labels.draw(m_unlabelled->scene, m_unlabelled->camera, m_unlabelled->labels);
+  });
+  if (!done) {
+    auto none = std::make_shared<LabelSheet>();
+    none->camera = m_unlabelled->camera;
+    none->wish = m_unlabelled->labels;
+    m_sheet = std::move(none);
+    emit labelsFailed(done.error());
+  } else if (!ready) {
     return;
-  m_sheet = m_labels.draw(m_unlabelled->scene, m_unlabelled->camera, m_unlabelled->labels);
+  }
   m_unlabelled.reset();
   emit labelled(m_sheet);
 }
@@ -240,17 +271,12 @@ void RenderThread::drawPreview(PicturePainter& painter, const PreviewRequest::Pr
     const std::lock_guard lock(m_mutex);
     round = waiting.round;
   }
-  std::optional<render::Image> image;
-  try {
-    auto drawn = painter.preview(preview, m_unwanted);
-    // Without this one the panel only lacks a small picture, which is not worth a message.
-    if (!drawn)
-      return;
-    image = std::move(*drawn);
-  } catch (const std::exception&) {
+  Result<std::optional<render::Image>> image = std::optional<render::Image>();
+  const Status done = guarded([&] { image = painter.preview(preview, m_unwanted); });
+  // Without this one the panel only lacks a small picture, which is not worth a message.
+  if (!done || !image)
     return;
-  }
-  if (!image) {
+  if (!*image) {
     // The large picture comes first; then this one again, unless others are wanted instead.
     const std::lock_guard lock(m_mutex);
     if (m_unwanted && waiting.round == round && !m_quit)
@@ -258,11 +284,27 @@ void RenderThread::drawPreview(PicturePainter& painter, const PreviewRequest::Pr
     return;
   }
   const render::Image small =
-      preview.samples > 1 ? render::averaged(*image, preview.samples) : std::move(*image);
+      preview.samples > 1 ? render::averaged(**image, preview.samples) : std::move(**image);
   emit previewed(
       asker, preview.id,
       QImage(small.rgba.data(), small.width, small.height, 4 * small.width, QImage::Format_RGBA8888)
           .copy());
+}
+
+void RenderThread::draw(PicturePainter& painter) {
+  for (;;) {
+    const Work work = next();
+    if (work.picture)
+      drawPicture(painter, *work.picture);
+    else if (work.refinement)
+      refine(painter);
+    else if (work.labels)
+      drawLabels();
+    else if (work.preview)
+      drawPreview(painter, *work.preview, work.asker);
+    else
+      return;
+  }
 }
 
 void RenderThread::run() {
@@ -272,24 +314,19 @@ void RenderThread::run() {
                  .remedy = "Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1"});
     return;
   }
-  auto painter = m_factory();
-  if (!painter)
-    emit failed(painter.error());
-  while (painter.ok()) {
-    const Work work = next();
-    if (work.picture)
-      drawPicture(**painter, *work.picture);
-    else if (work.refinement)
-      refine(**painter);
-    else if (work.labels)
-      drawLabels();
-    else if (work.preview)
-      drawPreview(**painter, *work.preview, work.asker);
-    else
-      break;
-  }
-  if (painter)
-    painter->reset();
+  std::unique_ptr<PicturePainter> painter;
+  const Status done = guarded([&] {
+    auto made = m_factory();
+    if (!made) {
+      emit failed(made.error());
+      return;
+    }
+    painter = std::move(*made);
+    draw(*painter);
+  });
+  if (!done)
+    emit failed(done.error());
+  painter.reset();
   m_screen.releaseDrawing();
   m_context->doneCurrent();
   m_context.reset();  // on the thread that it belongs to

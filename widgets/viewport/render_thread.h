@@ -123,7 +123,10 @@ class RenderThread : public QThread {
   /// Tells that the picture of that number, which was drawn before, has come with more samples.
   void refined(std::uint64_t number);
   void previewed(sline::widgets::PreviewsOf asker, int id, const QImage& image);
+  /// Tells that a picture could not be drawn, or none can be any more.
   void failed(const sline::Error& error);
+  /// Tells that the newest picture has no labels, and why.
+  void labelsFailed(const sline::Error& error);
 
  protected:
   void run() override;
@@ -138,9 +141,12 @@ class RenderThread : public QThread {
     bool refinement = false;
   };
   Work next();
+  /// Does what is asked for until the thread must end.
+  void draw(PicturePainter& painter);
   /// Does one step towards the labels of a picture that lacks them.
   void drawLabels();
   void drawPicture(PicturePainter& painter, const PictureRequest& request);
+  void makeReady(PicturePainter& painter, const PictureRequest& request);
   /// Draws the last picture again, finer; if something else is asked for, later.
   void refine(PicturePainter& painter);
   void drawPreview(PicturePainter& painter, const PreviewRequest::Preview& preview,

@@ -4,6 +4,9 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
+
+#include "render/lettering/mark_words.h"
 
 namespace sline::widgets {
 
@@ -17,9 +20,11 @@ ScaleBarMark::ScaleBarMark(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
 }
 
-void ScaleBarMark::show(const std::optional<render::ScaleLength>& bar, model::DrawnUnit unit) {
+void ScaleBarMark::show(const std::optional<render::ScaleLength>& bar, const ScaleWords& words) {
   m_bar = bar;
-  m_text = bar ? render::lengthText(bar->millimetres, QLocale(), unit) : QString();
+  m_text = bar ? render::lengthText(bar->millimetres, QLocale(), words.unit) : QString();
+  if (bar && words.atMidDepth)
+    m_text = render::MarkWords(QLocale().bcp47Name().toStdString(), {}).atMidDepth(m_text);
   setAccessibleName(bar ? tr("Scale: %1").arg(m_text) : QString());
   update();
 }
@@ -30,7 +35,10 @@ void ScaleBarMark::setInk(const QColor& ink) {
 }
 
 QSize ScaleBarMark::sizeHint() const {
-  return {most + 2 * barMargin, fontMetrics().height() + tick + 2 * barMargin};
+  const QString widest = render::MarkWords(QLocale().bcp47Name().toStdString(), {})
+                             .atMidDepth(QStringLiteral("500 mm?"));
+  const int words = fontMetrics().horizontalAdvance(widest) + 8;
+  return {std::max(most, words) + 2 * barMargin, fontMetrics().height() + tick + 2 * barMargin};
 }
 
 void ScaleBarMark::paintEvent(QPaintEvent*) {

@@ -8,13 +8,19 @@
 
 namespace sline::widgets {
 
+/// What a scale bar says beside its length.
+struct ScaleWords {
+  model::DrawnUnit unit = model::DrawnUnit::millimetre;
+  bool atMidDepth = false;  ///< the length is true only there
+};
+
 /// Shows the bar with its length, in the picture's lower left corner.
 class ScaleBarMark : public QWidget {
   Q_OBJECT
  public:
   explicit ScaleBarMark(QWidget* parent);
   /// Shows a bar of that many of the unit; none where there is no scale.
-  void show(const std::optional<render::ScaleLength>& bar, model::DrawnUnit unit);
+  void show(const std::optional<render::ScaleLength>& bar, const ScaleWords& words);
   void setInk(const QColor& ink);
   QSize sizeHint() const override;
   const std::optional<render::ScaleLength>& bar() const { return m_bar; }

@@ -142,6 +142,9 @@ void Viewport::documentChange(const Document& before, const Document& now) {
     m_quality = {};
     pivotToMiddle();
     stopFlight();
+    // Nothing of the document before stays on screen until this one has its picture.
+    m_screen->blank(m_asked);
+    m_marked = {};
     m_marksAwait = m_asked + 1;
     m_camera = firstCamera(now.scene);
   }
@@ -161,9 +164,8 @@ void Viewport::documentChange(const Document& before, const Document& now) {
 void Viewport::placeMarks() {
   if (m_marksAwait == 0)
     m_marked = {.camera = m_moving ? m_drawnCamera.value_or(m_camera) : m_camera,
-                .pivot = m_pivot,
                 .scene = markedScene(m_session.scene())};
-  m_marks->place(m_marked.camera, m_marked.pivot, m_marked.scene);
+  m_marks->place(m_marked.camera, m_marked.scene);
   showTools();
 }
 

@@ -41,6 +41,7 @@ class Viewport : public QWidget, public ViewControl {
   const model::Camera& camera() const override { return m_camera; }
   /// Returns the point that the camera turns around.
   glm::vec3 pivot() const override { return m_pivot; }
+  model::ZoomEnds zoomEnds() const override;
   void setPivot(const glm::vec3& pivot);
   /// Sets the camera at once.
   void setCamera(const model::Camera& camera);
@@ -98,7 +99,8 @@ class Viewport : public QWidget, public ViewControl {
   bool upToDate() const;
   /// Returns OpenGL's own name for itself; empty until the window was first shown.
   QString driver() const { return m_screen->driver(); }
-  /// Returns the newest picture, without what lies over it, in the screen's own pixels.
+  bool isBlank() const { return m_marksAwait != 0; }  ///< no picture of the document is there yet
+  /// Returns the newest picture, without what lies over it, in its own pixels.
   QImage picture() const { return m_screen->picture(); }
   /// Returns the time that the last picture took to draw, and how fine it was.
   double lastMilliseconds() const { return m_last.milliseconds; }
@@ -121,6 +123,7 @@ class Viewport : public QWidget, public ViewControl {
   void menuWanted(const QPoint& onScreen, const sline::render::Picks& picks);
   void previewed(sline::widgets::PreviewsOf asker, int id, const QImage& image);
   void failed(const sline::Error& error);
+  void mended(const sline::Error& error);  ///< pictures are drawn again, after that failure
 
  protected:
   bool event(QEvent* event) override;
@@ -190,7 +193,8 @@ class Viewport : public QWidget, public ViewControl {
   PainterFactory m_factory = makePicturePainter;
   std::unique_ptr<PictureScreen> m_screen;
   std::unique_ptr<RenderThread> m_thread;
-  bool m_rebuilt = false;  ///< since the last picture that was drawn
+  bool m_rebuilt = false;          ///< since the last picture that was drawn
+  std::optional<Error> m_failure;  ///< why the last one was not, as it was told
 
   model::Camera m_camera;
   glm::vec3 m_pivot{0.0f};
@@ -230,13 +234,10 @@ class Viewport : public QWidget, public ViewControl {
   /// Holds what the marks show.
   struct Marked {
     model::Camera camera;
-    glm::vec3 pivot{0.0f};
     MarkedScene scene;
   };
   Marked m_marked;
-  /// The number of the picture to wait for: until it is there, another document's picture is on
-  /// screen, and its marks stay.
-  std::uint64_t m_marksAwait = 1;
+  std::uint64_t m_marksAwait = 1;  ///< picture before which nothing is on screen; 0: it is there
 
   Picker m_picker;
   QTimer m_nameRest;

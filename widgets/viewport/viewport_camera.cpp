@@ -131,7 +131,10 @@ void Viewport::pivotToMiddle() {
 
 void Viewport::setPivot(const glm::vec3& pivot) {
   m_pivot = pivot;
-  placeMarks();
+}
+
+model::ZoomEnds Viewport::zoomEnds() const {
+  return model::zoomEnds(shownScene().visibleBounds());
 }
 
 model::FreeSides Viewport::freeSides(const model::Scene& scene, const model::Camera& camera) const {

@@ -28,7 +28,8 @@ void Viewport::openGraphics() {
   m_thread = std::make_unique<RenderThread>(*m_screen, m_factory);
   connect(m_thread.get(), &RenderThread::drawn, this, &Viewport::took);
   connect(m_thread.get(), &RenderThread::labelled, this, [this](const LabelSheetPtr& sheet) {
-    m_labels->took(sheet, m_drawnCamera.value_or(m_camera));
+    if (m_marksAwait == 0)
+      m_labels->took(sheet, m_drawnCamera.value_or(m_camera));
   });
   connect(m_thread.get(), &RenderThread::refined, this, [this](std::uint64_t number) {
     if (number == m_asked)
@@ -36,6 +37,7 @@ void Viewport::openGraphics() {
   });
   connect(m_thread.get(), &RenderThread::previewed, this, &Viewport::previewed);
   connect(m_thread.get(), &RenderThread::failed, this, &Viewport::failure);
+  connect(m_thread.get(), &RenderThread::labelsFailed, this, &Viewport::failed);
   refresh();
 }
 
@@ -51,6 +53,7 @@ void Viewport::failure(const Error& error) {
   // Recovery is tried once: a lost context is made anew, with all that was drawn in it. A second
   // failure has another reason.
   if (m_rebuilt) {
+    m_failure = error;
     emit failed(error);
     return;
   }
@@ -79,6 +82,11 @@ void Viewport::refresh() {
 void Viewport::refresh(model::Scene scene) {
   if (!m_thread)
     return;
+  if (m_thread->isFinished() && !m_moving) {
+    // It could not draw, and said so; perhaps it can by now.
+    QMetaObject::invokeMethod(this, &Viewport::rebuildGraphics, Qt::QueuedConnection);
+    return;
+  }
   // A moving section keeps to the fineness of the camera's moves, because another draws everything
   // anew.
   m_askedFineness = m_moving ? m_quality.fineness() : render::Fineness{};
@@ -116,7 +124,11 @@ void Viewport::askPreviews(PreviewRequest request) {
 
 void Viewport::took(const PictureReport& report) {
   m_rebuilt = false;
+  if (const auto failure = std::exchange(m_failure, std::nullopt))
+    emit mended(*failure);
   m_took = report.number;
+  if (m_marksAwait != 0 && m_took < m_marksAwait)
+    return;  // of the scene before: its labels must not come back
   m_last = report;
   // Only pictures of a moving camera are drawn anew as a whole; others keep most layers.
   if (report.moving && !m_cutting)

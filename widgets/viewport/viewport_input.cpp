@@ -8,7 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "model/scene/framing.h"
 #include "widgets/viewport/viewport.h"
 
 #include "widgets/viewport/tools/points.h"
@@ -165,9 +164,7 @@ void Viewport::cancelDrag() {
 
 void Viewport::zoomAt(const QPointF& at, float factor) {
   const glm::vec3 place = pointAtDepthOf(m_camera, m_pivot, vec(at), size2());
-  const model::Camera camera = zoomed(m_camera, place, factor);
-  if (withinReach(camera, m_pivot, shownScene()))
-    move(camera);
+  move(zoomedWithin(m_camera, place, factor, zoomEnds()));
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {

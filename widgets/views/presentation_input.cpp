@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "widgets/views/presentation.h"
 #include "widgets/views/presentation_board.h"
@@ -19,6 +20,19 @@ namespace {
 
 bool zooms(int key) {
   return key == Qt::Key_Plus || key == Qt::Key_Minus || key == Qt::Key_Equal;
+}
+
+/// Returns the scene with those labels alone that point at what one sees: nobody is asked for
+/// others.
+model::Scene withoutHidden(const model::Scene& scene, const LabelSightsById& sights) {
+  std::vector<model::Annotation> annotations = scene.annotations();
+  for (model::Annotation& annotation : annotations)
+    if (const auto sight = sights.find(annotation.id.value);
+        sight != sights.end() && sight->second != LabelSight::withoutRoom)
+      annotation.visible = false;
+  model::Scene asked = scene;
+  asked.setAnnotations(std::move(annotations));
+  return asked;
 }
 
 }  // namespace
@@ -72,8 +86,9 @@ void Presentation::toggleQuiz() {
   m_lit.reset();
   m_board->setPointing(PresentationBoard::Pointing::mouse);
   laser(std::nullopt);
+  const model::Scene asked = withoutHidden(seen(all), m_viewport.labels().sights());
   m_viewport.showInstead(seen(0));
-  m_quiz->begin(seen(all), m_viewport.labels().style().language);
+  m_quiz->begin(asked, m_viewport.labels().style().language);
 }
 
 void Presentation::quizChange() {

@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <QPointer>
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "widgets/viewport/viewport.h"
 #include "widgets/views/presentation.h"
@@ -14,6 +15,17 @@
 #include "widgets/views/views_panel.h"
 
 namespace sline::widgets {
+
+namespace {
+
+/// Tells whether the view is left: one looks from another direction. Who goes nearer or aside, to
+/// point better, is still there.
+bool isLeft(const model::Camera& view, const model::Camera& now) {
+  constexpr float still = 0.966f;  // the cosine of 15°
+  return glm::dot(model::cameraFrame(view).back, model::cameraFrame(now).back) < still;
+}
+
+}  // namespace
 
 TourActions::TourActions(const Context& context, QObject* parent)
     : QObject(parent),
@@ -31,10 +43,15 @@ TourActions::TourActions(const Context& context, QObject* parent)
   connect(&m_present, &QAction::triggered, this,
           [this] { m_presentation->begin(std::max(0, m_panel.current())); });
   connect(&m_session, &Session::documentChanged, this, &TourActions::documentChange);
-  context.viewport.labels().setCurrentView([panel = QPointer(&m_panel)] {
-    const int current = panel ? panel->current() : -1;
-    return current < 0 ? std::nullopt : std::optional(std::size_t(current));
-  });
+  context.viewport.labels().setCurrentView(
+      [panel = QPointer(&m_panel), viewport = QPointer(&context.viewport),
+       session = QPointer(&m_session)]() -> std::optional<std::size_t> {
+        const int current = panel && viewport && session ? panel->current() : -1;
+        if (current < 0 || std::size_t(current) >= session->scene().views().size() ||
+            isLeft(session->scene().views()[std::size_t(current)].camera, viewport->camera()))
+          return std::nullopt;
+        return std::size_t(current);
+      });
   showState();
 }
 

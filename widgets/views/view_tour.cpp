@@ -42,8 +42,7 @@ void ViewTour::add() {
     if (const std::string wanted = tr("View %1").arg(number).toStdString();
         model::freeViewName(scene, wanted) == wanted)
       name = wanted;
-  if (m_session.apply(tr("Add View"),
-                      model::withView(scene, model::viewOf(scene, m_viewport.camera(), name))))
+  if (m_session.apply(tr("Add View"), model::withNewView(scene, m_viewport.camera(), name)))
     emit arrived(count() - 1);
 }
 

@@ -54,7 +54,14 @@ FileActions::FileActions(const Context& context, QMainWindow& window)
     m_journaler.setEnabled(m_preferences.isOn(QLatin1String(journalKey)));
   };
   connect(&m_preferences, &Preferences::changed, this, follow);
-  connect(&m_journaler, &Journaler::failed, &m_message, &MessageBar::showError);
+  connect(&m_journaler, &Journaler::failed, this, [this](const Error& error) {
+    m_notKept = error;
+    m_message.showError(error);
+  });
+  connect(&m_journaler, &Journaler::kept, this, [this] {
+    if (const auto error = std::exchange(m_notKept, std::nullopt))
+      m_message.hideError(*error);
+  });
   follow();
   fileChange();
   m_seeker.add([this, folder = m_journaler.folder()](const std::stop_token&) {
@@ -115,11 +122,14 @@ void FileActions::connectSaver() {
   connect(&m_saver, &SceneSaver::failed, this, [this](const Error& error) {
     m_afterSaving = nullptr;
     m_window.statusBar()->clearMessage();
+    m_notSaved = error;
     m_message.showError(error);
   });
   connect(&m_saver, &SceneSaver::saved, this,
           [this](const std::filesystem::path& file, SceneSaver::As as) {
             constexpr int readable = 4000;  // milliseconds
+            if (const auto error = std::exchange(m_notSaved, std::nullopt))
+              m_message.hideError(*error);
             m_window.statusBar()->showMessage(tr("Saved %1").arg(textOf(file.filename())),
                                               readable);
             if (as == SceneSaver::As::document)
@@ -234,7 +244,8 @@ void FileActions::saveAs(SceneSaver::As as) {
 void FileActions::saveTo(const QString& path, SceneSaver::As as) {
   m_settings.setValue(QLatin1String(lastFolderKey), QFileInfo(path).absolutePath());
   m_saver.save(pathOf(path), as,
-               {.picture = m_viewport.picture(), .member = memberFor(m_viewport.camera())});
+               {.picture = m_viewport.isBlank() ? QImage() : m_viewport.picture(),
+                .member = memberFor(m_viewport.camera())});
 }
 
 void FileActions::fileChange() {
@@ -283,7 +294,7 @@ QString FileActions::lastFolder() const {
 QString FileActions::suggestedPath() const {
   if (!m_session.file().path.empty())
     return textOf(m_session.file().path);
-  QString name = QFileInfo(m_session.document().title).completeBaseName();
+  QString name = m_session.publicTitle();
   name.replace(QLatin1Char('/'), QLatin1Char('-'));
   const QString folder = lastFolder().isEmpty() ? QDir::homePath() : lastFolder();
   return folder + QLatin1Char('/') + name + QStringLiteral(".sline");

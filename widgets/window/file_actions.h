@@ -99,7 +99,10 @@ class FileActions : public QObject {
   PathsHandler m_dropHandler;
   std::function<void()> m_afterSaving;
   QPointer<QProgressBar> m_saving;  ///< in the status bar, while something is written
-  bool m_closing = false;           ///< the question was asked and answered
+  // What was said to have failed, until it succeeds.
+  std::optional<Error> m_notSaved;
+  std::optional<Error> m_notKept;
+  bool m_closing = false;  ///< the question was asked and answered
 };
 
 }  // namespace sline::widgets

@@ -136,7 +136,13 @@ void MainWindow::placeMessage(bool onStartPage) {
 }
 
 void MainWindow::connectSession() {
-  connect(&m_session, &Session::documentChanged, this, &MainWindow::documentChange);
+  connect(&m_session, &Session::documentChanged, this,
+          [this](const Document& before, const Document& now) {
+            // What was said of another document, or of opening it, is not so of this one.
+            if (before.opening != now.opening)
+              m_message->hide();
+            documentChange(before, now);
+          });
   connect(&m_session, &Session::failed, m_message, &MessageBar::showError);
   connect(&m_session, &Session::remarked, m_message, &MessageBar::showRemarks);
   connect(&m_session, &Session::jobStarted, this, [this](const QString& title) {
@@ -216,6 +222,7 @@ void MainWindow::connectViews() {
             [this, i] { m_viewport->showFrom(model::AnatomicalView(i)); });
   }
   connect(m_viewport, &Viewport::failed, m_message, &MessageBar::showError);
+  connect(m_viewport, &Viewport::mended, m_message, &MessageBar::hideError);
   connect(m_viewport, &Viewport::pivotChosen, this, [this](const QString& structure) {
     constexpr int readable = 4000;  // milliseconds
     statusBar()->showMessage(tr("Turning around this place on %1").arg(structure), readable);

@@ -50,6 +50,7 @@
 #include "widgets/window/panel_table.h"
 #include "widgets/window/picture_menu.h"
 #include "widgets/window/picture_preferences.h"
+#include "widgets/window/sides_actions.h"
 
 namespace sline::widgets {
 
@@ -179,6 +180,8 @@ void MainWindow::makeMenus() {
   new BrushActions(m_session, *m_brush, *m_viewport, m_actions, m_parts);
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
   connect(m_sections, &SectionActions::refused, m_message, &MessageBar::showError);
+  new SidesActions(m_session, m_actions, *static_cast<QGridLayout*>(centralWidget()->layout()),
+                   m_parts);
   m_sections->fillAddMenu(findChild<SectionsPanel*>()->addButton());
   new LabelActions({.window = *this,
                     .session = m_session,

@@ -57,6 +57,18 @@ std::string pixelText(const render::ExportNote& note) {
          " bits, as in all files of this kind. Take --png or --tiff for more";
 }
 
+/// Returns the text of a note on labels that a test does not ask for.
+std::string askedText(const render::ExportNote& note) {
+  const std::size_t count = note.names.size();
+  const std::string names = ": " + listed(note.names) + ". ";
+  if (note.kind == render::ExportNote::Kind::labelsNotAsked)
+    return counted(count, "label is", "labels are") +
+           " not asked for, as one does not see there what is named" + names +
+           "Choose a view that shows it, or draw less of what is before it";
+  return counted(count, "label", "labels") + " found no room and " + (count == 1 ? "has" : "have") +
+         " no card" + names + "Take a larger page (--size-mm) or smaller letters (--label-size)";
+}
+
 /// Returns the text of a note on a students' page.
 std::string pageText(const render::ExportNote& note) {
   if (note.kind == render::ExportNote::Kind::pageLarge)
@@ -95,10 +107,9 @@ std::string textOf(const render::ExportNote& note) {
       return counted(count, "label has", "labels have") + " no text in " + plain(note.detail) +
              " and " + (count == 1 ? "stands" : "stand") + " in the scene's own language" + names +
              "Add one with `sline annotate`, or choose another --language";
+    case Kind::labelsNotAsked:
     case Kind::cardsWithoutRoom:
-      return counted(count, "label", "labels") + " found no room and " +
-             (count == 1 ? "has" : "have") + " no card" + names +
-             "Take a larger page (--size-mm) or smaller letters (--label-size)";
+      return askedText(note);
     case Kind::marksWithoutRoom:
       return counted(count, "mark", "marks") + " at the picture's edge found no room" + names +
              "Take a larger page, smaller letters (--label-size) or fewer marks (--marks)";

@@ -8,26 +8,54 @@
 #include <utility>
 
 #include "app/cli/files/names.h"
+#include "model/edit/settled_units.h"
 #include "model/geometry/topology.h"
 #include "model/import/plan/kept_scans.h"
+#include "model/scene/cut_place.h"
+#include "model/scene/known_frame.h"
 #include "model/scene/markup.h"
 
 namespace sline::cli {
 
+namespace {
+/// Keeps what all have in common.
+void join(std::string& all, const std::string& one, bool first) {
+  all = first || all == one ? one : "mixed";
+}
+
+/// Keeps the less sure of the two.
+void join(model::SideEvidence& all, const model::SideEvidence& one) {
+  all.sides = std::max(all.sides, one.sides);
+  all.front = std::max(all.front, one.front);
+}
+
+/// Returns the frame in which a structure lies in the scene.
+std::string frameInScene(const model::Provenance& from) {
+  return from.frame == model::fileFrame ? from.frame : "LPS";
+}
+}  // namespace
+
 SceneSummary summaryOf(const model::Scene& scene) {
-  SceneSummary summary;
+  SceneSummary summary{.sided = model::knownSides(scene).any};
   for (const model::Node& node : scene.nodes()) {
     if (node.isGroup())
       continue;
     const model::Mesh& mesh = *node.mesh;
     const model::VertexFaces faces(mesh);
-    summary.structures.push_back({node.name, scene.groupPath(node.id), node.mesh,
-                                  model::countEdges(mesh, faces).closed(),
-                                  model::connectedComponents(mesh).count});
+    summary.structures.push_back(
+        {node.name, scene.groupPath(node.id), node.mesh, model::countEdges(mesh, faces).closed(),
+         model::connectedComponents(mesh).count, frameInScene(node.provenance),
+         node.provenance.frame, node.provenance.evidence});
+    const bool first = summary.structures.size() == 1;
+    join(summary.frame, frameInScene(node.provenance), first);
+    join(summary.readAs, node.provenance.frame, first);
+    join(summary.frameReason, node.provenance.frameReason, first);
+    join(summary.evidence, node.provenance.evidence);
     summary.triangles += mesh.triangleCount();
     summary.vertices += mesh.vertexCount();
     summary.bounds.add(mesh.bounds());
   }
+  summary.unitDoubted = model::hasDoubtedUnits(scene);
   summary.views = scene.views();
   static constexpr std::array<const char*, 4> kinds{"label", "callout", "pin", "distance"};
   for (const model::Annotation& annotation : scene.annotations()) {
@@ -35,12 +63,16 @@ SceneSummary summaryOf(const model::Scene& scene) {
                         model::plainText(annotation.kind, annotation.text),
                         {},
                         annotation.visible};
-    for (const model::Anchor& anchor : annotation.anchors)
+    for (const model::Anchor& anchor : model::pointedAt(annotation))
       if (const auto place = scene.placeOf(anchor))
         info.places.push_back(*place);
     summary.annotations.push_back(std::move(info));
   }
   summary.scans = scene.scans();
+  for (const model::Scan& scan : summary.scans)
+    join(summary.evidence, scan.evidence);
+  if (summary.frame.empty())
+    summary.frame = "LPS";
   return summary;
 }
 
@@ -64,21 +96,41 @@ Json scanJson(const model::Scan& scan) {
 }
 }  // namespace
 
-Json summaryJson(const SceneSummary& summary, const std::string& frame) {
+namespace {
+/// Says how sure the sides are; "none" where there are none.
+void putSides(Json& json, bool sided, const model::SideEvidence& evidence) {
+  json["sides"] = sided ? model::evidenceNames[std::size_t(evidence.sides)] : "none";
+  json["front"] = sided ? model::evidenceNames[std::size_t(evidence.front)] : "none";
+}
+
+Json structureJson(const StructureInfo& structure) {
+  Json json = {{"name", structure.name},
+               {"group", structure.group},
+               {"bounds_mm", jsonBox(structure.mesh->bounds())},
+               {"frame", structure.frame},
+               {"read_as", structure.readAs},
+               {"triangles", structure.mesh->triangleCount()},
+               {"vertices", structure.mesh->vertexCount()},
+               {"closed", structure.closed},
+               {"components", structure.components}};
+  putSides(json, structure.frame != model::fileFrame, structure.evidence);
+  return json;
+}
+}  // namespace
+
+Json summaryJson(const SceneSummary& summary) {
   Json root;
   root["triangles"] = summary.triangles;
   root["vertices"] = summary.vertices;
   root["bounds_mm"] = jsonBox(summary.bounds);
-  root["frame"] = frame;
+  root["frame"] = summary.frame;
+  root["read_as"] = summary.readAs;
+  root["frame_reason"] = summary.frameReason;
+  putSides(root, summary.sided, summary.evidence);
+  root["unit_doubted"] = summary.unitDoubted;
   root["structures"] = Json::array();
   for (const StructureInfo& structure : summary.structures)
-    root["structures"].push_back({{"name", structure.name},
-                                  {"group", structure.group},
-                                  {"bounds_mm", jsonBox(structure.mesh->bounds())},
-                                  {"triangles", structure.mesh->triangleCount()},
-                                  {"vertices", structure.mesh->vertexCount()},
-                                  {"closed", structure.closed},
-                                  {"components", structure.components}});
+    root["structures"].push_back(structureJson(structure));
   root["views"] = Json::array();
   for (const model::View& view : summary.views)
     root["views"].push_back({{"name", view.name},
@@ -130,7 +182,19 @@ void printViewsAndAnnotations(const SceneSummary& summary) {
 }
 }  // namespace
 
-void printSummary(const SceneSummary& summary, const std::string& frame) {
+namespace {
+/// Returns "; read as RAS (vote: 20 of 22 left/right names)".
+std::string readAsText(const SceneSummary& summary) {
+  if (summary.readAs.empty() || summary.readAs == "mixed")
+    return summary.readAs.empty() ? "" : "; read in several frames";
+  std::string text = "; read as " + summary.readAs;
+  if (!summary.frameReason.empty() && summary.frameReason != "mixed")
+    text += " (" + summary.frameReason + ")";
+  return text;
+}
+}  // namespace
+
+void printSummary(const SceneSummary& summary) {
   std::size_t widest = 9;
   for (const StructureInfo& structure : summary.structures)
     widest = std::max(widest, structure.name.size());
@@ -145,7 +209,8 @@ void printSummary(const SceneSummary& summary, const std::string& frame) {
   const glm::vec3 size = summary.bounds.empty() ? glm::vec3(0.0f) : summary.bounds.size();
   std::cout << summary.structures.size() << " structures, " << summary.triangles << " triangles, "
             << summary.vertices << " vertices, " << std::fixed << std::setprecision(1) << size.x
-            << " × " << size.y << " × " << size.z << " mm; frame " << frame << '\n';
+            << " × " << size.y << " × " << size.z << (summary.unitDoubted ? " mm?" : " mm")
+            << " in " << summary.frame << readAsText(summary) << '\n';
   printViewsAndAnnotations(summary);
   printScans(summary);
 }

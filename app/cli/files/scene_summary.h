@@ -16,6 +16,9 @@ struct StructureInfo {
   model::MeshPtr mesh;
   bool closed = false;
   std::size_t components = 0;
+  std::string frame;   ///< of its box
+  std::string readAs;  ///< how its file's coordinates were read
+  model::SideEvidence evidence;
 };
 
 struct AnnotationInfo {
@@ -29,6 +32,12 @@ struct SceneSummary {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   model::Box bounds;
+  bool unitDoubted = false;  ///< lengths may be of another unit
+  std::string frame;         ///< of the bounds: "LPS", "file", or "mixed"
+  std::string readAs;        ///< how files were read; "mixed" where they differ
+  std::string frameReason;
+  bool sided = true;
+  model::SideEvidence evidence;  ///< the least sure of all
   std::vector<StructureInfo> structures;
   std::vector<model::View> views;
   std::vector<AnnotationInfo> annotations;
@@ -37,11 +46,11 @@ struct SceneSummary {
 
 SceneSummary summaryOf(const model::Scene& scene);
 
-/// Returns "triangles", "vertices", "bounds_mm", "frame", "structures", "views", "annotations" and
-/// "scans".
-Json summaryJson(const SceneSummary& summary, const std::string& frame);
-/// Prints one line per structure and one for all, then saved views, annotations and scans; `frame`
-/// is printed as given.
-void printSummary(const SceneSummary& summary, const std::string& frame);
+/// Returns "triangles", "vertices", "bounds_mm", "frame" (of the bounds), "read_as" (the frame of
+/// the files) with "frame_reason", "sides" and "front" (how sure these are), "unit_doubted",
+/// "structures", "views", "annotations" and "scans".
+Json summaryJson(const SceneSummary& summary);
+/// Prints one line per structure and one for all, then saved views, annotations and scans.
+void printSummary(const SceneSummary& summary);
 
 }  // namespace sline::cli

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/flags/scene_input.h"
 
+#include <algorithm>
+
 #include "app/cli/flags/values.h"
+#include "model/edit/settled_units.h"
 
 namespace sline::cli {
 
@@ -16,10 +19,32 @@ void tellNotes(const model::ImportReport& report, bool verbose) {
     for (const std::string& surface : report.repairs.surfaces)
       tell("  " + surface);
 }
+
+/// Says how a doubted unit is settled.
+void tellUnits(const model::ImportReport& report) {
+  for (const model::UnitDoubt& doubt : report.unitDoubts) {
+    std::string flags;
+    for (const float unit : doubt.units)
+      flags += (flags.empty() ? "" : " or ") + unitFlag(unit);
+    tell((flags.empty() ? "" : "`sline import` with " + flags + " takes it so; ") + "with " +
+         unitFlag(doubt.unit) + " its size is right as it is, and scale bars stand without \"?\"");
+  }
+}
 }  // namespace
+
+Result<std::optional<model::SideAnswer>> parseSides(const std::string& text) {
+  if (text.empty())
+    return std::optional<model::SideAnswer>();
+  const auto index = parseName(model::sideAnswerNames, "--sides", text);
+  if (!index.ok())
+    return index.error();
+  return std::optional(model::SideAnswer(*index));
+}
 
 Result<model::ImportOptions> importOptions(const InputFlags& flags) {
   model::ImportOptions options;
+  if (const auto sides = parseSides(flags.sides); !sides.ok())
+    return sides.error();
   if (!flags.frame.empty()) {
     const auto frame = parseFrame(flags.frame);
     if (!frame.ok())
@@ -54,6 +79,9 @@ Result<model::ImportOptions> importOptions(const InputFlags& flags) {
     options.thresholds.push_back(*threshold);
   }
   options.keepScans = flags.keepScans;
+  if (flags.together)
+    options.patients = model::PatientsWanted::together;
+  options.keepFileNames = flags.keepFileNames;
   options.decimateMm = float(flags.decimateMm);
   return options;
 }
@@ -71,8 +99,37 @@ Result<model::Imported> readInputs(const InputFlags& flags, const model::ImportO
     return imported;
   for (const model::ImportWarning& warning : imported->report.warnings)
     warn(warning.file.empty() ? warning.reason : warning.file + ": " + warning.reason);
+  if (imported->report.unitDoubts.empty() && model::hasDoubtedUnits(imported->scene))
+    warn(
+        "nobody has said how long the unit of its files is: what is named has not the size of such "
+        "structures, and lengths stand with a \"?\"");
+  tellUnits(imported->report);
   tellNotes(imported->report, flags.verbose);
+  if (const auto sides = parseSides(flags.sides); sides.ok() && *sides) {
+    if (model::hasDoubtedSides(imported->scene))
+      imported->scene = model::withSidesSettled(imported->scene, **sides).scene;
+    else if (**sides != model::SideAnswer::right)
+      warn("no sides are in doubt, so --sides changes nothing; --frame overrules what files say");
+  }
   return imported;
+}
+
+void warnOfSides(const model::Scene& scene) {
+  if (!model::hasDoubtedSides(scene))
+    return;
+  const auto doubted = [](const model::Node& node) {
+    return !node.isGroup() && !node.provenance.evidence.isSure();
+  };
+  const auto& nodes = scene.nodes();
+  const auto first = std::find_if(nodes.begin(), nodes.end(), doubted);
+  const auto count = std::count_if(nodes.begin(), nodes.end(), doubted);
+  std::string text = "left and right are not certain";
+  if (first != nodes.end())
+    text += " of " + std::to_string(count) + (count == 1 ? " structure (" : " structures (") +
+            first->provenance.frame + ": " + first->provenance.frameReason + ")";
+  warn(text +
+       "; marks of the sides carry a question mark until --sides right, mirror or turn, or "
+       "--frame, settles it");
 }
 
 Result<model::SceneDocument> openedScene(const std::string& file) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include "app/cli/flags/typed_options.h"
 #include "model/base/colour_text.h"
@@ -25,8 +26,8 @@ struct Choice {
   T value;
 };
 
-constexpr std::array<Choice<float>, 4> units{
-    {{"mm", 1.0f}, {"cm", 10.0f}, {"m", 1000.0f}, {"inch", 25.4f}}};
+constexpr std::array<Choice<float>, 5> units{
+    {{"mm", 1.0f}, {"cm", 10.0f}, {"m", 1000.0f}, {"inch", 25.4f}, {"um", 0.001f}}};
 constexpr std::array<Choice<render::HatchingMethod>, 2> hatchingMethods{
     {{"strokes", render::HatchingMethod::strokes},
      {"as-printed", render::HatchingMethod::asPrinted}}};
@@ -137,7 +138,24 @@ Result<model::Frame> parseFrame(std::string_view text) {
 }
 
 Result<float> parseUnit(std::string_view text) {
+  if (const auto millimetres = number<float>(text)) {
+    if (std::isfinite(*millimetres) && *millimetres > 0.0f)
+      return *millimetres;
+    return Error{.reason = "a unit of " + std::string(text) + " mm has no length",
+                 .remedy = "Give millimetres above 0, or mm, cm, m, inch or um"};
+  }
   return parseChoice(units, "unit", text);
+}
+
+std::string unitFlag(float millimetres) {
+  const auto named = std::find_if(units.begin(), units.end(), [millimetres](const auto& unit) {
+    return unit.value == millimetres;
+  });
+  if (named != units.end())
+    return "--unit " + std::string(named->name);
+  std::ostringstream text;
+  text << "--unit " << millimetres;
+  return text.str();
 }
 
 Result<model::Smoothing> parseSmoothing(std::string_view text) {

@@ -37,8 +37,11 @@ Result<float> parseWithin(std::string_view what, std::string_view text,
 Result<Colour> parseColour(std::string_view text);
 /// Reads a name of `model::frames`; case is ignored.
 Result<model::Frame> parseFrame(std::string_view text);
-/// Reads "mm", "cm", "m" or "inch" and returns its length in millimetres.
+/// Reads "mm", "cm", "m", "inch", "um" or a number of millimetres and returns its length in
+/// millimetres.
 Result<float> parseUnit(std::string_view text);
+/// Returns "--unit cm", the flag that gives the length.
+std::string unitFlag(float millimetres);
 /// Reads "auto", "off" or a number of steps from 1 to 1000.
 Result<model::Smoothing> parseSmoothing(std::string_view text);
 /// Reads "NAME=VALUE", "NAME=LO..HI" (either may be left out) or the name of a preset.

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "model/base/letters.h"
+#include "model/base/utf8.h"
 #include "model/edit/credits.h"
 #include "model/scene_json/json_value.h"
 
@@ -18,20 +20,33 @@ namespace {
 
 constexpr std::size_t mostBytes = 16'384;
 constexpr std::size_t mostLines = 80;
+/// What is longer is no line that a person wrote to say whose work it is.
+constexpr std::size_t longestLine = 1000;
 
-std::string lowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& letter : lower)
-    if (letter >= 'A' && letter <= 'Z')
-      letter = char(letter - 'A' + 'a');
-  return lower;
-}
-
+/// Tells whether any of the words is in the text, and begins where a word does.
 template <std::size_t n>
 bool hasAny(std::string_view text, const std::array<const char*, n>& words) {
   return std::any_of(words.begin(), words.end(), [text](const char* word) {
-    return text.find(word) != std::string_view::npos;
+    for (std::size_t at = text.find(word); at != std::string_view::npos;
+         at = text.find(word, at + 1))
+      if (at == 0 || !isLetter(text[at - 1]) || !isLetter(*word))
+        return true;
+    return false;
   });
+}
+
+/// Tells whether a person may have written the line: UTF-8 without control characters, and not too
+/// long.
+bool isText(std::string_view line) {
+  if (line.size() > longestLine || !isUtf8(line))
+    return false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(line[i]);
+    const bool high = byte == 0xc2 && static_cast<unsigned char>(line[i + 1]) < 0xa0;
+    if ((byte < ' ' && byte != '\t' && byte != '\r') || byte == 0x7f || high)
+      return false;
+  }
+  return true;
 }
 
 /// Tells whether a line may speak of a patient or of a computer's folders.
@@ -111,12 +126,63 @@ void takeAuthors(SourceCredit& credit, std::string_view line) {
     credit.authors = std::string(*authors);
 }
 
+/// Returns the lines that are text.
+std::vector<std::string_view> textLinesOf(std::string_view text) {
+  std::vector<std::string_view> lines = linesOf(text);
+  std::erase_if(lines, [](std::string_view line) { return !isText(line); });
+  return lines;
+}
+
+/// Tells whether what a mesh file has to say of itself ends with the line: it begins the data, or
+/// says that they begin.
+bool endsHeader(std::string_view line) {
+  line = trimmed(line);
+  for (const std::string_view word : {"end_header", "ElementDataFile", "DATASET", "POINTS", "facet",
+                                      "v ", "vn ", "vt ", "f ", "<", "{"})
+    if (line.starts_with(word))
+      return true;
+  return !line.empty() && (isDigit(line.front()) || line.front() == '.');
+}
+
+/// Returns the lines of a mesh file's header: those up to its data, to a line that is no text, or,
+/// of VTK's legacy files, the first three, after which anything may come.
+std::vector<std::string_view> headerOf(std::string_view text) {
+  constexpr std::size_t linesOfVtk = 3;
+  constexpr std::size_t bytesOfBinaryStl = 80;
+  // The header of a binary STL file is filled up with zeros or blanks, and no line ends it.
+  const std::string_view first = cutUtf8(text.substr(0, text.find('\n')), longestLine);
+  if (text.size() > bytesOfBinaryStl && !isText(first))
+    text = text.substr(0, bytesOfBinaryStl);
+  while (!text.empty() && text.back() == '\0')
+    text.remove_suffix(1);
+  std::vector<std::string_view> lines = linesOf(text);
+  if (text.starts_with("NRRD"))
+    lines.erase(std::find(lines.begin(), lines.end(), std::string_view()), lines.end());
+  if (text.starts_with("# vtk DataFile"))
+    lines.resize(std::min(lines.size(), linesOfVtk));
+  lines.erase(std::find_if(lines.begin(), lines.end(),
+                           [](std::string_view line) { return !isText(line) || endsHeader(line); }),
+              lines.end());
+  return lines;
+}
+
 /// Returns the text of a comment; nothing for lines that are data.
 std::optional<std::string_view> commentIn(std::string_view line) {
   for (const std::string_view mark : {"#", "comment ", "//", "solid "})
     if (line.starts_with(mark))
       return trimmed(line.substr(mark.size()));
   return std::nullopt;
+}
+
+/// Returns the JSON of a glTF file; of a binary one, as much of its first chunk as is there.
+std::string_view gltfJson(std::string_view text) {
+  constexpr std::size_t headBytes = 20;
+  if (!text.starts_with("glTF") || text.size() < headBytes)
+    return text;
+  std::size_t length = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    length |= std::size_t(static_cast<unsigned char>(text[12 + i])) << (8 * i);
+  return text.substr(headBytes, length);
 }
 
 /// Returns the copyright of a glTF file's asset, whose other texts name programs.
@@ -133,17 +199,18 @@ std::string assetCopyright(std::string_view text) {
   if (begin == std::string_view::npos || end >= text.size())
     return {};
   const Result<Json> value = parseJson(text.substr(begin, end + 1 - begin));
-  return value.ok() && value->is_string() ? value->get<std::string>() : std::string();
+  std::string said = value.ok() && value->is_string() ? value->get<std::string>() : std::string();
+  return isText(said) ? said : std::string();
 }
 
 SourceCredit creditInMesh(std::string_view text) {
   SourceCredit credit;
   if (text.starts_with("glTF") || text.starts_with("{")) {
-    credit.licence = assetCopyright(text);
+    credit.licence = assetCopyright(gltfJson(text));
     return mayTell(lowerCase(credit.licence)) ? SourceCredit() : credit;
   }
   int rank = 0;
-  for (const std::string_view line : linesOf(text))
+  for (const std::string_view line : headerOf(text))
     if (const auto comment = commentIn(line)) {
       takeLicence(credit, rank, *comment);
       takeAuthors(credit, *comment);
@@ -163,7 +230,7 @@ SourceCredit creditInCitation(std::string_view text) {
                : std::string(value.substr(begin, value.find_last_not_of("\"'") - begin + 1));
   };
   std::vector<std::string> authors;
-  for (const std::string_view line : linesOf(text)) {
+  for (const std::string_view line : textLinesOf(text)) {
     const std::string_view said = trimmed(line);
     if (mayTell(lowerCase(said)))
       continue;
@@ -184,7 +251,7 @@ SourceCredit creditInCitation(std::string_view text) {
 SourceCredit creditInReadme(std::string_view text) {
   SourceCredit credit;
   int rank = -1;
-  for (const std::string_view line : linesOf(text)) {
+  for (const std::string_view line : textLinesOf(text)) {
     const std::string_view said = trimmed(line);
     if (const auto licence = after(said, licenceWords); licence && rank < 0)
       if (const std::string lower = lowerCase(said); !mayTell(lower)) {
@@ -249,7 +316,7 @@ SourceCredit creditIn(std::string_view text, CreditText kind) {
   }
   SourceCredit credit;
   int rank = 0;
-  for (const std::string_view line : linesOf(text))
+  for (const std::string_view line : textLinesOf(text))
     takeLicence(credit, rank, trimmed(line));
   return tidied(credit);
 }

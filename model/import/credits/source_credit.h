@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds out whose work a file's surfaces are: what comments in it, and texts beside it that are
-// there for that, say of authors, copyright and licence. Of a patient such lines say nothing;
+// Finds out whose work a file's surfaces are: what comments in its header, and texts beside it that
+// are there for that, say of authors, copyright and licence. What is no text is no comment: numbers
+// in binary may have the bytes of any word. Of a patient such lines say nothing;
 // those that might, and names of files and folders, are no source.
 #pragma once
 
@@ -13,7 +14,7 @@ namespace sline::model {
 
 /// The kinds of texts that say it, by where they are.
 enum class CreditText {
-  mesh,      ///< the beginning of a mesh file: its comments, or a glTF file's asset
+  mesh,      ///< a mesh file: the comments of its header, or a glTF file's asset
   licence,   ///< LICENSE, COPYING: the line that names the licence best
   citation,  ///< CITATION.cff: its title, authors and license
   readme     ///< README: lines that begin with "License:", "Copyright:" or "Author:"

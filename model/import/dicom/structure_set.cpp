@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include "model/import/contours/contour_stack.h"
@@ -220,6 +221,7 @@ class StructureSetReader {
     region.stacks = stacksOf(region.contours, single > 0.0 ? single : assumedSpacing);
     region.contours = {};
     tellOf(region, region.stacks);
+    tellOfOneSlice(region, spacing);
     if (region.stacks.stacks.empty())
       warn(region, enclosesNothing);
   }
@@ -262,6 +264,19 @@ class StructureSetReader {
       warn(region, "made of " + std::to_string(stacks.stacks.size()) +
                        " pieces: too many slices between them have no contour (up to " +
                        std::to_string(std::lround(stacks.widestGap)) + " mm)");
+  }
+
+  /// Says how thick what was drawn on one slice became, and what told it.
+  void tellOfOneSlice(const RegionOfInterest& region, double spacing) {
+    const std::vector<ContourStack>& stacks = region.stacks.stacks;
+    if (stacks.size() != 1 || stacks.front().slices.size() != 1)
+      return;
+    std::ostringstream thickness;
+    thickness << stacks.front().spacing;
+    warn(region, "is drawn on one slice; made " + thickness.str() + " mm thick, " +
+                     (region.slab > 0.0 ? "as the file says"
+                      : spacing > 0.0   ? "as slices of other structures are"
+                                        : "which nothing tells"));
   }
 
   bool append(RawMesh& mesh, const RawMesh& piece) const {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "model/base/letters.h"
+#include "model/import/molecules/residues.h"
 
 namespace sline::model {
 
@@ -67,6 +69,39 @@ std::string readableCapitals(std::string_view text) {
   return result;
 }
 
+namespace {
+
+struct NamedIon {
+  std::string_view name;
+  std::string_view symbol;
+};
+
+/// Lists the ions that a force field (CHARMM) names otherwise than by their symbols.
+constexpr NamedIon fieldIons[] = {{"POT", "K"},  {"SOD", "Na"}, {"CLA", "Cl"}, {"CAL", "Ca"},
+                                  {"LIT", "Li"}, {"CES", "Cs"}, {"RUB", "Rb"}, {"BAR", "Ba"},
+                                  {"CAD", "Cd"}, {"CD2", "Cd"}, {"ZN2", "Zn"}};
+
+/// Returns the element of an ion whose only atom has the name of its residue.
+const Element* elementOfIon(std::string_view name, std::string_view residue) {
+  const auto* const found =
+      std::find_if(std::begin(fieldIons), std::end(fieldIons),
+                   [&](const NamedIon& ion) { return ion.name == name && name == residue; });
+  return found == std::end(fieldIons) ? nullptr : elementOf(found->symbol);
+}
+
+/// Returns the element in an amino acid or nucleotide, which are made of few: "CA" is a carbon
+/// wherever it stands. Null for a name that begins with none of them.
+const Element* elementInChain(std::string_view letters, std::string_view residue) {
+  const bool selenium = residue == "MSE" || residue == "SEC";
+  if (selenium && letters.starts_with("SE"))
+    return elementOf("SE");
+  return std::string_view("CHNOSPD").find(letters.front()) == std::string_view::npos
+             ? nullptr
+             : elementOf(letters.substr(0, 1));
+}
+
+}  // namespace
+
 const Element* elementOfName(std::string_view columns, std::string_view residue) {
   std::string_view name = columns;
   while (name.starts_with(' ') || (!name.empty() && isDigit(name.front())))
@@ -79,6 +114,11 @@ const Element* elementOfName(std::string_view columns, std::string_view residue)
       letters = letters.substr(0, i);
   if (letters.empty())
     return nullptr;
+  if (const Element* ion = elementOfIon(name, residue))
+    return ion;
+  if (letterOf(residue) != 'X')
+    if (const Element* element = elementInChain(letters, residue))
+      return element;
   // Two letters are one element if they begin in the first column or name the residue itself.
   const bool inFirstColumn = !columns.empty() && columns.front() == letters.front();
   const bool namesResidue = letters.size() == 2 && residue.starts_with(letters);

@@ -30,8 +30,9 @@ std::string readableCapitals(std::string_view text);
 /// anywhere.
 std::string asciiOf(std::string_view text);
 
-/// Returns "C" for "CA" in an amino acid, "Ca" for "CA" in the ion of that name, by the PDB's rule
-/// that a one-letter symbol stands in the second column.
+/// Returns "C" for "CA" in an amino acid, "Ca" for "CA" in the ion of that name, "K" for the ion
+/// that a force field calls POT: elsewhere by the PDB's rule that a one-letter symbol stands in the
+/// second column.
 const Element* elementOfName(std::string_view columns, std::string_view residue);
 
 }  // namespace sline::model

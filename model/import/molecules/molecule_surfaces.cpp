@@ -75,6 +75,15 @@ Backbone backboneOf(const Molecule& molecule, const std::string& entry) {
   return backbone;
 }
 
+/// Returns what the element's ion is called: "sodium", "chloride".
+std::string ionName(const Element& element) {
+  std::string name(element.name);
+  constexpr std::string_view halogen = "ine";
+  if (name.ends_with(halogen))
+    name.replace(name.size() - halogen.size(), halogen.size(), "ide");
+  return name;
+}
+
 /// Cuts the title between words where it is too long for a tree.
 std::string shortened(const std::string& title) {
   if (title.size() <= longestTitle)
@@ -317,8 +326,7 @@ class Surfacer {
         continue;
       const Element& element = *ligand.atoms.front().element;
       const bool unnamed = ligand.name == ligand.code && element.symbol != unknownElement().symbol;
-      std::string name =
-          unnamed ? std::string(element.name) + " (" + ligand.code + ")" : ligand.name;
+      std::string name = unnamed ? ionName(element) + " (" + ligand.code + ")" : ligand.name;
       const auto named = [&](const auto& kind) { return kind.first == name; };
       if (kinds.size() >= mostLigands && std::none_of(kinds.begin(), kinds.end(), named))
         name = "Other ions";

@@ -20,10 +20,11 @@ struct Alias {
 
 /// Maps the names that force fields and old files give residues which gemmi tabulates under one
 /// name.
-constexpr Alias aliases[] = {{"HID", "HIS"}, {"HIE", "HIS"},  {"HIP", "HIS"},  {"HSD", "HIS"},
-                             {"HSE", "HIS"}, {"HSP", "HIS"},  {"CYX", "CYS"},  {"T", "DT"},
-                             {"TIP", "HOH"}, {"TIP3", "HOH"}, {"TIP4", "HOH"}, {"TIP5", "HOH"},
-                             {"SOL", "HOH"}, {"SPC", "HOH"}};
+constexpr Alias aliases[] = {{"HID", "HIS"},  {"HIE", "HIS"}, {"HIP", "HIS"},  {"HSD", "HIS"},
+                             {"HSE", "HIS"},  {"HSP", "HIS"}, {"CYX", "CYS"},  {"T", "DT"},
+                             {"ADE", "A"},    {"CYT", "C"},   {"GUA", "G"},    {"THY", "DT"},
+                             {"URA", "U"},    {"TIP", "HOH"}, {"TIP3", "HOH"}, {"TIP4", "HOH"},
+                             {"TIP5", "HOH"}, {"SOL", "HOH"}, {"SPC", "HOH"}};
 
 gemmi::ResidueInfo infoOf(std::string_view residue) {
   const auto* const alias = std::find_if(std::begin(aliases), std::end(aliases),
@@ -276,15 +277,17 @@ class Sorter {
       ligand.atoms.insert(ligand.atoms.end(), residue.atoms.begin(), residue.atoms.end());
     }
     ligand.ion = ligand.atoms.size() == 1;
-    ligand.name = members.size() == 1 ? nameOf(first.residue.name) : std::string();
+    ligand.name = members.size() == 1 ? nameOf(first.residue) : std::string();
     ligand.name = ligand.name.empty() ? ligand.code : ligand.name + " (" + ligand.code + ")";
     m_molecule.ligands.push_back(std::move(ligand));
   }
 
-  std::string nameOf(const std::string& code) const {
+  std::string nameOf(const Residue& residue) const {
+    const std::string& code = residue.name;
     const auto* const common = std::find_if(std::begin(commonNames), std::end(commonNames),
                                             [&](const CommonName& n) { return n.code == code; });
-    if (common != std::end(commonNames))
+    // A single atom is an ion, whatever molecule has the same code: CHARMM's CLA is a chloride.
+    if (common != std::end(commonNames) && residue.atoms.size() > 1)
       return std::string(common->name);
     const auto found = m_records.notes.componentNames.find(code);
     return found == m_records.notes.componentNames.end() ? std::string() : found->second;

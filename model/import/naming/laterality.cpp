@@ -2,23 +2,33 @@
 #include "model/import/naming/laterality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <tuple>
 
+#include "model/anatomy/kin_names.h"
 #include "model/import/naming/names.h"
+#include "model/scene/known_frame.h"
 
 namespace sline::model {
 
 namespace {
 
+/// Holds where the structures of one name are, by their side.
 struct Pair {
   std::vector<std::size_t> left;  ///< indices in the places
   std::vector<std::size_t> right;
 };
 
+/// Says what a ballot compares with what, the most telling first.
+enum class Ground { eachOther, middle, origin };
+
 /// Holds what one pair, or one name without its counterpart, says.
 struct Ballot {
   float leftMinusRight = 0.0f;
+  Ground ground = Ground::eachOther;
   std::vector<std::size_t> places;
 };
 
@@ -34,15 +44,67 @@ int frontOrBack(const std::string& word) {
   return word == "posterior" || word == "dorsal" ? 1 : 0;
 }
 
-/// Tells whether the name is that of a bone or canal that lies in the middle of every body: where
-/// no pair tells the midline, those do.
-bool liesInTheMiddle(const std::string& name) {
-  for (const std::string& word : nameWords(name))
-    for (const char* middle :
-         {"sacrum", "coccyx", "vertebra", "lumbar", "spine", "spinal", "sternum"})
-      if (word == middle)
-        return true;
-  return false;
+/// The words of names, in English and in the singular.
+using NameWords = std::vector<std::string>;
+
+bool hasAny(const NameWords& words, std::span<const std::string_view> wanted) {
+  return std::any_of(words.begin(), words.end(), [wanted](const std::string& word) {
+    return std::find(wanted.begin(), wanted.end(), word) != wanted.end();
+  });
+}
+
+/// Tells whether the name is that of a structure that lies in the middle of every body: where no
+/// pair tells the midline, those do.
+bool liesInTheMiddle(const NameWords& words) {
+  static constexpr std::array<std::string_view, 22> middle{
+      "sacrum", "coccyx",     "vertebra",  "lumbar",   "spine",   "spinal",   "sternum", "mandible",
+      "hyoid",  "larynx",     "trachea",   "tongue",   "pharynx", "skull",    "cranium", "brain",
+      "uterus", "cerebellum", "brainstem", "prostate", "urethra", "symphysis"};
+  return hasAny(words, middle);
+}
+
+/// Returns the side on which an organ lies in all but one body of ten thousand, though its name has
+/// none.
+Side sideByNature(const NameWords& words) {
+  static constexpr std::array<std::string_view, 6> left{
+      "spleen", "heart", "stomach", "descending colon", "colon descending", "sigmoid colon"};
+  static constexpr std::array<std::string_view, 8> right{
+      "liver", "appendix",        "vermiform appendix", "caecum",
+      "cecum", "ascending colon", "colon ascending",    "gallbladder"};
+  std::string whole;
+  for (const std::string& word : words)
+    whole += (whole.empty() ? "" : " ") + word;
+  const auto among = [&whole](const auto& names) {
+    return !whole.empty() && std::find(names.begin(), names.end(), whole) != names.end();
+  };
+  if (among(left))
+    return Side::left;
+  return among(right) ? Side::right : Side::none;
+}
+
+/// Tells whether a side in the name tells parts of one organ apart, which need not lie on that side
+/// of the body: the right ventricle lies in its middle, the left gastric artery begins there.
+bool isPartOfUnpaired(const NameWords& words) {
+  static constexpr std::array<std::string_view, 18> unpaired{
+      "liver",   "hepatic",  "portal",  "heart",           "atrium",        "auricle",
+      "cardiac", "coronary", "gastric", "colic",           "gastroomental", "gastroepiploic",
+      "colon",   "bile",     "biliary", "brachiocephalic", "pancreatic",    "aortic"};
+  static constexpr std::array<std::string_view, 1> ventricle{"ventricle"};
+  static constexpr std::array<std::string_view, 1> lateral{"lateral"};
+  return hasAny(words, unpaired) || (hasAny(words, ventricle) && !hasAny(words, lateral));
+}
+
+/// Returns the words of the name in English, without a side.
+NameWords englishWords(const std::string& name) {
+  return nameWords(kinName(name).pair);
+}
+
+/// Returns these and those of the name itself, which the table of names may know by another one.
+NameWords allWords(const std::string& name) {
+  NameWords words = englishWords(name);
+  for (std::string& word : nameWords(name))
+    words.push_back(std::move(word));
+  return words;
 }
 
 float mean(std::span<const NamedPosition> places, const std::vector<std::size_t>& which) {
@@ -58,54 +120,114 @@ float median(std::vector<float> values) {
   return *middle;
 }
 
-/// Returns the ballots of all names that say something.
-std::vector<Ballot> ballots(std::span<const NamedPosition> places) {
-  std::map<std::string, Pair> pairs;
-  std::vector<float> middles;
-  std::vector<float> spine;
-  float low = std::numeric_limits<float>::infinity();
-  float high = -low;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const NamedPosition& place = places[i];
-    low = std::min(low, place.x);
-    high = std::max(high, place.x);
-    const SidedName name = sidedName(place.name);
-    if (name.side == Side::left)
-      pairs[name.rest].left.push_back(i);
-    else if (name.side == Side::right)
-      pairs[name.rest].right.push_back(i);
-    else if (liesInTheMiddle(place.name))
-      spine.push_back(place.x);
+/// Compares places by what their names say of sides.
+class Comparison {
+ public:
+  explicit Comparison(std::span<const NamedPosition> places) : m_places(places) { sort(); }
+
+  /// Returns the ballots of all names that say something.
+  std::vector<Ballot> ballots() {
+    comparePairs();
+    std::vector<float>& middles = !m_middles.empty() ? m_middles : m_spine;
+    if (!middles.empty())
+      compareWith(median(middles), Ground::middle);
+    else if (!m_alone.left.empty() && !m_alone.right.empty())
+      compareWithEachOther();
+    else if (m_others.size() >= fewestOthers)
+      compareWith(median(m_others), Ground::middle);
+    else
+      compareWithOrigin();
+    return std::move(m_cast);
   }
-  const float least = 0.01f * (high - low);
-  std::vector<Ballot> cast;
-  const auto add = [&](float leftMinusRight, std::vector<std::size_t> of) {
-    if (std::abs(leftMinusRight) > least)
-      cast.push_back({leftMinusRight, std::move(of)});
-  };
-  for (const auto& [name, pair] : pairs) {
-    if (pair.left.empty() || pair.right.empty())
-      continue;
-    const float left = mean(places, pair.left);
-    const float right = mean(places, pair.right);
-    std::vector<std::size_t> both = pair.left;
-    both.insert(both.end(), pair.right.begin(), pair.right.end());
-    add(left - right, std::move(both));
-    middles.push_back(0.5f * (left + right));
+
+ private:
+  /// The median of so many structures that have no side is taken for the body's middle.
+  static constexpr std::size_t fewestOthers = 5;
+
+  void sort() {
+    float low = std::numeric_limits<float>::infinity();
+    float high = -low;
+    for (std::size_t i = 0; i < m_places.size(); ++i) {
+      const NamedPosition& place = m_places[i];
+      low = std::min(low, place.x - place.halfWidth);
+      high = std::max(high, place.x + place.halfWidth);
+      const NameWords words = englishWords(place.name);
+      const SidedName name = sidedName(place.name);
+      const Side nature = name.side == Side::none ? sideByNature(words) : Side::none;
+      if (name.side != Side::none)
+        (name.side == Side::left ? m_pairs[name.rest].left : m_pairs[name.rest].right).push_back(i);
+      else if (nature != Side::none)
+        (nature == Side::left ? m_alone.left : m_alone.right).push_back(i);
+      else
+        (liesInTheMiddle(allWords(place.name)) ? m_spine : m_others).push_back(place.x);
+    }
+    m_least = 0.01f * (high - low);
   }
-  if (middles.empty())
-    middles = spine;
-  if (middles.empty())
-    return cast;
-  const float midline = median(middles);
-  for (const auto& [name, pair] : pairs) {
-    if (pair.right.empty())
-      add(mean(places, pair.left) - midline, pair.left);
-    else if (pair.left.empty())
-      add(midline - mean(places, pair.right), pair.right);
+
+  void add(float leftMinusRight, Ground ground, std::vector<std::size_t> of) {
+    if (std::abs(leftMinusRight) > m_least)
+      m_cast.push_back({leftMinusRight, ground, std::move(of)});
   }
-  return cast;
-}
+
+  void comparePairs() {
+    for (const auto& [name, pair] : m_pairs) {
+      if (pair.left.empty() || pair.right.empty()) {
+        const auto& [from, to] = pair.left.empty() ? std::tie(pair.right, m_alone.right)
+                                                   : std::tie(pair.left, m_alone.left);
+        if (!isPartOfUnpaired(allWords(m_places[from.front()].name)))
+          to.insert(to.end(), from.begin(), from.end());
+        continue;
+      }
+      const float left = mean(m_places, pair.left);
+      const float right = mean(m_places, pair.right);
+      std::vector<std::size_t> both = pair.left;
+      both.insert(both.end(), pair.right.begin(), pair.right.end());
+      add(left - right, Ground::eachOther, std::move(both));
+      m_middles.push_back(0.5f * (left + right));
+    }
+  }
+
+  void compareWith(float midline, Ground ground) {
+    for (const std::size_t i : m_alone.left)
+      add(m_places[i].x - midline, ground, {i});
+    for (const std::size_t i : m_alone.right)
+      add(midline - m_places[i].x, ground, {i});
+  }
+
+  void compareWithEachOther() {
+    std::vector<std::size_t> all = m_alone.left;
+    all.insert(all.end(), m_alone.right.begin(), m_alone.right.end());
+    add(mean(m_places, m_alone.left) - mean(m_places, m_alone.right), Ground::eachOther,
+        std::move(all));
+  }
+
+  /// Scanners and atlases have their origin in the middle as a rule: a structure that lies mostly
+  /// beside it, and not so far off that the origin cannot be in the body, says a little.
+  void compareWithOrigin() {
+    constexpr float beside = 0.3f;
+    constexpr float farOff = 15.0f;
+    const auto tells = [this](std::size_t i) {
+      const float half = m_places[i].halfWidth;
+      return std::abs(m_places[i].x) > beside * half &&
+             (half <= 0.0f || std::abs(m_places[i].x) < farOff * half);
+    };
+    for (const std::size_t i : m_alone.left)
+      if (tells(i))
+        add(m_places[i].x, Ground::origin, {i});
+    for (const std::size_t i : m_alone.right)
+      if (tells(i))
+        add(-m_places[i].x, Ground::origin, {i});
+  }
+
+  std::span<const NamedPosition> m_places;
+  std::map<std::string, Pair> m_pairs;
+  Pair m_alone;  ///< without their counterparts
+  std::vector<float> m_middles;
+  std::vector<float> m_spine;
+  std::vector<float> m_others;  ///< whose names say nothing
+  float m_least = 0.0f;
+  std::vector<Ballot> m_cast;
+};
 
 }  // namespace
 
@@ -115,26 +237,55 @@ std::optional<Frame> FrameVote::winner() const {
   return lps > ras ? Frame::lps : Frame::ras;
 }
 
+bool FrameVote::isClear() const {
+  const int all = lps + ras;
+  const bool enough = compared || (all > 1 && !byOrigin);
+  return lps != ras && enough && isClearVote(std::min(lps, ras), all);
+}
+
 std::string FrameVote::text() const {
-  return "vote: " + std::to_string(std::max(lps, ras)) + " of " + std::to_string(lps + ras) +
+  return std::string(isClear() ? "" : "weak ") + std::string(votedFrame) +
+         std::to_string(std::max(lps, ras)) + " of " + std::to_string(lps + ras) +
          " left/right names";
 }
 
 FrameVote voteOnFrame(std::span<const NamedPosition> places) {
   FrameVote vote;
-  for (const Ballot& ballot : ballots(places))
+  for (const Ballot& ballot : Comparison(places).ballots()) {
     ++(ballot.leftMinusRight > 0.0f ? vote.lps : vote.ras);
+    vote.compared = vote.compared || ballot.ground == Ground::eachOther;
+    vote.byOrigin = vote.byOrigin || ballot.ground == Ground::origin;
+  }
   return vote;
 }
 
 std::vector<std::size_t> namedForOtherSide(std::span<const NamedPosition> places) {
   std::vector<std::size_t> found;
-  for (const Ballot& ballot : ballots(places))
-    if (ballot.leftMinusRight < 0.0f)
+  for (const Ballot& ballot : Comparison(places).ballots())
+    if (ballot.leftMinusRight < 0.0f && ballot.ground != Ground::origin)
       found.insert(found.end(), ballot.places.begin(), ballot.places.end());
   std::sort(found.begin(), found.end());
   return found;
 }
+
+namespace {
+/// Sorts by name what lies before the spine of every body, and the spine.
+void addByNature(const NamedPosition& place, FrontAndBack& pair) {
+  static constexpr std::array<std::string_view, 6> back{"vertebra", "spine",  "spinal",
+                                                        "sacrum",   "coccyx", "scapula"};
+  static constexpr std::array<std::string_view, 8> front{
+      "sternum", "symphysis", "bladder", "stomach", "heart", "liver", "mandible", "pancreas"};
+  static constexpr std::array<std::string_view, 6> between{"muscle", "ligament", "artery",
+                                                           "vein",   "nerve",    "gland"};
+  const NameWords words = allWords(place.name);
+  if (hasAny(words, between))
+    return;
+  if (hasAny(words, back))
+    pair.back.push_back(place.y);
+  else if (hasAny(words, front))
+    pair.front.push_back(place.y);
+}
+}  // namespace
 
 FrontVote voteOnFront(std::span<const NamedPosition> places) {
   std::map<std::string, FrontAndBack> pairs;
@@ -143,6 +294,7 @@ FrontVote voteOnFront(std::span<const NamedPosition> places) {
   for (const NamedPosition& place : places) {
     low = std::min(low, place.y);
     high = std::max(high, place.y);
+    addByNature(place, pairs[{}]);
     std::string rest;
     int side = 0;
     for (const std::string& word : nameWords(place.name)) {

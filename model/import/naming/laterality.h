@@ -21,20 +21,28 @@ struct NamedPosition {
   std::string name;
   float x = 0.0f;
   float y = 0.0f;
+  float halfWidth = 0.0f;  ///< half of the box's size along x
 };
 
 struct FrameVote {
   int lps = 0;  ///< names that speak for +x = patient's left
   int ras = 0;
+  bool compared = false;  ///< a left one was compared with a right one
+  bool byOrigin = false;  ///< there was nothing to compare with but the coordinates' origin
   /// Returns the frame, or nothing where no name has a side or the names disagree evenly.
   std::optional<Frame> winner() const;
-  /// Returns "vote: 20 of 22 left/right names".
+  /// Tells whether that can be taken for certain: not where one name alone speaks or only the
+  /// origin tells the sides apart, nor where more than one vote in four is against.
+  bool isClear() const;
+  /// Returns "vote: 20 of 22 left/right names", or "weak vote: …" where it is not clear.
   std::string text() const;
 };
 
 /// Lets the names vote. Pairs "left kidney"/"right kidney" vote by comparing places; a name without
-/// its counterpart votes by its side of the midline between the pairs or, without pairs, of the
-/// spine. Differences below 1 % of the scene's width say nothing.
+/// its counterpart, and an organ that lies on one side by nature ("liver"), votes by its side of
+/// the midline between the pairs or, without pairs, of the spine and its like. Without these, names
+/// of the left are compared with names of the right, or with the middle of what has no side, or at
+/// last with the coordinates' origin. Differences below 1 % of the scene's width say nothing.
 FrameVote voteOnFrame(std::span<const NamedPosition> places);
 
 /// Returns those of the places, in order, that contradict their names if +x is the patient's left,
@@ -42,13 +50,14 @@ FrameVote voteOnFrame(std::span<const NamedPosition> places);
 std::vector<std::size_t> namedForOtherSide(std::span<const NamedPosition> places);
 
 struct FrontVote {
-  int posterior = 0;  ///< pairs of names that speak for +y = the back
+  int posterior = 0;  ///< comparisons that speak for +y = the back
   int anterior = 0;
   /// Tells whether +y is the back; nothing where no pair tells or pairs disagree evenly.
   std::optional<bool> toTheBack() const;
 };
 /// Compares the places of names that are alike but for "anterior" and "posterior" (or "ventral" and
-/// "dorsal"). Differences below 1 % of the scene's depth say nothing.
+/// "dorsal"), and of the spine with organs before it. Differences below 1 % of the scene's depth
+/// say nothing.
 FrontVote voteOnFront(std::span<const NamedPosition> places);
 
 /// Turns axes with y up (RawMesh::yUp) to axes with z up, a rotation: (x, −z, y). It turns the axes

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/anatomy/laterality_words.h"
+#include "model/anatomy/shown_names.h"
 #include "model/base/letters.h"
 
 namespace sline::model {
@@ -32,6 +33,9 @@ bool isCatalogueId(const std::string& word) {
   }
   return false;
 }
+
+/// What stands between the pieces of a name.
+constexpr std::string_view pieceEnds = "_- \t";
 
 struct NamePiece {
   std::size_t begin;
@@ -87,7 +91,7 @@ std::string withSpaces(std::string_view text) {
 
 /// Returns the text behind its catalogue ids, or nothing where there are none or nothing else.
 std::string_view behindCatalogue(std::string_view text) {
-  const std::vector<NamePiece> parts = cutAt(text, "_- \t");
+  const std::vector<NamePiece> parts = cutAt(text, pieceEnds);
   const std::size_t skip = cataloguePrefix(parts);
   if (skip == 0 || skip >= parts.size())
     return {};
@@ -107,6 +111,25 @@ std::string readableName(std::string_view stem) {
   const std::string_view rest = behindCatalogue(stem);
   const std::string name = withSpaces(rest.empty() ? stem : rest);
   return name.empty() ? std::string(stem) : name;
+}
+
+std::string shownFileName(std::string_view stem) {
+  std::string name = readableName(stem);
+  const std::vector<NamePiece> pieces = cutAt(name, pieceEnds);
+  const auto isId = [](const NamePiece& piece) { return isCatalogueId(piece.word); };
+  if (!pieces.empty() && std::all_of(pieces.begin(), pieces.end(), isId))
+    return name;
+  return shownName(name);
+}
+
+bool mayBeShown(std::string_view stem) {
+  std::string others;
+  for (const NamePiece& piece : cutAt(stem, pieceEnds))
+    if (!isCatalogueId(piece.word)) {
+      others += others.empty() ? "" : " ";
+      others += stem.substr(piece.begin, piece.word.size());
+    }
+  return others.empty() ? !stem.empty() : shownName(others) == others;
 }
 
 std::string nameInFile(std::string_view name) {

@@ -13,6 +13,11 @@ namespace sline::model {
 /// Makes a name of a file's stem: leading catalogue ids ("FJ3152_FMA16586_", "Model_51_", "VH_M_")
 /// are dropped, underscores become spaces. A stem that is nothing but an id stays as it is.
 std::string readableName(std::string_view stem);
+/// Returns of a file's or folder's name, its ending aside, what may be shown to others
+/// (model/anatomy/shown_names.h), made readable; empty where nothing is left.
+std::string shownFileName(std::string_view stem);
+/// Tells whether the whole name may be shown: it has none but known words and catalogue ids.
+bool mayBeShown(std::string_view stem);
 /// Treats a name given in a file like a stem; returns an empty name where a program only signs its
 /// work ("Visualization Toolkit generated SLA File").
 std::string nameInFile(std::string_view name);

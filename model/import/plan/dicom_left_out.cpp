@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cctype>
 
-#include "model/base/letters.h"
+#include "model/import/kinds/file_kinds.h"
 #include "model/import/readers/dicom_kind.h"
 
 namespace sline::model {
 
 bool DicomLeftOut::takes(const std::filesystem::path& file) {
-  if (lowerExtension(file) != ".dcm" && !mayBeDicom(file))
+  if (!isDicomFile(file))
     return false;
   const std::string kind = sopClassOf(file);
   const std::string_view name = objectName(kind);

@@ -67,13 +67,39 @@ std::string folderName(const std::filesystem::path& folder) {
   const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
   // "pelvis/" has an empty last step.
   const bool slash = whole.filename().empty();
-  return readableName((slash ? whole.parent_path() : whole).filename().string());
+  return (slash ? whole.parent_path() : whole).filename().string();
 }
+
+/// Names groups after folders and scenes, as far as their names may be shown: different ones stay
+/// apart.
+class GroupNames {
+ public:
+  explicit GroupNames(bool keepFileNames) : m_keep(keepFileNames) {}
+
+  std::string of(const std::string& folder) {
+    if (m_keep)
+      return readableName(folder);
+    const auto [known, isNew] = m_names.try_emplace(folder);
+    if (!isNew)
+      return known->second;
+    const std::string shown = shownFileName(folder);
+    std::string name = shown.empty() ? "group 1" : shown;
+    for (int number = 2; !m_taken.insert(name).second; ++number)
+      name = (shown.empty() ? "group" : shown) + ' ' + std::to_string(number);
+    return known->second = name;
+  }
+
+ private:
+  bool m_keep;
+  std::map<std::string, std::string> m_names;
+  std::set<std::string> m_taken;
+};
 
 class Builder {
  public:
-  Builder(const std::vector<Part>& parts, const Sources& sources, const AnatomyTable& table)
-      : m_parts(parts), m_sources(sources), m_table(table) {}
+  Builder(const std::vector<Part>& parts, const Sources& sources, const AnatomyTable& table,
+          bool keepFileNames)
+      : m_parts(parts), m_sources(sources), m_table(table), m_groups(keepFileNames) {}
 
   BuiltScene build() {
     nameParts();
@@ -93,13 +119,13 @@ class Builder {
  private:
   void nameParts() {
     for (const Part& part : m_parts)
-      m_names.push_back(part.name.empty() ? "structure" : part.name);
+      m_names.push_back(part.name.empty() ? std::string(unnamedStructure) : part.name);
     makeUnique(m_names);
   }
 
   const SourceFile& fileOf(std::size_t part) const { return m_sources.files[m_parts[part].file]; }
 
-  Branch branchOf(std::size_t index) const {
+  Branch branchOf(std::size_t index) {
     const ImportSource& source = m_sources.sources[index];
     std::vector<std::size_t> members;
     std::vector<std::size_t> molecules;
@@ -111,7 +137,7 @@ class Builder {
     Branch top = source.kind == ImportSource::Kind::folder ? folderBranch(source, members)
                                                            : byFileGroupsOrNames(members);
     if (source.kind == ImportSource::Kind::folder)
-      top.name = folderName(source.path);
+      top.name = m_groups.of(folderName(source.path));
     // Folders of medical images are named after patients; the scene must not know the names.
     if (const auto kept =
             std::find_if(members.begin(), members.end(),
@@ -150,7 +176,7 @@ class Builder {
     }
   }
 
-  Branch slicerBranch(std::size_t index, const std::vector<std::size_t>& members) const {
+  Branch slicerBranch(std::size_t index, const std::vector<std::size_t>& members) {
     const ImportSource& source = m_sources.sources[index];
     const std::vector<SlicerGroup>& groups = source.scene->groups;
     std::vector<Branch> branches;
@@ -158,7 +184,7 @@ class Builder {
     for (const SlicerGroup& group : groups)
       branches.push_back({group.name, group.style, {}, {}, std::pair(index, branches.size())});
     Branch top;
-    top.name = readableName(source.path.stem().string());
+    top.name = m_groups.of(source.path.stem().string());
     for (const std::size_t part : members) {
       const auto group = source.scene->models[*fileOf(part).model].group;
       (group ? branches[*group] : top).parts.push_back(part);
@@ -185,11 +211,11 @@ class Builder {
     return top;
   }
 
-  Branch folderBranch(const ImportSource& source, const std::vector<std::size_t>& members) const {
+  Branch folderBranch(const ImportSource& source, const std::vector<std::size_t>& members) {
     Branch byFolders = byPaths(members, [&](std::size_t part) {
       Path path;
       for (const std::string& folder : fileOf(part).folders)
-        path.push_back(readableName(folder));
+        path.push_back(m_groups.of(folder));
       return path;
     });
     pruneTop(byFolders);
@@ -320,14 +346,15 @@ class Builder {
   std::vector<std::string> m_names;  ///< names of the parts; all different
   const Sources& m_sources;
   const AnatomyTable& m_table;
+  GroupNames m_groups;
   BuiltScene m_built;
 };
 
 }  // namespace
 
 BuiltScene buildScene(const std::vector<Part>& parts, const Sources& sources,
-                      const AnatomyTable& table) {
-  return Builder(parts, sources, table).build();
+                      const AnatomyTable& table, bool keepFileNames) {
+  return Builder(parts, sources, table, keepFileNames).build();
 }
 
 }  // namespace sline::model

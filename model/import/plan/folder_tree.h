@@ -25,6 +25,6 @@ struct BuiltScene {
 /// grouped by systems too, or by the groups inside them. Groups that hold one group only are left
 /// out. A structure has the mesh that its part has, if any.
 BuiltScene buildScene(const std::vector<Part>& parts, const Sources& sources,
-                      const AnatomyTable& table);
+                      const AnatomyTable& table, bool keepFileNames);
 
 }  // namespace sline::model

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/base/result.h"
+#include "model/base/units.h"
 #include "model/disk/zip_archive.h"
 #include "model/import/source/raw_mesh.h"
 #include "model/import/source/read_options.h"
@@ -21,6 +22,10 @@ namespace sline::model {
 /// Says how several molecules are placed: `automatic` lays all over the first where nothing but
 /// molecules is imported; `off` leaves each where its file has it.
 enum class Overlay { automatic, off };
+
+/// Says what happens where files of several patients come together: `one` refuses them, `first`
+/// leaves out what is of another patient than the first, `together` makes one scene of them.
+enum class PatientsWanted { one, first, together };
 
 struct ImportOptions {
   std::optional<Frame> frame;  ///< overrides header and vote
@@ -37,6 +42,10 @@ struct ImportOptions {
   std::uint64_t memoryBytes = 0;
   std::vector<Threshold> thresholds = {};  ///< structures that are made of scans
   bool keepScans = false;                  ///< scans become part of the scene (Scene::scans)
+  PatientsWanted patients = PatientsWanted::one;
+  /// Files' and folders' names become names of structures and groups and stay in the scene whatever
+  /// their words; else only what may be shown to others does (model/anatomy/shown_names.h).
+  bool keepFileNames = false;
 };
 
 /// Is called from any thread with done in [0, 1]; returns false to cancel.
@@ -48,6 +57,23 @@ struct RepairNotes {
   std::vector<std::string> surfaces;  ///< a line each: "liver.obj: \"liver\": 2 faces given twice"
 };
 
+/// Says that the unit of files makes what is named larger or smaller than such structures are. It
+/// was left as it is: only a person knows.
+struct UnitDoubt {
+  std::string file;               ///< the one that is meant; empty: all of a source
+  std::size_t named = 0;          ///< structures whose names tell a size
+  std::size_t fitting = 0;        ///< those of them that have such a size
+  std::size_t fittingThen = 0;    ///< and how many would, with one of `units`
+  float unit = 1.0f;              ///< millimetres per unit, as they were taken
+  std::vector<float> units = {};  ///< millimetres per unit that would fit, the likeliest first
+  std::string name = {};          ///< an example of what does not fit
+  float extent = 0.0f;            ///< its size, mm
+  Limits<float> expected = {};    ///< and what such structures have
+
+  /// Returns it in a sentence.
+  std::string text() const;
+};
+
 struct ImportReport {
   Frame frame = Frame::lps;  ///< for inputs that had no header of their own
   std::string frameReason;   ///< "header", "vote: 20 of 22 left/right names", …
@@ -55,6 +81,7 @@ struct ImportReport {
   std::vector<std::string> notes;  ///< actions without loss: molecules laid over each other,
                                    ///< assemblies that they describe
   RepairNotes repairs;
+  std::vector<UnitDoubt> unitDoubts;  ///< told among the warnings, too
 };
 
 struct Imported {

@@ -10,14 +10,18 @@
 #include "model/anatomy/body_systems.h"
 #include "model/edit/tree.h"
 #include "model/focus/twins.h"
+#include "model/import/plan/file_marks.h"
 #include "model/import/plan/folder_tree.h"
-#include "model/import/plan/frame_and_unit.h"
+#include "model/import/plan/frame_decision.h"
+#include "model/import/plan/implausible_sizes.h"
 #include "model/import/plan/kept_scans.h"
 #include "model/import/plan/overlay.h"
 #include "model/import/plan/repair_notes.h"
 #include "model/import/plan/scene_inputs.h"
 #include "model/import/plan/shape_parts.h"
+#include "model/import/plan/units.h"
 #include "model/import/plan/views_and_annotations.h"
+#include "model/scene/scene_limits.h"
 
 namespace sline::model {
 
@@ -44,6 +48,13 @@ void warnOfTwins(Imported& imported, const ReadInputs& read) {
   const std::string text = twinsText(imported.scene, twinsOf(imported.scene));
   if (!text.empty() && !read.inputs.empty())
     imported.report.warnings.push_back({read.inputs.front().filename().string(), text});
+}
+
+/// Says which structures are too small or too large for a body, of scene files too.
+void warnOfSizes(Imported& imported) {
+  std::string text = implausibleSizesText(imported.scene);
+  if (!text.empty())
+    imported.report.warnings.push_back({"", std::move(text)});
 }
 
 /// Returns the structures that are not wanted or did not come, and the groups that hold nothing
@@ -101,6 +112,10 @@ Scene withSurfaces(const ImportPlan& plan, std::vector<Part> parts) {
     if (part != byNumber.end()) {
       node.mesh = std::move(part->second->mesh);
       node.provenance = std::move(part->second->provenance);
+      // Molecules are no one's; without a fingerprint it is no file's name.
+      const bool named = node.provenance.fingerprint && !part->second->raw.molecule;
+      if (named && !plan.options.keepFileNames)
+        node.provenance.file = fileMark(node.provenance.file);
       if (part->second->raw.molecule)
         node.atoms = part->second->raw.molecule->atoms;
     }
@@ -111,6 +126,15 @@ Scene withSurfaces(const ImportPlan& plan, std::vector<Part> parts) {
   Scene scene = plan.scene;
   scene.setNodes(std::move(nodes));
   return gone.empty() ? scene : withoutNodes(std::move(scene), withEmptyGroups(plan.scene, gone));
+}
+
+/// Brings what was read within what a scene may hold, and reports what was mended.
+Status bringWithinLimits(Imported& imported) {
+  std::vector<SceneMending> mended;
+  const Status counts = bringWithinLimits(imported.scene, mended);
+  for (const SceneMending& each : mended)
+    imported.report.warnings.push_back({"", each.text()});
+  return counts;
 }
 
 Error cancelled() {
@@ -130,14 +154,14 @@ DecidedParts decideParts(std::vector<Part> parts, const ReadInputs& read,
   report.notes = overlayMolecules(parts, options.overlay);
   report.notes.insert(report.notes.end(), read.notes.begin(), read.notes.end());
   report.repairs = repairNotes(parts, read.sources);
-  decideFrames(parts, read.sources, options, report);
+  decideFrames(parts, read, options, report);
   decideUnits(parts, read.sources, options, report);
   return {std::move(parts), std::move(report)};
 }
 
 ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
                       const ImportOptions& options) {
-  BuiltScene built = buildScene(decided.parts, read.sources, AnatomyTable());
+  BuiltScene built = buildScene(decided.parts, read.sources, AnatomyTable(), options.keepFileNames);
   const auto numbers = std::move(built.numbers);
   Imported imported{.scene = withViewsAndAnnotations(std::move(built), read.sources, options.frame),
                     .report = decided.report};
@@ -184,7 +208,10 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   imported.scene = withSurfaces(plan, std::move(parts));
   if (!read.scenes)
     warnOfTwins(imported, read);
+  warnOfSizes(imported);
   imported.scene.setScans(std::move(scans));
+  if (const Status kept = bringWithinLimits(imported); !kept.ok())
+    return kept.error();
   return imported;
 }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "model/import/naming/laterality.h"
+#include "model/import/plan/file_marks.h"
 #include "model/import/volumes/grey_volume.h"
 
 namespace sline::model {
@@ -17,6 +18,7 @@ namespace {
 struct Reading {
   std::optional<Frame> frame;
   double unit = 1.0;
+  SideEvidence evidence;
 };
 
 Reading readingOf(const ReadScan& scan, const std::vector<Part>& parts,
@@ -25,9 +27,16 @@ Reading readingOf(const ReadScan& scan, const std::vector<Part>& parts,
     return part.file == scan.file && part.raw.threshold;
   });
   if (made != parts.end())
-    return {made->frame, double(made->provenance.mmPerUnit)};
-  return {options.frame ? options.frame : scan.raw.volume->frame,
-          double(options.unit.value_or(1.0f))};
+    return {made->frame, double(made->provenance.mmPerUnit), made->provenance.evidence};
+  const GreyVolume& volume = *scan.raw.volume;
+  const double unit = double(options.unit.value_or(1.0f));
+  if (options.frame)
+    return {options.frame, unit, {Evidence::settled, Evidence::settled}};
+  if (volume.frame)
+    return {volume.frame, unit, {}};
+  return {std::nullopt,
+          unit,
+          {Evidence::assumed, volume.onlySideOpen ? Evidence::known : Evidence::assumed}};
 }
 
 /// Returns the place of the scan. The file's own coordinates are its LPS turned back to its frame;
@@ -57,6 +66,12 @@ std::string textOf(const std::string& name, const glm::ivec3& size, const glm::d
   return text.str();
 }
 
+/// Returns what the scene keeps of the scan's file: slices are called after their scanner, which is
+/// no file's name and has no ending.
+std::string nameKept(const std::string& file, bool whole) {
+  return whole || !std::filesystem::path(file).has_extension() ? file : fileMark(file);
+}
+
 }  // namespace
 
 std::vector<Scan> keptScans(const std::vector<ReadScan>& scans, const std::vector<Part>& parts,
@@ -64,13 +79,15 @@ std::vector<Scan> keptScans(const std::vector<ReadScan>& scans, const std::vecto
   std::vector<Scan> kept;
   for (const ReadScan& read : scans) {
     const GreyVolume& volume = *read.raw.volume;
+    const Reading reading = readingOf(read, parts, options);
     Scan scan{.name = volume.name,
-              .file = read.raw.file,
+              .file = nameKept(read.raw.file, options.keepFileNames),
               .size = volume.size,
-              .toLps = placeOf(volume, readingOf(read, parts, options)),
+              .toLps = placeOf(volume, reading),
               .slope = volume.slope,
               .intercept = volume.intercept,
-              .hounsfield = volume.hounsfield};
+              .hounsfield = volume.hounsfield,
+              .evidence = reading.evidence};
     // The voxels are those of the scan that was read, which stays as long as they do.
     scan.voxels = VoxelsPtr(read.raw.volume, &volume.voxels);
     if (const std::string fault = scanFault(scan); !fault.empty()) {

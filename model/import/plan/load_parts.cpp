@@ -12,6 +12,7 @@
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/naming/laterality.h"
 #include "model/import/naming/names.h"
+#include "model/import/plan/frame_fit.h"
 #include "model/import/volumes/volume_set.h"
 #include "model/import/volumes/volume_surfaces.h"
 #include "model/import/worker/reading_child.h"
@@ -79,9 +80,15 @@ class SurfaceTwins {
   }
   void addSurfaces(const std::vector<Part>& parts) {
     for (const Part& part : parts)
-      if (!fromVolume(part.file))
-        m_surfaces.insert(key(part.file, part.name));
+      if (!fromVolume(part.file)) {
+        const SourceFile& source = m_sources.files[part.file];
+        if (!part.name.ends_with(unnamedStructure))
+          m_surfaces.insert(key(part.file, part.name));
+        m_silent = m_silent || (!part.raw.frame && !source.model && !source.told);
+      }
   }
+  /// Tells whether a surface's file does not say its frame, so that a twin shows it.
+  bool silent() const { return m_silent; }
   bool holdsSurface(std::size_t file, const std::string& name) const {
     return m_surfaces.contains(key(file, name));
   }
@@ -100,20 +107,23 @@ class SurfaceTwins {
 
   const Sources& m_sources;
   std::set<std::pair<std::size_t, std::string>> m_surfaces;
+  bool m_silent = false;
 };
 
-/// Leaves out what of a volume's structures is there as a surface.
-void leaveOutTwins(std::vector<Part>& parts, const SurfaceTwins& twins,
-                   std::vector<ImportWarning>& warnings) {
+/// Leaves out what of a volume's structures is there as a surface, and keeps where it was.
+void leaveOutTwins(LoadedParts& loaded, const SurfaceTwins& twins, const Sources& sources) {
   std::map<std::string, std::size_t> leftOut;
-  std::erase_if(parts, [&](const Part& part) {
+  std::erase_if(loaded.parts, [&](const Part& part) {
     const bool twin = twins.fromVolume(part.file) && twins.holdsSurface(part.file, part.name);
-    leftOut[part.provenance.file] += twin;
+    leftOut[sources.files[part.file].file.filename().string()] += twin;
+    if (twin && part.raw.frame)
+      loaded.twins.push_back(
+          {part.name, sources.files[part.file].source, middleInPatient(part, *part.raw.frame, {})});
     return twin;
   });
   for (const auto& [file, count] : leftOut)
     if (count > 0)
-      warnings.push_back(SurfaceTwins::leftOut(file, count));
+      loaded.warnings.push_back(SurfaceTwins::leftOut(file, count));
 }
 
 ReadOptions readOptions(const ImportOptions& options, ProgressMeter& meter,
@@ -141,12 +151,36 @@ struct Loading {
   const SurfaceTwins* twins = nullptr;  ///< of the surfaces, where these were read before
 };
 
-/// Returns the name of a part.
+/// Returns what a surface is called whose file's name has nothing to show but perhaps a side.
+std::string unnamed(std::string_view stem) {
+  const Side side = sidedName(stem).side;
+  return side == Side::none   ? std::string(unnamedStructure)
+         : side == Side::left ? "left " + std::string(unnamedStructure)
+                              : "right " + std::string(unnamedStructure);
+}
+
+/// Returns the name of a part: that in its file or, where there is none, what may be shown of the
+/// file's name.
 std::string partName(const RawMesh& raw, const SourceFile& source, const Sources& sources,
-                     bool only) {
+                     bool only, bool keepFileNames) {
+  const std::filesystem::path file =
+      raw.file.empty() ? source.file : std::filesystem::path(raw.file);
+  const std::string stem = stemOf(file);
   std::string name = raw.molecule ? raw.name : nameInFile(raw.name);
-  if (name.empty())
-    name = readableName(stemOf(source.file));
+  // An STL's name is its title, which programs fill with that of its file.
+  const std::string called = file.filename().string();
+  const bool titled = endsLike(called, ".stl") || endsLike(called, ".stl.gz");
+  // Volumes are called after their files, some with a part of the ending.
+  const bool ofFile = name.empty() || name == readableName(stem) || titled ||
+                      (!raw.file.empty() && called.starts_with(raw.name));
+  if (ofFile && !raw.molecule) {
+    const std::string whole = name.empty() ? readableName(stem) : name;
+    name = keepFileNames ? whole : shownFileName(whole);
+    if (name.empty())
+      name = shownFileName(stem);
+    if (name.empty())
+      name = unnamed(stem);
+  }
   if (!source.model)
     return name;
   const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
@@ -195,8 +229,10 @@ LoadedParts partsFrom(const Sources& sources, std::size_t index, Result<RawMeshe
     Part part;
     part.file = index;
     part.surface = names[i];
-    part.name = partName(meshes[i], source, sources, meshes.size() == 1);
+    part.name =
+        partName(meshes[i], source, sources, meshes.size() == 1, loading.options.keepFileNames);
     part.raw = std::move(meshes[i]);
+    part.unit = part.raw.millimetresPerUnit;  // until units are decided
     const std::string& file = part.raw.file.empty() ? shown : part.raw.file;
     part.provenance.file = part.raw.origin.empty() ? file : part.raw.origin;
     // Without its file's name there is nothing to read again by.
@@ -228,7 +264,8 @@ void leaveOutTooLarge(LoadedParts& loaded, const SourceFile& source, MemoryBudge
 LoadedParts readFile(const Sources& sources, std::size_t index, const Loading& loading) {
   const SourceFile& source = sources.files[index];
   ReadOptions how = readOptions(loading.options, loading.meter, source.file.filename().string());
-  if (const SurfaceTwins* twins = loading.twins; twins && twins->fromVolume(index))
+  if (const SurfaceTwins* twins = loading.twins;
+      twins && !twins->silent() && twins->fromVolume(index))
     how.isThere = [twins, index](const std::string& name) {
       return twins->holdsSurface(index, nameInFile(name));
     };
@@ -285,7 +322,7 @@ LoadedParts loadParts(const Sources& sources, const ImportOptions& options, Prog
     take(all.warnings, one.warnings);
     take(all.notes, one.notes);
   }
-  leaveOutTwins(all.parts, twins, all.warnings);
+  leaveOutTwins(all, twins, sources);
   numberParts(all.parts);
   return all;
 }

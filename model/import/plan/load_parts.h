@@ -24,6 +24,7 @@ struct LoadedParts {
   std::vector<ReadScan> scans;  ///< filled where the options keep scans
   std::vector<ImportWarning> warnings;
   std::vector<std::string> notes;
+  std::vector<LeftOutTwin> twins;  ///< where surfaces are silent about their frame
 };
 
 /// Reads and mends all files; parts come in the files' order. A failure becomes a warning.

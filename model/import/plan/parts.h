@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "model/import/plan/import.h"
 #include "model/meshing/repair.h"
@@ -11,6 +12,9 @@
 #include "model/scene/scene.h"
 
 namespace sline::model {
+
+/// The name of a structure whose file has none that may be shown.
+inline constexpr std::string_view unnamedStructure = "structure";
 
 /// Holds the decisions made by hand for one surface; a member that is not set follows the options
 /// for all.
@@ -36,6 +40,14 @@ struct Part {
   Provenance provenance;
   MeshPtr mesh;
   PartChoice choice;
+};
+
+/// Describes a structure of a label volume that was left out, because the folder holds it as a
+/// surface, too: it shows where that lies.
+struct LeftOutTwin {
+  std::string name;
+  std::size_t source = 0;  ///< in Sources::sources
+  glm::vec3 middle{0.0f};  ///< of its surface, in LPS, millimetres
 };
 
 }  // namespace sline::model

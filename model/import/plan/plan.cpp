@@ -11,6 +11,7 @@
 #include "model/import/plan/import_steps.h"
 #include "model/import/plan/kept_scans.h"
 #include "model/import/plan/shape_parts.h"
+#include "model/scene/known_frame.h"
 
 namespace sline::model {
 
@@ -158,6 +159,17 @@ std::vector<NodeId> ofSameFiles(const ImportPlan& plan, std::span<const NodeId> 
     if (files.contains(plan.read->parts[number].file))
       same.push_back(id);
   return same;
+}
+
+std::vector<NodeId> structuresOf(const ImportPlan& plan, const UnitDoubt& doubt) {
+  std::vector<NodeId> ids;
+  for (const Node& node : plan.scene.nodes()) {
+    const Provenance& from = node.provenance;
+    if (plan.parts.contains(node.id) && isUnitDoubted(from) && from.mmPerUnit == doubt.unit &&
+        (doubt.file.empty() || doubt.file == from.file))
+      ids.push_back(node.id);
+  }
+  return ids;
 }
 
 Status checkChoices(const ImportPlan& plan) {

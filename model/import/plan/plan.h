@@ -62,6 +62,9 @@ Result<ImportPlan> planAgain(const ImportPlan& plan, const ImportProgress& progr
 /// from scene files.
 std::vector<NodeId> ofSameFiles(const ImportPlan& plan, std::span<const NodeId> ids);
 
+/// Returns the structures whose unit the doubt is about.
+std::vector<NodeId> structuresOf(const ImportPlan& plan, const UnitDoubt& doubt);
+
 /// Tells which choices cannot be carried out: ids that are not in the plan, lengths and steps out
 /// of range, nothing left to import.
 Status checkChoices(const ImportPlan& plan);

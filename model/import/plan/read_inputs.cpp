@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "model/import/plan/patients.h"
 #include "model/import/plan/scene_inputs.h"
 #include "model/scene_file/scene_file.h"
 
@@ -19,13 +20,18 @@ bool sameLimits(const ReadLimits& a, const ReadLimits& b) {
   return a.fileBytes == b.fileBytes && a.vertices == b.vertices && a.triangles == b.triangles;
 }
 
-Status readMeshes(ReadInputs& read, const std::vector<fs::path>& meshes, ScansWanted scans,
-                  const ImportProgress& progress) {
-  ImportOptions options = read.options;
+/// Collects the sources; fails where they are not of one patient, and need be.
+Status collect(ReadInputs& read, const std::vector<fs::path>& meshes, ScansWanted scans) {
+  const ImportOptions& options = read.options;
   const bool asked = !options.thresholds.empty() || options.keepScans;
   const bool slices = asked || scans == ScansWanted::all;
   read.sources =
       collectSources(meshes, options.limits, slices ? ScannerSlices::read : ScannerSlices::leftOut);
+  return admitPatients(read.sources, options);
+}
+
+Status readMeshes(ReadInputs& read, ScansWanted scans, const ImportProgress& progress) {
+  ImportOptions options = read.options;
   ProgressMeter meter(progress, bytesOf(read.sources));
   // The user decides what to make of a scan by looking at it.
   options.keepScans = options.keepScans || scans == ScansWanted::all;
@@ -34,6 +40,7 @@ Status readMeshes(ReadInputs& read, const std::vector<fs::path>& meshes, ScansWa
   read.scans = std::move(loaded.scans);
   read.warnings = std::move(loaded.warnings);
   read.notes = std::move(loaded.notes);
+  read.twins = std::move(loaded.twins);
   if (meter.cancelled())
     return Error{.reason = "the import was cancelled"};
   std::vector<ImportWarning> all = read.sources.warnings;
@@ -64,7 +71,8 @@ std::vector<Part> readAgain(const ReadInputs& read, std::size_t file, const Impo
 bool ReadInputs::holdsFor(std::span<const fs::path> others, const ImportOptions& with) const {
   return std::equal(others.begin(), others.end(), inputs.begin(), inputs.end()) &&
          options.repair == with.repair && options.assembly == with.assembly &&
-         options.memoryBytes == with.memoryBytes && sameLimits(options.limits, with.limits);
+         options.patients == with.patients && options.memoryBytes == with.memoryBytes &&
+         sameLimits(options.limits, with.limits);
 }
 
 Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOptions& options,
@@ -83,7 +91,9 @@ Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOpti
     if (meshes.empty())
       return read;
   }
-  if (const Status done = readMeshes(read, meshes, scans, progress); !done.ok()) {
+  if (const Status admitted = collect(read, meshes, scans); !admitted.ok())
+    return admitted.error();
+  if (const Status done = readMeshes(read, scans, progress); !done.ok()) {
     if (scenes.empty())
       return done.error();
     Error error = done.error();

@@ -21,6 +21,7 @@ struct ReadInputs {
   std::vector<ReadScan> scans;          ///< kept or not, as they were wanted
   std::vector<ImportWarning> warnings;  ///< from reading the surfaces
   std::vector<std::string> notes;
+  std::vector<LeftOutTwin> twins;  ///< as in LoadedParts
   std::optional<Imported> scenes;  ///< from scene files among the inputs
 
   /// Tells whether reading with these inputs and options would give the same; apart from smoothing,

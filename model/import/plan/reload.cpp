@@ -11,9 +11,13 @@
 #include "model/geometry/nearest_point.h"
 #include "model/geometry/paint.h"
 #include "model/import/kinds/file_kinds.h"
+#include "model/import/plan/file_marks.h"
 #include "model/import/plan/load_parts.h"
+#include "model/import/plan/patients.h"
 #include "model/import/plan/shape_parts.h"
 #include "model/meshing/repair.h"
+#include "model/scene/measured_extent.h"
+#include "model/scene/scene_limits.h"
 #include "model/scene_file/fingerprint.h"
 
 namespace sline::model {
@@ -28,16 +32,16 @@ constexpr std::size_t mostFiles = 200'000;
 /// It is said where more than this share of what was painted is lost.
 constexpr float muchPaint = 0.05f;
 
-/// Returns the files that have one of the names, by name.
+/// Returns the files that have one of the names or marks (file_marks.h), by these.
 std::map<std::string, std::set<fs::path>> filesNamed(const std::set<std::string>& names,
                                                      std::span<const fs::path> places,
                                                      std::vector<ImportWarning>& warnings) {
   std::map<std::string, std::set<fs::path>> found;
   const auto search = [&](const fs::path& file) {
     std::error_code fault;
-    const std::string name = file.filename().string();
-    if (names.contains(name) && fs::is_regular_file(file, fault))
-      found[name].insert(fs::weakly_canonical(file, fault));
+    for (const std::string& name : std::set{file.filename().string(), fileMark(file)})
+      if (names.contains(name) && fs::is_regular_file(file, fault))
+        found[name].insert(fs::weakly_canonical(file, fault));
   };
   for (const fs::path& place : places) {
     std::error_code fault;
@@ -64,6 +68,7 @@ struct Origin {
   std::string file;
   Fingerprint fingerprint;
   std::vector<std::size_t> nodes;  ///< in Scene::nodes
+  std::string shown = file;        ///< the name of the file that was found, else what is known
 };
 
 std::vector<Origin> originsOf(const Scene& scene) {
@@ -79,7 +84,7 @@ std::vector<Origin> originsOf(const Scene& scene) {
     if (known != origins.end())
       known->nodes.push_back(i);
     else
-      origins.push_back({from.file, *from.fingerprint, {i}});
+      origins.push_back({from.file, *from.fingerprint, {i}, from.file});
   }
   std::stable_sort(origins.begin(), origins.end(),
                    [](const Origin& a, const Origin& b) { return a.file < b.file; });
@@ -111,6 +116,7 @@ Result<MeshPtr> repeatImport(RawMesh raw, Provenance& as, const ReadOptions& opt
   as.repairedFaces = repair(raw.positions, raw.triangles).faces();
   if (raw.triangles.empty())
     return Error{.reason = "it has no face with area any more"};
+  const std::optional<ReadExtent> before = extentAsRead(raw, as);
   float displacement = raw.displacement;
   const float sliceMm = raw.smooth ? raw.sliceDistance * as.mmPerUnit : as.sliceMm;
   if (!raw.smooth) {
@@ -137,30 +143,42 @@ Result<MeshPtr> repeatImport(RawMesh raw, Provenance& as, const ReadOptions& opt
     return mesh;
   // As many triangles are removed as before, within the bound of the earlier decimation.
   if (as.decimatedFrom > 0 && as.decimationMm > 0.0f)
-    return decimated(*mesh, as.decimationMm, as, options.goesOn);
+    mesh = decimated(*mesh, as.decimationMm, as, options.goesOn);
+  as.asRead = isAsRead(as) ? std::nullopt : before;
   return mesh;
 }
 
 class Reloader {
  public:
-  Reloader(const Scene& scene, const ReadOptions& options)
-      : m_options(options), m_nodes(scene.nodes()) {
+  Reloader(const Scene& scene, const ReadOptions& options, PatientsWanted patients)
+      : m_options(options), m_patients(patients), m_nodes(scene.nodes()) {
     m_result.scene = scene;
   }
 
   Reloaded run(std::span<const fs::path> places) {
-    const std::vector<Origin> origins = originsOf(m_result.scene);
+    std::vector<Origin> origins = originsOf(m_result.scene);
     std::set<std::string> names;
     for (const Origin& origin : origins)
       names.insert(origin.file);
     const auto found = filesNamed(names, places, m_result.warnings);
+    for (Origin& origin : origins)
+      if (const auto candidates = found.find(origin.file); candidates != found.end())
+        origin.shown = candidates->second.begin()->filename().string();
+    std::vector<Compared> fates;
     for (const Origin& origin : origins) {
       const auto candidates = found.find(origin.file);
-      if (candidates == found.end())
-        tell(origin, Fate::absent, "no file of this name was found");
-      else if (m_options.goesOn())
-        compareFiles(origin, candidates->second, origins);
+      fates.push_back(candidates == found.end()
+                          ? Compared{Fate::absent, "no file of this name was found"}
+                          : compareFiles(origin, candidates->second, origins));
+      // What stays says whose the scene is.
+      if (fates.back().fate == Fate::unchanged)
+        m_sorter.add(fates.back().file, patientMarks(fates.back().file, m_options.limits));
     }
+    for (std::size_t i = 0; i < origins.size() && m_options.goesOn(); ++i)
+      if (fates[i].fate == Fate::replaced)
+        read(origins[i], fates[i].file, fates[i].now);
+      else
+        tell(origins[i], fates[i].fate, fates[i].reason);
     m_result.changed = !m_result.meshes.empty();
     if (m_result.changed)
       m_result.scene = withNewMeshes(m_result.scene, m_result.meshes);
@@ -168,22 +186,30 @@ class Reloader {
   }
 
  private:
+  /// What is to become of the structures of a file; `replaced` where it is to be read again.
+  struct Compared {
+    Fate fate = Fate::failed;
+    std::string reason;
+    fs::path file = {};
+    Fingerprint now = {};
+  };
+
   void tell(const Origin& origin, Fate fate, std::string reason = {}) {
-    ReloadedFile line{origin.file, fate, std::move(reason), {}};
+    ReloadedFile line{origin.shown, fate, std::move(reason), {}};
     for (const std::size_t i : origin.nodes)
       line.structures.push_back(m_nodes[i].id);
     m_result.files.push_back(std::move(line));
   }
 
-  void compareFiles(const Origin& origin, const std::set<fs::path>& files,
-                    const std::vector<Origin>& origins) {
+  Compared compareFiles(const Origin& origin, const std::set<fs::path>& files,
+                        const std::vector<Origin>& origins) const {
     std::vector<std::pair<fs::path, Fingerprint>> changed;
     for (const fs::path& file : files) {
       const Result<Fingerprint> now = fingerprintOfFile(file);
       if (!now)
-        return tell(origin, Fate::failed, now.error().reason);
+        return {Fate::failed, now.error().reason};
       if (*now == origin.fingerprint)
-        return tell(origin, Fate::unchanged);
+        return {Fate::unchanged, {}, file, *now};
       // A file from which another structure of the same file name came is not meant.
       const bool another = std::any_of(origins.begin(), origins.end(), [&](const Origin& o) {
         return o.file == origin.file && o.fingerprint == *now;
@@ -192,16 +218,28 @@ class Reloader {
         changed.emplace_back(file, *now);
     }
     if (changed.empty())
-      return tell(origin, Fate::absent, "only files that other structures came from were found");
+      return {Fate::absent, "only files that other structures came from were found"};
     const auto rivals = std::count_if(origins.begin(), origins.end(),
                                       [&](const Origin& o) { return o.file == origin.file; });
     if (changed.size() > 1 || rivals > 1)
-      return tell(origin, Fate::failed,
-                  changed.size() > 1
-                      ? "there are " + std::to_string(changed.size()) +
-                            " files of this name; name the folder of the one that is meant"
-                      : "structures from several files of this name are in the scene");
-    read(origin, changed.front().first, changed.front().second);
+      return {Fate::failed,
+              changed.size() > 1
+                  ? "there are " + std::to_string(changed.size()) +
+                        " files of this name; name the folder of the one that is meant"
+                  : "structures from several files of this name are in the scene"};
+    return {Fate::replaced, {}, changed.front().first, changed.front().second};
+  }
+
+  /// Tells whether the file is of the same patient as those before it, which it then joins.
+  bool isOfThePatient(const fs::path& file) {
+    PatientSorter with = m_sorter;
+    with.add(file, patientMarks(file, m_options.limits));
+    // A scene may be of several on purpose: then another one more is not.
+    if (m_patients == PatientsWanted::one &&
+        with.patients().apart.size() > m_sorter.patients().apart.size())
+      return false;
+    m_sorter = std::move(with);
+    return true;
   }
 
   /// Returns the smoothing that readers which smooth were told to do: none where nothing moved.
@@ -227,6 +265,8 @@ class Reloader {
   }
 
   void read(const Origin& origin, const fs::path& file, const Fingerprint& now) {
+    if (!isOfThePatient(file))
+      return tell(origin, Fate::failed, "it is of another patient than the other files now");
     ReadOptions options = m_options;
     options.smoothing = readersSmoothing(origin);
     options.thresholds = thresholdsOf(origin);
@@ -237,7 +277,7 @@ class Reloader {
       return tell(origin, Fate::failed, error.text());
     }
     for (ImportWarning& warning : read->warnings)
-      m_result.warnings.push_back({origin.file, std::move(warning.reason)});
+      m_result.warnings.push_back({origin.shown, std::move(warning.reason)});
     const FileNow contents{now, read->meshes, partNames(read->meshes)};
     const std::vector<std::string>& parts = contents.parts;
     std::vector<bool> taken(parts.size(), false);
@@ -249,13 +289,13 @@ class Reloader {
         others += (others.empty() ? "" : ", ") + parts[k];
     if (!others.empty())
       m_result.warnings.push_back(
-          {origin.file, "no structure of the scene came from these of its surfaces: " + others});
+          {origin.shown, "no structure of the scene came from these of its surfaces: " + others});
   }
 
   void replace(std::size_t index, const Origin& origin, const FileNow& file,
                std::vector<bool>& taken) {
     const Node& node = m_nodes[index];
-    const Origin alone{origin.file, origin.fingerprint, {index}};
+    const Origin alone{origin.file, origin.fingerprint, {index}, origin.shown};
     const std::string& wanted = node.provenance.part;
     const std::optional<std::size_t> k = partNamed(file.parts, wanted);
     if (!k)
@@ -269,7 +309,7 @@ class Reloader {
     Result<MeshPtr> mesh = repeatImport(file.meshes[*k], as, m_options);
     if (!mesh)
       return tell(alone, Fate::failed, mesh.error().reason);
-    PaintPtr paint = repainted(node, *mesh, origin.file);
+    PaintPtr paint = repainted(node, *mesh, origin.shown);
     m_result.meshes.push_back({.structure = node.id,
                                .before = node.mesh,
                                .mesh = std::move(*mesh),
@@ -292,7 +332,9 @@ class Reloader {
   }
 
   const ReadOptions& m_options;
+  PatientsWanted m_patients;
   const std::vector<Node>& m_nodes;
+  PatientSorter m_sorter;
   Reloaded m_result;
 };
 
@@ -332,8 +374,17 @@ Scene withNewMeshes(const Scene& scene, std::span<const NewMesh> meshes) {
   return after;
 }
 
-Reloaded reload(const Scene& scene, std::span<const fs::path> places, const ReadOptions& options) {
-  return Reloader(scene, options).run(places);
+Reloaded reload(const Scene& scene, std::span<const fs::path> places, const ReadOptions& options,
+                PatientsWanted patients) {
+  Reloaded reloaded = Reloader(scene, options, patients).run(places);
+  std::vector<SceneMending> mended;
+  // As many structures as before cannot be too many.
+  static_cast<void>(bringWithinLimits(reloaded.scene, mended));
+  for (const SceneMending& each : mended)
+    reloaded.warnings.push_back({each.where, each.fault + "; " + each.done});
+  for (NewMesh& change : reloaded.meshes)
+    change.provenance = reloaded.scene.find(change.structure)->provenance;
+  return reloaded;
 }
 
 }  // namespace sline::model

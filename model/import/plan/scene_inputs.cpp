@@ -2,7 +2,10 @@
 #include "model/import/plan/scene_inputs.h"
 
 #include <algorithm>
+#include <unordered_set>
+#include <utility>
 
+#include "model/scene/scene_limits.h"
 #include "model/scene_file/scene_file.h"
 
 namespace sline::model {
@@ -92,6 +95,29 @@ View moved(View view, const NewIds& ids, const std::map<AnnotationId, Annotation
 
 }  // namespace
 
+namespace {
+
+/// Gives out ids that no node of the scene has: those after its last, as long as they can be kept.
+class FreshIds {
+ public:
+  explicit FreshIds(Scene scene) {
+    for (const Node& node : scene.nodes())
+      m_taken.insert(node.id.value);
+    m_next = scene.append({}).value;
+  }
+  NodeId next() {
+    while (m_next > largestId || !m_taken.insert(m_next).second)
+      m_next = m_next >= largestId ? 1 : m_next + 1;
+    return NodeId{m_next};
+  }
+
+ private:
+  std::unordered_set<std::uint64_t> m_taken;
+  std::uint64_t m_next = 0;
+};
+
+}  // namespace
+
 void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& warnings) {
   if (options.frame || options.unit)
     warnings.push_back({"",
@@ -108,14 +134,11 @@ NewIds append(Scene& to, const Scene& added) {
   // The nodes are added all at once: appending them one by one would look through the whole scene
   // for each.
   std::vector<Node> nodes = to.nodes();
+  FreshIds fresh(to);
   for (Node node : added.nodes()) {
     const NodeId old = node.id;
     node.parent = ids.at(node.parent);
-    if (ids.size() == 1) {
-      node.id = to.append(node);
-    } else {
-      node.id = {nodes.back().id.value + 1};
-    }
+    node.id = fresh.next();
     ids[old] = node.id;
     nodes.push_back(std::move(node));
   }

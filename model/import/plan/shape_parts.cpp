@@ -9,8 +9,11 @@
 #include <numeric>
 #include <utility>
 
+#include "model/geometry/extent.h"
 #include "model/import/naming/laterality.h"
+#include "model/import/source/values.h"
 #include "model/meshing/simplification.h"
+#include "model/scene/measured_extent.h"
 
 namespace sline::model {
 
@@ -64,7 +67,8 @@ std::vector<VoxelGrid> gridsOf(const std::vector<Part>& parts, const Sources& so
   return grids;
 }
 
-/// Maps file coordinates → millimetres LPS.
+}  // namespace
+
 glm::vec3 placed(const glm::vec3& p, const Provenance& as, const RawMesh& raw,
                  const std::optional<glm::dmat4>& toWorld) {
   glm::vec3 q = raw.yUp ? uprightToLps(p) : p;
@@ -79,7 +83,79 @@ glm::vec3 placed(const glm::vec3& p, const Provenance& as, const RawMesh& raw,
   return {float(-world.x), float(-world.y), float(world.z)};
 }
 
+std::optional<glm::dmat4> toWorldOf(const Part& part, const Sources& sources) {
+  const SourceFile& source = sources.files[part.file];
+  if (source.model)
+    return sources.sources[source.source].scene->models[*source.model].toWorld;
+  return source.told ? source.told->toWorld : std::nullopt;
+}
+
+namespace {
+
+/// Returns the surface alone: names, groups and colours are asked for later.
+RawMesh surfaceOf(const RawMesh& raw) {
+  return {.positions = raw.positions,
+          .triangles = raw.triangles,
+          .yUp = raw.yUp,
+          .onlySideOpen = raw.onlySideOpen};
+}
+
+/// Says in the part's provenance where its surface goes: by frame, unit and the scene around it.
+void decidePlace(Part& part, const Sources& sources) {
+  part.provenance.frame = frameName(part.frame);
+  part.provenance.mmPerUnit = part.unit;
+  if (const auto toWorld = toWorldOf(part, sources))
+    part.provenance.transform = rowsOf(*toWorld);
+}
+
+std::optional<float> finite(std::optional<double> value) {
+  return value && std::isfinite(narrowed(*value)) ? std::optional(narrowed(*value)) : std::nullopt;
+}
+
+ReadExtent readExtent(const Extent& extent) {
+  return {finite(extent.area), finite(extent.volume)};
+}
+
+/// Returns what was measured of voxels, which have a volume and no surface.
+std::optional<ReadExtent> extentOfVoxels(const RawMesh& raw, const Provenance& as) {
+  if (!raw.voxelVolume)
+    return std::nullopt;
+  const std::optional<glm::dmat4> toWorld = matrixOf(as);
+  const double scale = toWorld ? std::abs(glm::determinant(glm::dmat3(*toWorld))) : 1.0;
+  return ReadExtent{{}, finite(*raw.voxelVolume * std::pow(double(as.mmPerUnit), 3.0) * scale)};
+}
+
+/// Notes what its reader has done to a surface that came smooth.
+void noteSmoothed(Part& part, const Smoothing& how) {
+  part.provenance.displacementMm = part.raw.displacement * part.unit;
+  part.provenance.sliceMm = part.raw.sliceDistance * part.unit;
+  if (how.mode == Smoothing::Mode::steps)
+    part.provenance.smoothingSteps = how.steps;
+  if (!isAsRead(part.provenance))
+    part.provenance.asRead = extentAsRead(part.raw, part.provenance);
+}
+
+void smoothPart(Part& part, const Smoothing& how, const VoxelGrid& grid, int allowed) {
+  const RawMesh before = surfaceOf(part.raw);
+  const Smoothed done = smooth(part.raw.positions, part.raw.triangles, grid, how, allowed);
+  part.provenance.smoothingSteps = done.smoothingSteps;
+  part.provenance.refinementSteps = done.refinementSteps;
+  part.provenance.displacementMm = done.displacement * part.unit;
+  if (done.smoothingSteps > 0)
+    part.provenance.sliceMm = grid.coarsest() * part.unit;
+  if (!isAsRead(part.provenance))
+    part.provenance.asRead = extentAsRead(before, part.provenance);
+}
+
 }  // namespace
+
+std::optional<ReadExtent> extentAsRead(const RawMesh& raw, const Provenance& as) {
+  if (raw.smooth)
+    return extentOfVoxels(raw, as);
+  Provenance placed = as;
+  const Result<MeshPtr> mesh = placedMesh(surfaceOf(raw), placed);
+  return mesh ? std::optional(readExtent(extentOf(**mesh))) : std::nullopt;
+}
 
 void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,
                  ProgressMeter& meter) {
@@ -109,22 +185,14 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
     Part& part = parts[i];
     if (!isAsked(part))
       return;
-    const Smoothing how = asked(part);
-    if (part.raw.smooth) {
-      part.provenance.displacementMm = part.raw.displacement * part.unit;
-      part.provenance.sliceMm = part.raw.sliceDistance * part.unit;
-      if (how.mode == Smoothing::Mode::steps)
-        part.provenance.smoothingSteps = how.steps;
-      return;
-    }
     const double work = double(part.raw.triangles.size()) * workPerTriangle;
-    const Smoothed done = smooth(part.raw.positions, part.raw.triangles, grids[i], how, allowed[i]);
-    part.provenance.smoothingSteps = done.smoothingSteps;
-    part.provenance.refinementSteps = done.refinementSteps;
-    part.provenance.displacementMm = done.displacement * part.unit;
-    if (done.smoothingSteps > 0)
-      part.provenance.sliceMm = grids[i].coarsest() * part.unit;
-    meter.add(work, part.name);
+    decidePlace(part, sources);
+    if (part.raw.smooth) {
+      noteSmoothed(part, asked(part));
+    } else {
+      smoothPart(part, asked(part), grids[i], allowed[i]);
+      meter.add(work, part.name);
+    }
   });
 }
 
@@ -162,12 +230,7 @@ Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as) {
 void placeParts(std::vector<Part>& parts, const Sources& sources,
                 std::vector<ImportWarning>& warnings) {
   for (Part& part : parts) {
-    const SourceFile& source = sources.files[part.file];
-    part.provenance.frame = frameName(part.frame);
-    part.provenance.mmPerUnit = part.unit;
-    if (source.model)
-      if (const auto& toWorld = sources.sources[source.source].scene->models[*source.model].toWorld)
-        part.provenance.transform = rowsOf(*toWorld);
+    decidePlace(part, sources);
     if (part.raw.molecule)
       part.raw.molecule->atoms = placedAtoms(part.raw, part.provenance);
     // Names, groups and colours are asked for later.
@@ -190,6 +253,8 @@ MeshPtr decimated(const MeshPtr& mesh, float bound, Provenance& as,
   const int before = int(mesh->triangleCount());
   Simplified fewer = simplified(mesh, bound, goesOn);
   const bool same = fewer.mesh == mesh;
+  if (!same && isAsRead(as))
+    as.asRead = readExtent(extentOf(*mesh));
   as.decimatedFrom = same ? 0 : before;
   as.decimationMm = same ? 0.0f : fewer.error;
   return std::move(fewer.mesh);

@@ -17,9 +17,18 @@ namespace sline::model {
 void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,
                  ProgressMeter& meter);
 
+/// Maps file coordinates → millimetres LPS, by the frame and unit in `as`.
+glm::vec3 placed(const glm::vec3& p, const Provenance& as, const RawMesh& raw,
+                 const std::optional<glm::dmat4>& toWorld);
+/// Returns what a scene around the part's file does to it, if anything.
+std::optional<glm::dmat4> toWorldOf(const Part& part, const Sources& sources);
+
 /// Returns the surface in millimetres LPS, by the frame, unit and transform in `as`. Its
 /// displacement is scaled with it.
 Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as);
+/// Returns what the surface, or the voxels that its reader made it of, measure in millimetres,
+/// placed like that; nothing where its reader smoothed it and tells no voxels.
+std::optional<ReadExtent> extentAsRead(const RawMesh& raw, const Provenance& as);
 /// Returns the atoms that it keeps in the same frame.
 KeptAtoms placedAtoms(const RawMesh& raw, const Provenance& as);
 

@@ -13,6 +13,7 @@
 #include "model/base/natural_order.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/dicom_left_out.h"
+#include "model/import/plan/told_frames.h"
 #include "model/import/readers/dicom_kind.h"
 #include "model/import/volumes/formats/image_pair.h"
 
@@ -90,6 +91,7 @@ class Collector {
   }
 
   Sources take() && {
+    tellLooseFiles();
     joinVolumes();
     if (!m_looseImages.empty())
       refuse({.file = m_looseImages.count() == 1 ? m_imageFile.string() : std::string(),
@@ -169,6 +171,7 @@ class Collector {
 
   void addFolder(const fs::path& folder) {
     std::vector<fs::path> files;
+    std::vector<fs::path> scenes;
     std::vector<fs::path> archives;
     DicomLeftOut images;
     std::error_code fault;
@@ -180,7 +183,9 @@ class Collector {
       std::error_code ignored;
       if (!entry->is_regular_file(ignored))
         continue;
-      if (isArchive(entry->path()))
+      if (lowerExtension(entry->path()) == ".mrml")
+        scenes.push_back(entry->path());
+      else if (isArchive(entry->path()))
         archives.push_back(entry->path());
       else if (isSlice(entry->path()) ||
                (!images.takes(entry->path()) && isSurfaceFileInFolder(entry->path())))
@@ -204,6 +209,7 @@ class Collector {
     for (const LeftOut& each : leftOut)
       m_result.warnings.push_back({folder.string(), each.text + ". " + each.remedy});
     std::sort(files.begin(), files.end(), pathNaturallyBefore);
+    const std::size_t first = m_result.files.size();
     m_result.sources.push_back({ImportSource::Kind::folder, folder, std::nullopt});
     for (const fs::path& file : files) {
       std::vector<std::string> folders;
@@ -212,6 +218,26 @@ class Collector {
         for (const fs::path& step : file.lexically_relative(folder).parent_path())
           folders.push_back(step.string());
       addOnce(file, m_result.sources.size() - 1, std::move(folders));
+    }
+    ScenesBeside beside{std::move(scenes), NamedAs::name};
+    if (beside.files.empty())
+      beside = {scenesIn(folderAbove(folder)), NamedAs::path};
+    tellFrames(std::span(m_result.files).subspan(first), std::move(beside), m_limits,
+               m_result.warnings);
+  }
+
+  /// Files that were named one by one may lie beside the scene that they belong to.
+  void tellLooseFiles() {
+    std::map<fs::path, std::vector<SourceFile*>> folders;
+    for (SourceFile& file : m_result.files)
+      if (m_result.sources[file.source].kind == ImportSource::Kind::files && !file.slice)
+        folders[file.file.parent_path()].push_back(&file);
+    for (const auto& [folder, files] : folders) {
+      const ScenesBeside beside = scenesBeside(folder);
+      // Whether scenes disagree matters to nobody who has not named them or their folder.
+      std::vector<ImportWarning> notTold;
+      for (SourceFile* file : files)
+        tellFrames({file, 1}, beside, m_limits, notTold);
     }
   }
 

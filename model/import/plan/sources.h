@@ -33,6 +33,8 @@ struct SourceFile {
   std::vector<std::filesystem::path> together;
   /// Is true for a DICOM image of CT, MR or PET; those of its folder are `together`.
   bool slice = false;
+  /// What a scene of 3D Slicer in the same folder says of the file's coordinates.
+  std::optional<SlicerFileFrame> told = {};
 };
 
 struct Sources {

@@ -156,17 +156,19 @@ bool beginsLikeDicom(std::string_view text) {
 }
 
 bool mayBeDicom(const std::filesystem::path& file) {
-  // These are names like "IM0001", "1.2.840.113619.2.55", "slice.ima".
-  const std::string extension = file.extension().string();
-  const bool digits = std::all_of(extension.begin(), extension.end(),
-                                  [](char c) { return c == '.' || (c >= '0' && c <= '9'); });
-  if (!digits && extension != ".ima" && extension != ".IMA")
-    return false;
   std::error_code fault;
   if (!std::filesystem::is_regular_file(file, fault))
     return false;
   const std::string text = beginningOf(file, preamble + magic.size());
-  return text.size() == preamble + magic.size() && beginsLikeDicom(text);
+  if (text.size() != preamble + magic.size())
+    return false;
+  // Without the magic word the name must speak for it: "IM0001", "1.2.840.113619.2.55",
+  // "slice.ima".
+  const std::string extension = file.extension().string();
+  const bool digits = std::all_of(extension.begin(), extension.end(),
+                                  [](char c) { return c == '.' || (c >= '0' && c <= '9'); });
+  const bool called = digits || extension == ".ima" || extension == ".IMA";
+  return called ? beginsLikeDicom(text) : hasMagic(text);
 }
 
 std::string sopClassOf(const std::filesystem::path& file) {

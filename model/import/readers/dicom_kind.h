@@ -26,8 +26,8 @@ std::string_view scannerOf(std::string_view sopClass);
 /// Returns true where the first bytes of a file say DICOM: "DICM" behind a preamble of 128 bytes,
 /// or no preamble and a first element of group 2 or 8.
 bool beginsLikeDicom(std::string_view text);
-/// Returns true for a file that has no extension, or numbers for one, and that has content of
-/// DICOM.
+/// Returns true for a file that says in its first bytes that it is DICOM: by "DICM" whatever it is
+/// called, by a first element where it has no extension, or numbers for one.
 bool mayBeDicom(const std::filesystem::path& file);
 /// Returns the kind of object from the first kilobytes of a file; empty where they do not tell.
 std::string sopClassOf(const std::filesystem::path& file);

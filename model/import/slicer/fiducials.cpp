@@ -3,6 +3,7 @@
 
 #include "model/disk/whole_file.h"
 #include "model/import/kinds/file_kinds.h"
+#include "model/import/naming/names.h"
 #include "model/import/slicer/fiducial_files.h"
 #include "model/import/source/text_cursor.h"
 #include "model/import/source/values.h"
@@ -33,7 +34,7 @@ Result<Fiducials> readFiducials(const std::filesystem::path& file, const ReadLim
     return fiducialsInTable(*text, file);
   std::string name = file.filename().string();
   name.resize(name.size() - std::min(name.size(), markups.size()));
-  return fiducialsInMarkups(*text, file, name);
+  return fiducialsInMarkups(*text, file, shownFileName(name));
 }
 
 Annotation annotationOf(const Fiducial& fiducial) {

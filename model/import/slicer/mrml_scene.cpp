@@ -88,6 +88,25 @@ class SceneReader {
     return result;
   }
 
+  std::vector<SlicerFileFrame> readFileFrames() {
+    std::vector<ImportWarning> notTold;
+    SlicerTransforms transforms(m_nodes, m_file.filename().string(), notTold);
+    std::vector<SlicerFileFrame> frames;
+    for (const XmlNode& node : m_scene.children("Model")) {
+      const XmlNode storage = m_nodes.referred(node, "storage");
+      std::string written = storage.attribute("fileName").value();
+      if (written.empty())
+        continue;
+      std::replace(written.begin(), written.end(), '\\', '/');
+      SlicerModel model;
+      decideFrame(storage, model);
+      frames.push_back({m_folder / percentDecoded(written), model.frame,
+                        std::move(model.frameReason),
+                        transforms.above(node, node.attribute("name").value())});
+    }
+    return frames;
+  }
+
  private:
   void warn(SlicerScene& result, const std::string& file, std::string reason) const {
     result.warnings.push_back({file, std::move(reason)});
@@ -126,7 +145,7 @@ void SceneReader::readModel(const XmlNode& node,
   model.id = node.attribute("id").value();
   if (isSurfaceFile(name))
     name = stemOf(name);
-  model.name = readableName(name.empty() ? file->stem().string() : name);
+  model.name = name.empty() ? shownFileName(stemOf(*file)) : readableName(name);
   model.file = *file;
   if (const auto group = groups.find(node.attribute("id").value()); group != groups.end())
     model.group = group->second;
@@ -158,7 +177,7 @@ void SceneReader::readSegments(const XmlNode& node, SlicerScene& result) {
   }
   SlicerModel model;
   model.id = node.attribute("id").value();
-  model.name = readableName(name.empty() ? stemOf(*file) : name);
+  model.name = name.empty() ? shownFileName(stemOf(*file)) : readableName(name);
   model.file = *file;
   model.group = result.groups.size();
   model.segments = true;
@@ -201,11 +220,13 @@ void SceneReader::warnOfVolumes(SlicerScene& result) const {
 
 }  // namespace
 
-Result<SlicerScene> readSlicerScene(const fs::path& file, const ReadLimits& limits) {
+namespace {
+/// Parses the file; the scene's node stays valid as long as the document.
+Result<XmlNode> sceneNode(const fs::path& file, const ReadLimits& limits,
+                          pugi::xml_document& document) {
   Result<std::string> text = wholeFile(file, limits);
   if (!text)
     return text.error();
-  pugi::xml_document document;
   // The DOCTYPE is skipped and no entity but XML's own five is known, so no file can blow up.
   const pugi::xml_parse_result parsed = document.load_buffer(text->data(), text->size());
   if (!parsed)
@@ -222,7 +243,25 @@ Result<SlicerScene> readSlicerScene(const fs::path& file, const ReadLimits& limi
     return Error{.file = file.string(),
                  .reason = "the scene has more than " + std::to_string(mostNodes) + " nodes",
                  .remedy = "Save the scene in parts in 3D Slicer"};
-  return SceneReader(file, scene).read();
+  return scene;
+}
+}  // namespace
+
+Result<SlicerScene> readSlicerScene(const fs::path& file, const ReadLimits& limits) {
+  pugi::xml_document document;
+  const Result<XmlNode> scene = sceneNode(file, limits, document);
+  if (!scene)
+    return scene.error();
+  return SceneReader(file, *scene).read();
+}
+
+Result<std::vector<SlicerFileFrame>> fileFramesOfSlicer(const fs::path& file,
+                                                        const ReadLimits& limits) {
+  pugi::xml_document document;
+  const Result<XmlNode> scene = sceneNode(file, limits, document);
+  if (!scene)
+    return scene.error();
+  return SceneReader(file, *scene).readFileFrames();
 }
 
 }  // namespace sline::model

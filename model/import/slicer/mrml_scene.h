@@ -56,6 +56,18 @@ struct SlicerScene {
   std::vector<ImportWarning> warnings;
 };
 
+/// Holds what a scene says of the coordinates in the file of one of its models.
+struct SlicerFileFrame {
+  std::filesystem::path file;  ///< below the scene's folder, as it stands there; need not exist
+  Frame frame = Frame::ras;    ///< as in SlicerModel
+  std::string frameReason;
+  std::optional<glm::dmat4> toWorld;
+};
+
+/// Returns what the scene says of the files of its models, for who reads these without it.
+Result<std::vector<SlicerFileFrame>> fileFramesOfSlicer(const std::filesystem::path& scene,
+                                                        const ReadLimits& limits);
+
 /// Reads the scene. Broken XML or a file that is no scene is an error; models with a file that is
 /// absent, lies outside the scene's folder or hangs on a cycle of references are left out or
 /// untransformed, with a warning.

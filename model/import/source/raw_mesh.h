@@ -53,6 +53,8 @@ struct RawMesh {
   float sliceDistance = 0.0f;  ///< of the slices that it was cut from, in the file's unit, where
                                ///< their steps may still show; else 0
   std::optional<Threshold> threshold;  ///< made it from a scan; has resolved bounds
+  /// Of the labelled voxels that it was made of, in the file's unit; absent: of none.
+  std::optional<double> voxelVolume;
 };
 
 /// Holds a scan as it stands in its file.

@@ -91,17 +91,30 @@ class Surfacer {
   Result<RawMeshes> meshes(const SurfaceNet& net, const LabelSheets& sheets,
                            const std::vector<glm::vec3>& at) const {
     std::vector<RawMesh> all(m_volume.labels.size());
+    const std::vector<std::size_t> counts = voxelCounts();
+    const double voxel = std::abs(glm::determinant(glm::dmat3(m_volume.toLps)));
     std::atomic<bool> stopped = false;
     parallelFor(all.size(), 1, [&](std::size_t i) {
       if (stopped || !m_options.goesOn())
         stopped = true;
-      else if (!sheets.quadsOf(i + 1).empty())
+      else if (!sheets.quadsOf(i + 1).empty()) {
         all[i] = mesh(net, sheets, labelMesh(m_box, net, sheets, i + 1, at), m_volume.labels[i]);
+        all[i].voxelVolume = double(counts[i + 1]) * voxel;
+      }
     });
     if (stopped)
       return cancelled();
     std::erase_if(all, [](const RawMesh& mesh) { return mesh.triangles.empty(); });
     return RawMeshes{std::move(all), {}};
+  }
+
+  /// Returns how many voxels each label has, the background first.
+  std::vector<std::size_t> voxelCounts() const {
+    std::vector<std::size_t> counts(m_volume.labels.size() + 1);
+    for (const std::uint16_t voxel : m_volume.voxels)
+      if (voxel < counts.size())
+        ++counts[voxel];
+    return counts;
   }
 
   RawMesh mesh(const SurfaceNet& net, const LabelSheets& sheets, LabelMesh&& found,

@@ -71,6 +71,7 @@ class Thresholder {
     result.mesh.displacement = m_displacement;
     result.mesh.sliceDistance = 0.0f;  // intensities tell where it lies between voxels
     result.mesh.threshold = m_threshold;
+    result.mesh.voxelVolume.reset();  // it lies between voxels
     return result;
   }
 

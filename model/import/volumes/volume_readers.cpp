@@ -35,7 +35,29 @@ Result<VolumeFile> openVolume(const fs::path& file, const ReadOptions& options) 
   return openNifti(file, options);
 }
 
-LabelVolumes labelsOf(const VolumeFile& file, std::vector<LabelVolume>&& volumes) {
+/// Says of which numbers nobody knows what they mean, though a table lies beside the volume, and
+/// that there is more than one volume.
+void warnOfLabels(const VolumeFile& file, const fs::path& path, LabelVolumes& labels) {
+  const std::string name = path.filename().string();
+  const auto nameless = [](const LabelVolume& volume) {
+    return volume.labels.size() > 1 &&
+           std::all_of(volume.labels.begin(), volume.labels.end(), [](const Label& label) {
+             return label.name == "label " + std::to_string(label.value);
+           });
+  };
+  if (std::any_of(labels.volumes.begin(), labels.volumes.end(), nameless))
+    if (const std::string table = tableBeside(path); !table.empty())
+      labels.warnings.push_back(
+          {name, "\"" + table + "\" beside it gives none of its labels a name that is understood"});
+  if (labels.volumes.size() > 1 && !file.layersMeant)
+    labels.warnings.push_back(
+        {name, "holds " + std::to_string(labels.volumes.size()) +
+                   " label volumes of one place, as points in time; structures of all of them lie "
+                   "over each other"});
+}
+
+LabelVolumes labelsOf(const VolumeFile& file, const fs::path& path,
+                      std::vector<LabelVolume>&& volumes) {
   for (std::size_t layer = 0; layer < volumes.size(); ++layer) {
     LabelVolume& volume = volumes[layer];
     volume.toLps = file.toLps;
@@ -45,7 +67,9 @@ LabelVolumes labelsOf(const VolumeFile& file, std::vector<LabelVolume>&& volumes
     volume.unitReason = file.unitReason;
     nameLabels(volume, file.names(volume, layer));
   }
-  return {std::move(volumes), file.warnings};
+  LabelVolumes labels{std::move(volumes), file.warnings};
+  warnOfLabels(file, path, labels);
+  return labels;
 }
 
 std::string shortNumber(double value) {
@@ -106,7 +130,7 @@ Result<VolumeRead> readVolume(const fs::path& file, const ReadOptions& options) 
   if (!labels)
     return named(labels.error(), file);
   if (labels->image.empty())
-    return VolumeRead{labelsOf(*volume, std::move(labels->volumes)), {}};
+    return VolumeRead{labelsOf(*volume, file, std::move(labels->volumes)), {}};
   if (options.thresholds.empty() && !options.keepScans)
     return Error{volume->stored.file,
                  {},

@@ -76,11 +76,11 @@ template <class Archive>
 void visitFields(Archive& archive, RawMesh& mesh) {
   auto& [name, groups, origin, positions, triangles, colour, opacity, frame, frameReason,
          millimetresPerUnit, unitReason, yUp, onlySideOpen, file, smooth, visible, molecule,
-         displacement, sliceDistance, threshold] = mesh;
+         displacement, sliceDistance, threshold, voxelVolume] = mesh;
   assert(!molecule);
   archive(name, groups, origin, positions, triangles, colour, opacity, frame, frameReason,
           millimetresPerUnit, unitReason, yUp, onlySideOpen, file, smooth, visible, displacement,
-          sliceDistance, threshold);
+          sliceDistance, threshold, voxelVolume);
 }
 
 template <class Archive>
@@ -122,7 +122,8 @@ bool isSound(const RawMesh& mesh) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       return false;
   return knowsFrame(mesh.frame) && std::isfinite(mesh.displacement) &&
-         std::isfinite(mesh.sliceDistance) && std::isfinite(mesh.millimetresPerUnit);
+         std::isfinite(mesh.sliceDistance) && std::isfinite(mesh.millimetresPerUnit) &&
+         std::isfinite(mesh.voxelVolume.value_or(0.0));
 }
 
 bool isSound(const GreyVolume& volume) {

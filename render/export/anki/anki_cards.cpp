@@ -15,6 +15,7 @@
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/figure_plate.h"
+#include "render/export/plate/shown_questions.h"
 #include "render/lettering/typesetting.h"
 #include "render/picture/headless/headless_picture.h"
 
@@ -57,7 +58,7 @@ class Cards {
       for (const model::View& view : views) {
         const ExportOrder one = orderOfView(m_order, view);
         if (const Status added =
-                addView(one, titleOfView(view, language(), model::hasSides(one.scene)));
+                addView(one, titleOfView(view, language(), model::knownSides(one.scene)));
             !added.ok())
           return added.error();
         m_done += m_share;
@@ -116,7 +117,9 @@ class Cards {
   Status addView(const ExportOrder& order, const std::string& title) {
     if (!goesOn(0.0, "preparing surfaces"))
       return givenUp({});
-    const std::vector<model::Question> questions = questionsOf(order);
+    const ShownQuestions asking = shownQuestions(order, m_trees);
+    const std::vector<model::Question>& questions = asking.questions;
+    m_progress.note(asking.notes);
     Sheet sheet{.order = forPhones(askedAlone(order, questions))};
     sheet.order.labels.mode = LabelMode::on;
     sheet.order.words = {};  // they might tell the answers
@@ -129,7 +132,7 @@ class Cards {
         note.kind = ExportNote::Kind::cardsWithoutRoom;
       m_progress.note(std::move(note));
     }
-    if (plate.labels->layout.labels.empty())
+    if (questions.empty() || plate.labels->layout.labels.empty())
       return Unit{};
     if (Status drawn = drawGround(sheet.order, plate.marks, sheet.ground); !drawn.ok())
       return drawn;

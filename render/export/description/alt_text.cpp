@@ -34,6 +34,8 @@ class Describing {
     addFirst(named);
     addEdge(m_words.onLeft, m_facts.left);
     addEdge(m_words.onTop, m_facts.top);
+    if (m_facts.sidesInDoubt)
+      add(told(m_words.inDoubt));
     addSections();
     if (!named)
       return m_said.join(QLatin1Char(' ')).toStdString();
@@ -84,7 +86,7 @@ class Describing {
 
   void addSections() {
     const std::vector<const model::Section*> sections = sectionsSeen(m_order.scene);
-    const MarkWords words(m_language);
+    const MarkWords words(m_language, knownSides(m_order.scene));
     constexpr std::size_t single = 2;
     if (sections.size() > single)
       add(words.sections(sections.size()) + QLatin1Char('.'));

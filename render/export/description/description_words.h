@@ -25,6 +25,7 @@ struct DescriptionTable {
   std::array<const char*, 6> ends;
   const char* onLeft;
   const char* onTop;
+  const char* inDoubt;               ///< where nobody knows which side is which
   std::array<const char*, 3> zones;  ///< what stands left, in the middle and right in the picture
   const char* names;                 ///< where all stand in one zone
   const char* before;

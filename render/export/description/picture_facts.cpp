@@ -61,6 +61,17 @@ void findSides(PictureFacts& facts, const model::Camera& camera) {
     facts.top = top.side;
 }
 
+/// Tells whether a side is told of which nobody is sure.
+bool saysWhatIsInDoubt(const PictureFacts& facts, const model::KnownSides& sides) {
+  std::vector<model::AnatomicalView> told = facts.from;
+  for (const auto& edge : {facts.left, facts.top})
+    if (edge)
+      told.push_back(*edge);
+  return std::any_of(told.begin(), told.end(), [&sides](model::AnatomicalView side) {
+    return sides.inDoubt(model::axisOf(side));
+  });
+}
+
 /// Returns what labels that the picture shows call the structures they point at.
 std::map<model::NodeId, QString> labelNames(const ExportOrder& order) {
   std::map<model::NodeId, QString> names;
@@ -124,8 +135,10 @@ PictureFacts pictureFacts(const ExportOrder& order) {
     facts.structures.push_back(std::move(one));
   }
   findBefore(facts, map.covers());
-  if (hasSides(order.scene))
+  if (const model::KnownSides sides = knownSides(order.scene); sides.any) {
     findSides(facts, order.camera);
+    facts.sidesInDoubt = saysWhatIsInDoubt(facts, sides);
+  }
   return facts;
 }
 

@@ -30,6 +30,7 @@ struct PictureFacts {
   std::vector<model::AnatomicalView> from;
   std::optional<model::AnatomicalView> left;  ///< the side of the body at the picture's left edge
   std::optional<model::AnatomicalView> top;   ///< and at its upper edge, where that is not superior
+  bool sidesInDoubt = false;                  ///< one of these is told, and nobody is sure of it
 };
 
 PictureFacts pictureFacts(const ExportOrder& order);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "model/base/colour_text.h"
+#include "model/scene/cut_place.h"
 #include "model/scene/markup.h"
 #include "model/scene/style_fields.h"
 #include "model/scene_json/style_json.h"
@@ -129,7 +130,7 @@ Json viewExtras(const model::Scene& scene, const model::View& view, const GltfNo
 Json annotationNode(const model::Scene& scene, const model::Annotation& annotation,
                     const std::string& language) {
   Json places = Json::array();
-  for (const model::Anchor& anchor : annotation.anchors)
+  for (const model::Anchor& anchor : model::pointedAt(annotation))
     if (const std::optional<glm::vec3> place = scene.placeOf(anchor))
       places.push_back(jsonPoint(*place));
   Json extras{{"annotation", kindNames[std::size_t(annotation.kind)]},

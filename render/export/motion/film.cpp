@@ -100,7 +100,9 @@ Result<Film::Tour> Film::tourOf(const ExportOrder& order) {
   model::Scene before = model::withViewApplied(order.scene, views.front()).scene;
   for (const model::View& view : views)
     tour.said.push_back({view.name, view.words});
-  tour.first = {before, views.front().camera, views.front().name, false, views.front().words};
+  tour.rests = rests;
+  tour.first = {before, views.front().camera, views.front().name,
+                false,  tour.restAt(0),       views.front().words};
   double leaves = 0.0;
   for (std::size_t i = 1; i < views.size(); ++i) {
     leaves += rests[i - 1];
@@ -134,10 +136,14 @@ Result<Film::Sweep> Film::sweepOf(const ExportOrder& order) {
   return sweep;
 }
 
+std::optional<std::size_t> Film::Tour::restAt(std::size_t view) const {
+  return rests[view] > 0.0 ? std::optional(view) : std::nullopt;
+}
+
 FilmFrame Film::at(int frame) const {
   if (const auto* turn = std::get_if<Turn>(&m_motion))
     // The view's name would be true only where the turn begins.
-    return {turn->scene, turn->table.at(double(frame) / double(m_frames)), {}, true};
+    return {turn->scene, turn->table.at(double(frame) / double(m_frames)), {}, true, {}};
   if (const auto* tour = std::get_if<Tour>(&m_motion))
     return atTime(*tour, double(frame) / double(m_framesPerSecond));
   const double last = std::max(double(m_frames - 1), 1.0);
@@ -155,8 +161,13 @@ FilmFrame Film::atTime(const Tour& tour, double seconds) const {
   const std::size_t now = arrived ? leg - 1 : leg;
   const double way = arrived ? 1.0 : part;
   const Said& said = tour.said[way < 0.5 ? now : now + 1];
-  return {tour.legs[now].blend.at(way), tour.legs[now].flight.at(way), said.name,
-          way > 0.0 && way < 1.0, said.words};
+  const bool moving = way > 0.0 && way < 1.0;
+  return {tour.legs[now].blend.at(way),
+          tour.legs[now].flight.at(way),
+          said.name,
+          moving,
+          moving ? std::nullopt : tour.restAt(now + 1),
+          said.words};
 }
 
 std::vector<FilmCue> Film::cues() const {
@@ -175,7 +186,7 @@ std::vector<FilmCue> Film::cues() const {
 FilmFrame Film::atPart(const Sweep& sweep, double part) const {
   const double moving =
       std::clamp((part - sweep.hold) / std::max(1.0 - 2.0 * sweep.hold, 1e-9), 0.0, 1.0);
-  FilmFrame frame{sweep.scene, sweep.camera, sweep.viewName, false, sweep.words};
+  FilmFrame frame{sweep.scene, sweep.camera, sweep.viewName, false, {}, sweep.words};
   // Locks protect from edits, not from being looked at, so the nodes are set directly.
   std::vector<model::Node> nodes = sweep.scene.nodes();
   for (model::Node& node : nodes)

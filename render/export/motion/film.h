@@ -2,6 +2,7 @@
 // Decides what each frame of a film shows, before anything is drawn.
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -18,8 +19,10 @@ int filmFrames(const FilmOptions& options);
 struct FilmFrame {
   model::Scene scene;
   model::Camera camera;
-  std::string viewName;         ///< as ExportOrder::viewName
-  bool moving = false;          ///< the camera is on its way
+  std::string viewName;  ///< as ExportOrder::viewName
+  bool moving = false;   ///< the camera is on its way
+  /// A tour rests at that view, counted from 0. Where a tour does not rest it flies.
+  std::optional<std::size_t> rest = {};
   model::ViewWords words = {};  ///< as ExportOrder::words
 };
 
@@ -42,6 +45,8 @@ class Film {
   glm::ivec2 size() const { return m_size; }
   /// Tells whether the first frame follows the last like any other: no frame is doubled.
   bool loops() const { return std::holds_alternative<Turn>(m_motion); }
+  /// Tells whether it goes from view to view, and rests at each.
+  bool tours() const { return std::holds_alternative<Tour>(m_motion); }
   FilmFrame at(int frame) const;
   /// Returns what is said in the film, in its order: in a tour each view's words, for as long as
   /// its frames have its name.
@@ -62,10 +67,13 @@ class Film {
   };
   struct Tour {
     std::vector<Leg> legs;
+    std::vector<double> rests;   ///< how long it rests at each view, seconds
     std::vector<double> leaves;  ///< when each leg begins, seconds
     double way = 0.0;            ///< seconds between two views
     std::vector<Said> said;      ///< by each view
     FilmFrame first;
+    /// Returns the view, where the film rests there.
+    std::optional<std::size_t> restAt(std::size_t view) const;
   };
   struct Sweep {
     model::Scene scene;

@@ -62,15 +62,23 @@ LabelStyle FilmLabels::style() const {
 }
 
 FigurePlate FilmLabels::plateOf(const Film& film, int frame) const {
-  FigurePlate plate{.labels = {}, .marks = marksOf(orderOf(film.at(frame))), .notes = {}};
-  if (m_order.labels.mode != LabelMode::off)
+  const FilmFrame shown = film.at(frame);
+  FigurePlate plate{.labels = {}, .marks = marksOf(orderOf(shown)), .notes = {}};
+  if (m_order.labels.mode == LabelMode::off)
+    return plate;
+  if (!film.tours())
     plate.labels = m_plates[std::size_t(frame)];
+  else if (shown.rest)
+    plate = m_rests.at(*shown.rest);
   return plate;
 }
 
-FigurePlate FilmLabels::alone(const FilmFrame& frame) {
+FigurePlate FilmLabels::alone(const Film& film, int shown) {
+  const FilmFrame frame = film.at(shown);
+  if (frame.rest && m_order.labels.mode != LabelMode::off)
+    return figurePlate(orderOf(frame), m_trees);
   FigurePlate plate{.labels = {}, .marks = marksOf(orderOf(frame)), .notes = {}};
-  if (m_order.labels.mode == LabelMode::off)
+  if (m_order.labels.mode == LabelMode::off || film.tours())
     return plate;
   LabelStyle free = style();
   free.reserved.clear();
@@ -84,6 +92,8 @@ FigurePlate FilmLabels::alone(const FilmFrame& frame) {
 bool FilmLabels::settle(const Film& film, const std::function<bool(double)>& go) {
   if (m_order.labels.mode == LabelMode::off)
     return true;
+  if (film.tours())
+    return settleRests(film, go);
   keepMarksFree(film);
   if (!lookAt(film, go))
     return false;
@@ -94,6 +104,19 @@ bool FilmLabels::settle(const Film& film, const std::function<bool(double)>& go)
   const float height = m_order.page.sizeMm.y - m_edges.top - m_edges.bottom;
   keepSides(m_sights, film, std::size_t(height / (lines * lineHeightMm(style()))));
   layOut(film);
+  return true;
+}
+
+bool FilmLabels::settleRests(const Film& film, const std::function<bool(double)>& go) {
+  m_rests.clear();
+  for (int i = 0; i < film.frames(); ++i) {
+    const FilmFrame frame = film.at(i);
+    if (!frame.rest || m_rests.contains(*frame.rest))
+      continue;
+    if (go && !go(double(i) / double(film.frames())))
+      return false;
+    m_rests.emplace(*frame.rest, figurePlate(orderOf(frame), m_trees));
+  }
   return true;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -20,17 +21,20 @@ class FilmLabels {
 
   /// Finds the room that marks take in any of the frames, on which side each label stands, and
   /// where it stands in each frame. A label changes sides at most once in eight seconds, and in a
-  /// film that loops never; it is there or gone for a second at least. `go` receives the share that
-  /// is done; if it returns false, this does, with nothing found.
+  /// film that loops never; it is there or gone for a second at least. A tour has the labels of
+  /// each view's still where it rests there, and none on its way: what they name is hidden and
+  /// seen again in between. `go` receives the share that is done; if it returns false, this does,
+  /// with nothing found.
   bool settle(const Film& film, const std::function<bool(double)>& go);
   /// Returns what is written over the frame; `settle` must have been called.
   FigurePlate plateOf(const Film& film, int frame) const;
   /// Returns the same for a frame as if there were no others.
-  FigurePlate alone(const FilmFrame& frame);
+  FigurePlate alone(const Film& film, int frame);
 
  private:
   ExportOrder orderOf(const FilmFrame& frame) const;
   LabelStyle style() const;
+  bool settleRests(const Film& film, const std::function<bool(double)>& go);
   void keepMarksFree(const Film& film);
   /// Looks for the labels' places in all frames.
   bool lookAt(const Film& film, const std::function<bool(double)>& go);
@@ -43,11 +47,12 @@ class FilmLabels {
   const ExportOrder& m_order;
   model::MeshTrees m_trees;
   EdgeRoom m_edges;  ///< the room that marks take in any frame: labels keep out of it
-  std::optional<LabelBox> m_legend;   ///< what the legend takes in any frame, likewise
-  std::optional<LabelBox> m_caption;  ///< and what views say
-  PlacePool m_pool;                   ///< the places where labels may point
-  std::vector<LabelSights> m_sights;  ///< of each frame, until they are laid out
-  std::vector<LabelPlate> m_plates;   ///< of each frame
+  std::optional<LabelBox> m_legend;            ///< what the legend takes in any frame, likewise
+  std::optional<LabelBox> m_caption;           ///< and what views say
+  PlacePool m_pool;                            ///< the places where labels may point
+  std::vector<LabelSights> m_sights;           ///< of each frame, until they are laid out
+  std::vector<LabelPlate> m_plates;            ///< of each frame
+  std::map<std::size_t, FigurePlate> m_rests;  ///< of a tour: of each view at which it rests
 };
 
 }  // namespace sline::render

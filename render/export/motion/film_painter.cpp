@@ -4,6 +4,7 @@
 #include <QImage>
 #include <cstring>
 #include <map>
+#include <new>
 #include <set>
 
 #include "model/scene/label_words.h"
@@ -124,6 +125,8 @@ void FilmPainter::Data::paint(Image& image, const FigurePlate& plate) const {
     paintPlate(painter, plate);
   }
   const QImage straight = canvas.convertToFormat(QImage::Format_RGBA8888);
+  if (straight.height() != image.height)  // as where memory did not suffice
+    throw std::bad_alloc();
   const std::size_t row = std::size_t(4) * std::size_t(image.width);
   for (int y = 0; y < image.height; ++y)
     std::memcpy(&image.rgba[row * std::size_t(y)], straight.constScanLine(y), row);
@@ -144,7 +147,7 @@ Result<Image> FilmPainter::drawAlone(const Film& film, int frame) {
   const FilmFrame shown = film.at(frame);
   Result<Image> image = m_data->drawFrame(shown, film.size());
   if (image.ok() && !m_data->bare())
-    m_data->paint(*image, m_data->labels.alone(shown));
+    m_data->paint(*image, m_data->labels.alone(film, frame));
   return image;
 }
 

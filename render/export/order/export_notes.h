@@ -30,7 +30,8 @@ struct ExportNote {
     filmStretched,       ///< `detail`: its seconds
     pageLarge,           ///< for telephones; `detail`: millions of triangles
     pageSimplified,      ///< `detail`: by how many millimetres surfaces are off at most
-    quizEmpty            ///< there is nothing that its questions could ask for
+    quizEmpty,           ///< there is nothing that its questions could ask for
+    labelsNotAsked       ///< one does not see enough of what they name; `names`: their texts
   };
   Kind kind = Kind::labelsWithoutRoom;
   std::vector<std::string> names;  ///< plain text; two labels may have the same

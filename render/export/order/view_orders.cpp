@@ -73,12 +73,13 @@ ExportOrder orderOfView(const ExportOrder& order, const model::View& view) {
   return one;
 }
 
-std::string titleOfView(const model::View& view, const std::string& language, bool sided) {
+std::string titleOfView(const model::View& view, const std::string& language,
+                        const model::KnownSides& sides) {
   const std::string& own = view.words.title.in(language);
   if (!own.empty())
     return own;
-  const QString name = sided ? MarkWords(language).view(view.name, view.camera)
-                             : QString::fromStdString(view.name).simplified();
+  const QString name = sides.any ? MarkWords(language, sides).view(view.name, view.camera)
+                                 : QString::fromStdString(view.name).simplified();
   return name.toStdString();
 }
 

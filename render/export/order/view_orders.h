@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/known_frame.h"
 #include "render/export/order/export_option.h"
 
 namespace sline::render {
@@ -30,7 +31,8 @@ ExportOrder orderOfView(const ExportOrder& order, const model::View& view);
 
 /// Returns the title of a view in the language: its own, else its name, in words for a side of the
 /// body where what is drawn has sides (model::hasSides).
-std::string titleOfView(const model::View& view, const std::string& language, bool sided);
+std::string titleOfView(const model::View& view, const std::string& language,
+                        const model::KnownSides& sides);
 
 /// Returns the camera moved back, or opened, as far as a page of that shape (width / height) needs
 /// to show all structures that a wide page shows: views are saved in wide windows, and know only

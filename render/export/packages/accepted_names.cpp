@@ -4,7 +4,6 @@
 #include <QString>
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -26,13 +25,17 @@ class NameList {
     const QString read = QString::fromStdString(name);
     if (name.empty() || read.size() > longestName || normalisedAnswer(name).empty())
       return;
-    for (const std::string& form : {name, withoutAccents(name), transcribed(read)})
+    for (const std::string& form :
+         {name, withoutAccents(name), transcribed(read), withoutStops(read)})
       if (m_known.insert(QString::fromStdString(form).toCaseFolded()).second)
         m_names.push_back(form);
   }
   std::vector<std::string> take() { return std::move(m_names); }
 
  private:
+  /// Returns it as people write abbreviations who leave the full stop out: "A iliaca".
+  static std::string withoutStops(QString text) { return text.remove(u'.').toStdString(); }
+
   /// Returns it as German is written without its letters.
   static std::string transcribed(QString text) {
     static const std::array<std::pair<QChar, QLatin1String>, 7> letters{
@@ -79,22 +82,6 @@ std::vector<std::string> typedNames(const std::string& first,
   for (const std::string& name : others)
     names.add(name);
   return names.take();
-}
-
-void dropAmbiguous(const std::vector<std::vector<std::string>*>& lists) {
-  std::map<std::string, int> uses;
-  for (const std::vector<std::string>* list : lists) {
-    std::set<std::string> own;
-    for (const std::string& name : *list)
-      if (own.insert(normalisedAnswer(name)).second)
-        ++uses[normalisedAnswer(name)];
-  }
-  for (std::vector<std::string>* list : lists)
-    if (!list->empty())
-      list->erase(
-          std::remove_if(list->begin() + 1, list->end(),
-                         [&](const std::string& name) { return uses[normalisedAnswer(name)] > 1; }),
-          list->end());
 }
 
 }  // namespace sline::render

@@ -9,15 +9,12 @@
 namespace sline::render {
 
 /// Returns the names, each once, whatever its letters' case, the first as it is. Each is given
-/// without accents, too, and as German is written without its letters, as keyboards may lack them.
+/// without accents, too, and as German is written without its letters, as keyboards may lack them;
+/// and abbreviations without their full stops.
 std::vector<std::string> typedNames(const std::string& first,
                                     const std::vector<std::string>& others);
 
 /// Returns the text without accents and ligatures: "a" for "ä", "ae" for "æ".
 std::string withoutAccents(const std::string& text);
-
-/// Takes from each list of names those that are in another one, too: they do not tell which is
-/// meant. The first name of each stays.
-void dropAmbiguous(const std::vector<std::vector<std::string>*>& lists);
 
 }  // namespace sline::render

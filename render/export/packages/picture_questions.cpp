@@ -20,6 +20,7 @@
 #include "render/export/packages/package_options.h"
 #include "render/export/packages/package_words.h"
 #include "render/export/plate/figure_plate.h"
+#include "render/export/plate/shown_questions.h"
 #include "render/export/students/asked_things.h"
 #include "render/lettering/typesetting.h"
 #include "render/picture/headless/headless_picture.h"
@@ -107,14 +108,17 @@ class NameSource {
 class SheetMaker {
  public:
   SheetMaker(const ExportOrder& order, HeadlessPicture& painter, model::MeshTrees& trees)
-      : m_questions(questionsOf(order)),
-        m_order(forQuestions(order, m_questions)),
+      : m_asked(shownQuestions(order, trees)),
+        m_order(forQuestions(order, m_asked.questions)),
         m_painter(painter),
         m_trees(trees) {}
 
   /// Returns a sheet without things where nothing that can be asked for is in the picture.
   Result<QuestionSheet> make(const std::string& title, const ExportProgress& progress) {
     QuestionSheet sheet{.title = title};
+    progress.note(m_asked.notes);
+    if (m_asked.questions.empty())
+      return sheet;
     const FigurePlate plate = figurePlate(m_order, m_trees);
     for (ExportNote note : plate.notes) {
       if (note.kind == ExportNote::Kind::labelsWithoutRoom)
@@ -188,16 +192,12 @@ class SheetMaker {
   Status addThings(QuestionSheet& sheet, const FigurePlate& plate) {
     const NameSource names(m_order);
     const SeenMap seen(m_order.scene, Screen(m_order.camera, m_order.page.sizeMm), &m_trees);
-    for (const model::Question& question : m_questions) {
+    for (const model::Question& question : m_asked.questions) {
       SheetThing thing{.words = plainWords(question)};
       const model::AnnotationId* shown = nullptr;
-      bool hidden = false;
       for (const model::AnnotationId& id : question.labels) {
-        const PlacedLabel* placed = plate.labels->layout.find(id);
-        if (placed && (!shown || (hidden && !placed->hidden))) {
+        if (!shown && plate.labels->layout.find(id))
           shown = &id;
-          hidden = placed->hidden;
-        }
         if (const auto number = m_numbers.find(id); number != m_numbers.end())
           thing.numbers.push_back(number->second);
       }
@@ -207,8 +207,6 @@ class SheetMaker {
       thing.id = std::to_string(shown->value);
       names.fill(thing, *shown);
       thing.zone = zoneOf(seen.areaOf(question.structures), m_order.page.sizeMm);
-      if (hidden && thing.zone.outline.empty())
-        continue;  // nobody sees what it is
       Result<QuestionPicture> marked = markedPicture(plate, *shown, sheet.ground.size);
       if (!marked.ok())
         return marked.error();
@@ -216,10 +214,6 @@ class SheetMaker {
       m_places.push_back(placeOf(plate, *shown));
       sheet.things.push_back(std::move(thing));
     }
-    std::vector<std::vector<std::string>*> lists;
-    for (SheetThing& thing : sheet.things)
-      lists.push_back(&thing.accepted);
-    dropAmbiguous(lists);
     return Unit{};
   }
 
@@ -261,7 +255,7 @@ class SheetMaker {
     }
   }
 
-  std::vector<model::Question> m_questions;
+  ShownQuestions m_asked;
   ExportOrder m_order;
   HeadlessPicture& m_painter;
   model::MeshTrees& m_trees;
@@ -305,7 +299,7 @@ Result<QuestionBook> pictureQuestions(const ExportOrder& order, const ExportProg
   else
     for (const model::View& view : order.scene.views()) {
       ExportOrder one = orderOfView(order, view);
-      std::string title = titleOfView(view, book.language, model::hasSides(one.scene));
+      std::string title = titleOfView(view, book.language, model::knownSides(one.scene));
       views.emplace_back(std::move(title), std::move(one));
     }
   for (std::size_t i = 0; i < views.size(); ++i) {

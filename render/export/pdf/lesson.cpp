@@ -204,7 +204,7 @@ ExportOrder lessonSheet(const ExportOrder& order, const model::View& view) {
       one.legend = LegendList::none;
   }
   sheet.title =
-      titleOfView(view, model::firstLanguage(order.labels.language), model::hasSides(one.scene));
+      titleOfView(view, model::firstLanguage(order.labels.language), model::knownSides(one.scene));
   one.words.title = {};  // it is the sheet's
   one.marks.viewName = false;
   one.page.sizeMm = sheetFigureMm(one);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/anatomy/laterality_words.h"
+#include "model/scene/in_focus.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/plate/figure_plate.h"
@@ -23,8 +24,9 @@ constexpr std::size_t mostPatientLabels = 10;
 /// Describes a structure that has no label yet.
 struct Candidate {
   model::Annotation label;
-  float x = 0.0f;     ///< that of its place, from the picture's middle
-  float size = 0.0f;  ///< that of the structure
+  float x = 0.0f;      ///< that of its place, from the picture's middle
+  float size = 0.0f;   ///< that of the structure
+  bool focus = false;  ///< the structure is in focus: it is labelled before others
   model::Side side = model::Side::none;
   std::string otherwise;  ///< its name without the side
 };
@@ -45,6 +47,7 @@ std::vector<Candidate> candidates(const ExportOrder& order) {
     one.label.text = structureName(node.name, order.labels.language);
     one.x = place->place.x - 0.5f * order.page.sizeMm.x;
     one.size = glm::length(node.mesh->bounds().size());
+    one.focus = model::isInFocus(order.scene, node.id);
     for (const std::string& word : model::wordsOf(node.name)) {
       const model::Side side = model::sideOfWord(word);
       if (side == model::Side::none)
@@ -91,8 +94,9 @@ model::Scene labelled(const ExportOrder& order) {
     figure.labels.mode = LabelMode::numbers;
   std::vector<model::Annotation> labels;
   std::vector<Candidate> chosen = oneOfEachPair(candidates(order));
-  std::stable_sort(chosen.begin(), chosen.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.size > b.size; });
+  std::stable_sort(chosen.begin(), chosen.end(), [](const Candidate& a, const Candidate& b) {
+    return std::pair(a.focus, a.size) > std::pair(b.focus, b.size);
+  });
   const std::size_t most = patient ? mostPatientLabels : mostLabels;
   for (std::size_t i = 0; i < std::min(most, chosen.size()); ++i)
     labels.push_back(chosen[i].label);

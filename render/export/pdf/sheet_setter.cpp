@@ -10,6 +10,7 @@
 #include "render/export/pdf/sources_page.h"
 #include "render/export/pdf/style_samples.h"
 #include "render/export/plate/legend.h"
+#include "render/export/plate/shown_questions.h"
 #include "render/lettering/label_texts.h"
 
 namespace sline::render {
@@ -73,7 +74,7 @@ Status SheetSetter::prepare(const ExportProgress& progress) {
   noteOf(m_plate, progress);
   prepareNumbers(progress);
   if (m_order.of<SheetOptions>().kind == SheetKind::teaching)
-    prepareTest();
+    prepareTest(progress);
   return m_order.of<SheetOptions>().kind == SheetKind::patient ? Status(Unit{}) : prepareLegend();
 }
 
@@ -202,8 +203,11 @@ void SheetSetter::prepareNumbers(const ExportProgress& progress) {
 }
 
 /// Numbers what the test asks for.
-void SheetSetter::prepareTest() {
-  const std::vector<model::Question> questions = questionsOf(m_order);
+void SheetSetter::prepareTest(const ExportProgress& progress) {
+  const ShownQuestions shown = shownQuestions(m_order, m_trees);
+  const std::vector<model::Question>& questions = shown.questions;
+  if (hasLabels(m_given.scene))
+    progress.note(shown.notes);
   m_testPlate = numbered(askedAlone(m_order, questions));
   std::map<model::AnnotationId, const model::Question*> asked;
   for (const model::Question& question : questions)

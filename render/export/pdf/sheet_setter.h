@@ -74,7 +74,7 @@ class SheetSetter {
 
   Status prepare(const ExportProgress& progress);
   void prepareNumbers(const ExportProgress& progress);
-  void prepareTest();
+  void prepareTest(const ExportProgress& progress);
   Status prepareLegend();
   FigurePlate numbered(const ExportOrder& shown);
   QString nameOf(const model::Node& node) const;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstring>
 
@@ -127,9 +126,23 @@ class RowPacker {
   bool m_pureInk;
 };
 
+/// Tells whether the piece is whole squares of that side, and these have their places in the rows.
+bool fits(const PicturePiece& piece, int side, int top, const PixelRows& rows) {
+  const auto whole = [side](int pixels) { return pixels >= 0 && pixels % side == 0; };
+  const std::size_t values = std::size_t(4) * std::size_t(std::max(piece.width, 0)) *
+                             std::size_t(std::max(piece.height, 0));
+  return rows.whole() && whole(piece.width) && whole(piece.height) && whole(piece.left) &&
+         whole(piece.top) && piece.rgba.size() == values &&
+         (piece.left + piece.width) / side <= rows.width && piece.top / side >= top &&
+         (piece.top + piece.height) / side - top <= rows.height;
+}
+
 }  // namespace
 
 PixelRows rowsOf(const Image& image, int top, int count) {
+  if (image.rgba.size() != std::size_t(4) * image.width * image.height || top < 0 || count < 0 ||
+      count > image.height - top)
+    return {};
   PixelRows rows{.width = image.width, .height = count, .rgba = {}};
   const std::size_t values = std::size_t(image.width) * std::size_t(count) * 4;
   const std::uint8_t* from = image.rgba.data() + std::size_t(top) * std::size_t(image.width) * 4;
@@ -144,8 +157,8 @@ PixelRows rowsOf(const Image& image, int top, int count) {
 }
 
 void putAverages(const PicturePiece& piece, int side, int top, PixelRows& rows) {
-  assert(piece.width % side == 0 && piece.height % side == 0 && piece.left % side == 0 &&
-         piece.top % side == 0);
+  if (side < 1 || !fits(piece, side, top, rows))
+    return;
   const std::size_t step = std::size_t(piece.width) * 4;
   const auto count = std::uint32_t(side * side);
   parallelFor(std::size_t(piece.height / side), 16, [&](std::size_t y) {
@@ -166,7 +179,8 @@ void putAverages(const PicturePiece& piece, int side, int top, PixelRows& rows) 
 }
 
 std::vector<std::byte> packed(const PixelRows& rows, const PixelLayout& layout, bool pureInk) {
-  assert(rows.width == layout.width && (layout.bits > 1 || layout.channels == 1));
+  if (!rows.whole() || rows.width != layout.width || (layout.bits == 1 && layout.channels != 1))
+    return {};
   std::vector<std::byte> bytes(layout.rowBytes() * std::size_t(rows.height));
   const RowPacker packer(layout, pureInk);
   parallelFor(std::size_t(rows.height), 16, [&](std::size_t y) {

@@ -7,6 +7,7 @@
 
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
+#include "render/labels/seen_map.h"
 
 namespace sline::render {
 
@@ -55,10 +56,22 @@ void addUntranslated(ExportNotes& notes, const ExportOrder& order, const LabelPl
     addNote(notes, std::move(note));
 }
 
+/// Returns the marks, which keep off what the picture shows.
+Marks marksBeside(const ExportOrder& order, model::MeshTrees& trees) {
+  Marks usual = marksOf(order);
+  if (usual.lettering.items.empty())
+    return usual;
+  const SeenMap map(order.scene, Screen(order.camera, order.page.sizeMm), &trees);
+  const SeenArea drawn = map.drawnArea();
+  const bool clear = std::none_of(usual.boxes.begin(), usual.boxes.end(),
+                                  [&](const LabelBox& box) { return drawn.anyIn(box); });
+  return clear ? usual : marksOf(order, &drawn);
+}
+
 }  // namespace
 
 FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const LabelTurn& turn) {
-  FigurePlate plate{.labels = {}, .marks = marksOf(order), .notes = {}};
+  FigurePlate plate{.labels = {}, .marks = marksBeside(order, trees), .notes = {}};
   plate.notes = plate.marks.notes;
   if (order.labels.mode == LabelMode::off)
     return plate;

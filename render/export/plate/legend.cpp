@@ -4,19 +4,13 @@
 #include <algorithm>
 
 #include "model/anatomy/anatomical_names.h"
+#include "model/scene/in_focus.h"
 #include "model/scene/label_words.h"
 #include "model/scene/visible_structures.h"
 
 namespace sline::render {
 
 namespace {
-
-bool inFocus(const model::Scene& scene, const model::Node& node) {
-  const auto& targets = scene.focus().targets;
-  return std::any_of(targets.begin(), targets.end(), [&](model::NodeId target) {
-    return target == node.id || scene.isBelow(node.id, target);
-  });
-}
 
 std::string nameInOne(const std::string& name, const std::string& language) {
   static const model::AnatomicalNames names;
@@ -32,7 +26,7 @@ std::vector<const model::Node*> legendStructures(const model::Scene& scene, Lege
   for (const model::VisibleStructure& structure : model::visibleStructures(scene))
     if (list == LegendList::all ||
         (list == LegendList::labelled && labelled.contains(structure.node->id.value)) ||
-        (list == LegendList::focus && inFocus(scene, *structure.node)))
+        (list == LegendList::focus && model::isInFocus(scene, structure.node->id)))
       listed.push_back(structure.node);
   return listed;
 }

@@ -3,10 +3,13 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <span>
 
 #include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
+#include "render/export/plate/free_places.h"
 #include "render/export/plate/gamma_key.h"
 #include "render/export/plate/legend.h"
 #include "render/export/plate/legend_row.h"
@@ -36,32 +39,30 @@ constexpr float smallSize = legendShare;
 
 constexpr std::size_t mostSectionLines = 3;
 
-bool visibleIn(const model::Scene& scene, const model::Node& node) {
-  return !node.isGroup() && scene.resolve(node.id).visible;
-}
-
-bool takesAway(const model::Plane& plane, const model::Box& box) {
-  const auto corners = box.corners();
-  return std::any_of(corners.begin(), corners.end(),
-                     [&](const glm::vec3& corner) { return !plane.keeps(corner); });
-}
+// Ways that marks may be moved where anatomy lies in their place.
+constexpr std::array<glm::vec2, 1> upAndDown{glm::vec2{0.0f, 1.0f}};
+constexpr std::array<glm::vec2, 1> sideways{glm::vec2{1.0f, 0.0f}};
+constexpr std::array<glm::vec2, 2> sidewaysElseUp{glm::vec2{1.0f, 0.0f}, glm::vec2{0.0f, 1.0f}};
+using Ways = std::span<const glm::vec2>;
 
 class MarkLayout {
  public:
-  explicit MarkLayout(const ExportOrder& order)
+  MarkLayout(const ExportOrder& order, const SeenArea* drawn)
       : m_order(order),
+        m_drawn(drawn),
         m_size(order.page.sizeMm),
         m_colours(letteringColours(order.environment.background == Background::dark)),
-        m_words(order.labels.language),
+        m_sides(knownSides(order.scene)),
+        m_words(order.labels.language, m_sides),
         m_unit(drawnUnit(order.scene)),
-        m_boxes(order.labels.reserved) {
+        m_places(m_size, order.labels.reserved, drawn) {
     m_marks.lettering.ground = m_colours.ground;
   }
 
   Marks make() {
     if (m_order.sourcesInPicture())
       addSources();
-    if (m_order.marks.sides && hasSides(m_order.scene))
+    if (m_order.marks.sides && m_sides.any)
       addSides();
     else if (m_order.marks.sides && m_unit != model::DrawnUnit::angstrom)
       addNote(m_marks.notes, {.kind = ExportNote::Kind::sidesUnknown, .names = {}, .detail = {}});
@@ -91,22 +92,26 @@ class MarkLayout {
     return {{left, text.at.y - capHeightMm(text.points)}, {left + width, text.at.y + 0.22f * em}};
   }
 
-  /// Adds the item; returns false and adds nothing where the page or another mark leaves no room.
-  bool add(LetteringItem item, const LabelBox& box) {
-    const bool within = box.low.x >= 0.5f * margin && box.low.y >= 0.5f * margin &&
-                        box.high.x <= m_size.x - 0.5f * margin &&
-                        box.high.y <= m_size.y - 0.5f * margin;
-    if (!within || std::any_of(m_boxes.begin(), m_boxes.end(),
-                               [&](const LabelBox& other) { return overlap(box, other); })) {
+  /// Keeps the box for what was put there.
+  void take(const LabelBox& box) {
+    m_places.take(box);
+    m_marks.boxes.push_back(box.grown(gap));
+  }
+
+  /// Adds the item, moved as far as anatomy makes it move; returns its box, or adds nothing where
+  /// there is no room for it.
+  std::optional<LabelBox> add(LetteringItem item, const LabelBox& box, Ways ways) {
+    const std::optional<glm::vec2> by = m_places.shift(box, ways);
+    if (!by) {
       addNote(m_marks.notes, {.kind = ExportNote::Kind::marksWithoutRoom,
                               .names = {std::move(item.name)},
                               .detail = {}});
-      return false;
+      return std::nullopt;
     }
-    m_boxes.push_back(box);
-    m_marks.boxes.push_back(box.grown(gap));
-    m_marks.lettering.items.push_back(std::move(item));
-    return true;
+    const LabelBox there{box.low + *by, box.high + *by};
+    take(there);
+    m_marks.lettering.items.push_back(movedBy(std::move(item), *by));
+    return there;
   }
 
   LetteringText text(const QString& line, const glm::vec2& at, float size,
@@ -119,19 +124,18 @@ class MarkLayout {
             .ink = m_colours.ink};
   }
 
+  /// Adds the letter of an edge, at whose middle it stands unless anatomy reaches there.
   std::optional<LabelBox> addLetter(const std::string& letters, const glm::vec2& at,
                                     TextAnchor anchor) {
     if (letters.empty())
       return std::nullopt;
     const LetteringText line = text(QString::fromStdString(letters), at, letterSize, anchor);
-    const LabelBox box = boxOf(line);
-    if (!add({.name = "side " + letters, .shapes = {}, .text = line}, box))
-      return std::nullopt;
-    return box;
+    return add({.name = "side " + letters, .shapes = {}, .text = line}, boxOf(line),
+               anchor == TextAnchor::middle ? Ways(sideways) : Ways(upAndDown));
   }
 
   void addSides() {
-    const EdgeLetters letters = edgeLetters(m_order.camera);
+    const EdgeLetters letters = edgeLetters(m_order.camera, m_sides);
     const float middle = 0.5f * (m_size.y + letterCap());
     EdgeRoom& edges = m_marks.edges;
     if (const auto box = addLetter(letters.left, {margin, middle}, TextAnchor::start))
@@ -197,7 +201,7 @@ class MarkLayout {
             m_marks.notes,
             {.kind = ExportNote::Kind::textShortened, .names = {line.toStdString()}, .detail = {}});
       const LetteringText one = text(fitted, {left, baseline}, size, TextAnchor::start);
-      if (add({.name = name, .shapes = {}, .text = one}, boxOf(one))) {
+      if (add({.name = name, .shapes = {}, .text = one}, boxOf(one), sideways)) {
         above = baseline;
         m_marks.edges.top = std::max(m_marks.edges.top, baseline + gap);
       }
@@ -225,8 +229,7 @@ class MarkLayout {
     if (ownTitle().empty()) {
       const bool side =
           model::anatomicalViewNamed(model::normalisedName(m_order.viewName)).has_value();
-      return side && !hasSides(m_order.scene) ? QString()
-                                              : m_words.view(m_order.viewName, m_order.camera);
+      return side && !m_sides.any ? QString() : m_words.view(m_order.viewName, m_order.camera);
     }
     return m_order.marks.words ? QString() : QString::fromStdString(ownTitle()).simplified();
   }
@@ -239,22 +242,22 @@ class MarkLayout {
                  : line;
   }
 
-  /// Adds the scale bar for the depth of the middle of what is visible; elsewhere a perspective
-  /// picture has another scale.
-  void addScaleBar() {
-    const model::Box bounds = m_order.scene.visibleBounds();
-    if (bounds.empty())
-      return;
-    const auto length = scaleLength(m_order.camera, bounds.centre(), double(m_size.y),
-                                    double(std::min(widestBar, 0.22f * m_size.x)));
+  /// A scale bar in its usual place, the lower left corner.
+  struct ScaleBar {
+    LetteringItem item;
+    LabelBox box;
+    float baseline = 0.0f;
+  };
+  /// Returns the bar no longer than that, true at the place; nothing where there is no scale.
+  std::optional<ScaleBar> scaleBarWithin(float most, const glm::vec3& place) const {
+    const auto length = scaleLength(m_order.camera, place, double(m_size.y), double(most));
     if (!length)
-      return;
+      return std::nullopt;
     const QString plain = lengthText(length->millimetres, m_words.locale(), m_unit);
     const QString line = m_order.camera.projection == model::Projection::perspective
                              ? m_words.atMidDepth(plain)
                              : plain;
     const float bar = float(length->drawn);
-    const float cap = capHeightMm(points(smallSize));
     float baseline = m_size.y - margin;
     const float end = margin + bar + gap + textWidthMm(line, points(smallSize));
     if (m_bottom && end > m_bottom->low.x - 3.0f * gap)
@@ -273,22 +276,48 @@ class MarkLayout {
                            .halo = barHalo});
     LabelBox box = boxOf(words);
     box.low.x = margin - 0.5f * barWidth;
-    if (add(std::move(item), box))
-      m_marks.edges.bottom = std::max(m_marks.edges.bottom, m_size.y - baseline + cap + gap);
+    return ScaleBar{std::move(item), box, baseline};
+  }
+
+  /// Adds the scale bar for the depth of the middle of what is visible; elsewhere a perspective
+  /// picture has another scale. Where anatomy leaves too little room in the usual place a shorter
+  /// one stands there; where that has none either, the bar goes elsewhere.
+  void addScaleBar() {
+    const std::optional<glm::vec3> place = scalePlace(m_order.scene);
+    if (!place)
+      return;
+    std::optional<ScaleBar> chosen;
+    for (const float share : {1.0f, 0.6f, 0.35f}) {
+      std::optional<ScaleBar> bar =
+          scaleBarWithin(share * std::min(widestBar, 0.22f * m_size.x), *place);
+      const bool free = bar && m_places.free(bar->box);
+      if (!chosen || free)
+        chosen = std::move(bar);
+      if (!chosen || free)
+        break;
+    }
+    if (!chosen)
+      return;
+    const float high = m_size.y - chosen->baseline + capHeightMm(points(smallSize)) + gap;
+    if (add(std::move(chosen->item), chosen->box, sidewaysElseUp))
+      m_marks.edges.bottom = std::max(m_marks.edges.bottom, high);
   }
 
   void addSources();
   void addGammaKeys();
   void addCaption();
   void addLegend();
+  std::optional<glm::vec2> cornerFor(const glm::vec2& size) const;
 
   const ExportOrder& m_order;
+  const SeenArea* m_drawn;
   glm::vec2 m_size;
   LetteringColours m_colours;
+  model::KnownSides m_sides;
   MarkWords m_words;
   model::DrawnUnit m_unit;
   Marks m_marks;
-  std::vector<LabelBox> m_boxes;
+  FreePlaces m_places;
   std::optional<LabelBox> m_top;
   std::optional<LabelBox> m_bottom;
 };
@@ -318,10 +347,12 @@ void MarkLayout::addSources() {
   for (const TextLine& line : one.lines)
     box.high.x = std::max(box.high.x, margin + textWidthMm(line, one.points));
   box.high.y += below;
-  if (!add({.name = "sources", .shapes = {}, .text = one}, box))
-    return;
+  // Whose work it is stands at the foot whatever lies there: a licence asks for it.
+  m_marks.lettering.items.push_back({.name = "sources", .shapes = {}, .text = one});
+  take(box);
   m_marks.foot = capHeightMm(points(sourcesSize)) + below + gap;
   m_size.y -= m_marks.foot;
+  m_places.setPage(m_size);
 }
 
 /// Adds keys in the upper right corner, one below the other.
@@ -333,13 +364,31 @@ void MarkLayout::addGammaKeys() {
   for (GammaKey key : gammaKeys(m_order, m_words)) {
     key.title = elided(key.title, smallSize, 1.5f * widest * m_size.x);
     const glm::vec2 size = gammaKeySize(key, style);
-    const glm::vec2 corner{m_size.x - margin - size.x, top};
+    glm::vec2 corner{m_size.x - margin - size.x, top};
+    const std::optional<glm::vec2> by = m_places.shift(
+        {corner, corner + size}, std::array{glm::vec2{0.0f, 1.0f}, glm::vec2{1.0f, 0.0f}});
+    if (by)
+      corner += *by;
     std::vector<LetteringItem> items = drawnGammaKey(key, corner, style, m_words);
-    if (!add(std::move(items.front()), {corner, corner + size}))
+    if (!add(std::move(items.front()), {corner, corner + size}, {}))
       return;
     std::move(items.begin() + 1, items.end(), std::back_inserter(m_marks.lettering.items));
     top += size.y + gap;
   }
+}
+
+/// Returns the upper left corner of a legend of that size: in the picture's lower right corner,
+/// else in one of the others, else nothing.
+std::optional<glm::vec2> MarkLayout::cornerFor(const glm::vec2& size) const {
+  const glm::vec2 far = m_size - margin - size;
+  const std::array<glm::vec2, 4> corners{far, glm::vec2{margin, far.y}, glm::vec2{far.x, margin},
+                                         glm::vec2{margin, margin}};
+  if (!m_drawn)
+    return far;
+  for (const glm::vec2& corner : corners)
+    if (const auto by = m_places.shift({corner, corner + size}, upAndDown))
+      return corner + *by;
+  return std::nullopt;
 }
 
 /// Adds swatches and names in the lower right corner, in columns no higher than to the letter at
@@ -375,20 +424,24 @@ void MarkLayout::addLegend() {
   const std::size_t down = (shown + across - 1) / across;
   const glm::vec2 size{float(across) * (width + measure.between) - measure.between,
                        float(down) * measure.row};
-  const glm::vec2 corner = m_size - margin - size;
+  const std::optional<glm::vec2> corner = cornerFor(size);
+  if (!corner) {
+    addNote(m_marks.notes,
+            {.kind = ExportNote::Kind::marksWithoutRoom, .names = {"legend"}, .detail = {}});
+    return;
+  }
   for (std::size_t i = 0; i < shown; ++i) {
     const std::size_t column = i / down;
     m_marks.lettering.items.push_back(legendRow(
         {.name = structures[i]->name,
          .text = names[i],
          .colour = m_order.scene.resolve(structures[i]->id).colour},
-        corner +
+        *corner +
             glm::vec2(float(column) * (width + measure.between), float(i % down + 1) * measure.row),
         points(smallSize), m_colours));
   }
-  m_boxes.push_back({corner, corner + size});
-  m_marks.legend = m_boxes.back().grown(gap);
-  m_marks.boxes.push_back(*m_marks.legend);
+  take({*corner, *corner + size});
+  m_marks.legend = m_marks.boxes.back();
 }
 
 /// Adds what the view says, in the middle above the marks at the foot, left of the legend.
@@ -413,36 +466,19 @@ void MarkLayout::addCaption() {
     addNote(m_marks.notes, {.kind = ExportNote::Kind::textShortened,
                             .names = {plainText(caption->item.text->lines.front()).toStdString()},
                             .detail = {}});
-  if (!add(caption->item, caption->box))
-    return;
-  m_marks.caption = m_boxes.back().grown(gap);
-  m_marks.edges.bottom = std::max(m_marks.edges.bottom, m_size.y - caption->box.low.y + gap);
+  // What the view says is never lost: where anatomy leaves it no room it stands at its usual place.
+  const glm::vec2 by = m_places.shift(caption->box, upAndDown).value_or(glm::vec2(0.0f));
+  take({caption->box.low + by, caption->box.high + by});
+  m_marks.lettering.items.push_back(movedBy(caption->item, by));
+  m_marks.caption = m_marks.boxes.back();
+  if (by == glm::vec2(0.0f))
+    m_marks.edges.bottom = std::max(m_marks.edges.bottom, m_size.y - caption->box.low.y + gap);
 }
 
 }  // namespace
 
-bool hasLabels(const model::Scene& scene) {
-  const auto& annotations = scene.annotations();
-  return std::any_of(annotations.begin(), annotations.end(),
-                     [](const model::Annotation& annotation) { return annotation.visible; });
-}
-
-std::vector<const model::Section*> sectionsSeen(const model::Scene& scene) {
-  std::vector<const model::Section*> seen;
-  for (const model::Section& section : scene.sections()) {
-    const auto cuts = [&](const model::Node& node) {
-      return visibleIn(scene, node) && !node.mesh->bounds().empty() &&
-             (section.scope == model::rootId || scene.isBelow(node.id, section.scope)) &&
-             takesAway(section.plane, node.mesh->bounds());
-    };
-    if (section.enabled && std::any_of(scene.nodes().begin(), scene.nodes().end(), cuts))
-      seen.push_back(&section);
-  }
-  return seen;
-}
-
-Marks marksOf(const ExportOrder& order) {
-  return MarkLayout(order).make();
+Marks marksOf(const ExportOrder& order, const SeenArea* drawn) {
+  return MarkLayout(order, drawn).make();
 }
 
 void paintMarks(QPainter& painter, const Marks& marks) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "render/export/order/export_order.h"
+#include "render/labels/seen_map.h"
 #include "render/lettering/lettering.h"
 
 namespace sline::render {
@@ -32,7 +33,13 @@ struct Marks {
 /// window; there are none where everything visible comes from files of unknown directions. A mark
 /// that has no room on the page, beside what the labels' style reserves, is left out. The camera
 /// must be valid.
-Marks marksOf(const ExportOrder& order);
+///
+/// Marks keep off what the picture shows, where that is given: a letter moves along its edge, other
+/// marks along theirs or to another corner, and what would touch anatomy wherever it stood is left
+/// out and told; what the view says and whose work it is then stand where they always do. Without
+/// it each mark is in its usual place: for a camera that is yet to be fitted, and in films, where
+/// marks must not jump.
+Marks marksOf(const ExportOrder& order, const SeenArea* drawn = nullptr);
 
 /// Tells whether the scene has a visible annotation. If it has none, sheets label structures by
 /// themselves (`sheetFigure`).

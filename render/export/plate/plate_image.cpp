@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <glm/common.hpp>
+#include <new>
 
 #include "render/export/plate/figure_plate.h"
 #include "render/lettering/column_widths.h"
@@ -58,6 +59,8 @@ LabelReport drawPlate(Image& image, const ExportOrder& given, const Typesetting&
     paintPlate(painter, plate);
   }
   const QImage drawn = canvas.convertToFormat(QImage::Format_RGBA8888);
+  if (drawn.height() != image.height)  // as where memory did not suffice
+    throw std::bad_alloc();
   for (int y = 0; y < image.height; ++y)
     std::memcpy(&image.rgba[std::size_t(4) * std::size_t(y) * std::size_t(image.width)],
                 drawn.constScanLine(y), std::size_t(4) * std::size_t(image.width));

@@ -12,6 +12,7 @@
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/figure_plate.h"
+#include "render/export/plate/shown_questions.h"
 #include "render/export/plate/source_credits.h"
 #include "render/export/svg/svg_file.h"
 #include "render/lettering/mark_words.h"
@@ -106,9 +107,10 @@ class Making {
   SlideWords titleOf(const ExportOrder& order, const model::View* view) const {
     if (view && !view->words.title.in(m_language).empty())
       return wordsIn(view->words.title, m_language);
-    if (!hasSides(order.scene))
-      return {view ? titleOfView(*view, m_language, false) : std::string(), {}};
-    return {MarkWords(m_language).view(order.viewName, order.camera).toStdString(), {}};
+    const model::KnownSides sides = knownSides(order.scene);
+    if (!sides.any)
+      return {view ? titleOfView(*view, m_language, sides) : std::string(), {}};
+    return {MarkWords(m_language, sides).view(order.viewName, order.camera).toStdString(), {}};
   }
 
   Result<std::size_t> addPicture(const ExportOrder& order, const Span& span) {
@@ -186,12 +188,15 @@ class Making {
 
   /// Adds the slide with numbers in place of labels, and its key, where there is something to ask.
   void addTest(const ExportOrder& shown, Slide slide) {
-    const std::vector<model::Question> questions = questionsOf(shown);
-    if (questions.empty())
+    const ShownQuestions asked = shownQuestions(shown, m_trees);
+    m_progress.note(asked.notes);
+    if (asked.questions.empty())
       return;
-    ExportOrder order = askedAlone(shown, questions);
+    ExportOrder order = askedAlone(shown, asked.questions);
     order.labels.mode = LabelMode::numbers;
     const FigurePlate plate = figurePlate(order, m_trees);
+    if (plate.labels->layout.labels.empty())
+      return;
     const SheetWords& words = sheetWords(m_language);
     const SlideWords title = slide.title;
     const auto headed = [&title](const char* what) {

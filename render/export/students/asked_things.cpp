@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
-#include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/body_systems.h"
 #include "model/anatomy/kin_names.h"
 #include "model/scene/markup.h"
@@ -13,42 +13,36 @@
 #include "model/scene/visible_structures.h"
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
+#include "render/export/plate/shown_questions.h"
+#include "render/export/students/accepted_answers.h"
 #include "render/export/students/answer_hash.h"
+#include "render/labels/seen_map.h"
 
 namespace sline::render {
 
 namespace {
-
-/// Returns the name, and everything that what it names is called in any language.
-std::vector<std::string> acceptedNames(const WordsByLanguage& words) {
-  static const model::AnatomicalNames names;
-  std::vector<std::string> accepted;
-  for (const auto& [tag, text] : words) {
-    accepted.push_back(text);
-    if (names.knows(text))
-      for (std::string& other : names.searchWords(text))
-        accepted.push_back(std::move(other));
-  }
-  std::sort(accepted.begin(), accepted.end());
-  accepted.erase(std::unique(accepted.begin(), accepted.end()), accepted.end());
-  return accepted;
-}
 
 const model::Annotation& annotationOf(const model::Scene& scene, model::AnnotationId id) {
   return *std::find_if(scene.annotations().begin(), scene.annotations().end(),
                        [id](const model::Annotation& each) { return each.id == id; });
 }
 
-void addLabelled(std::vector<AskedThing>& things, const ExportOrder& order, const PageWords& words,
-                 std::optional<int> view) {
-  ExportOrder one = order;
-  one.labels.language = words.language();
-  for (const model::Question& question : questionsOf(one)) {
-    const WordsByLanguage said = words.ofLabel(annotationOf(one.scene, question.labels.front()));
+/// A picture that is asked about, and what is known of its meshes.
+struct AskedPicture {
+  ExportOrder order;
+  std::optional<int> view;  ///< from 1
+  model::MeshTrees& trees;
+};
+
+void addLabelled(std::vector<AskedThing>& things, AskedPicture picture, const PageWords& words) {
+  picture.order.labels.language = words.language();
+  for (const model::Question& question : shownQuestions(picture.order, picture.trees).questions) {
+    const WordsByLanguage said =
+        words.ofLabel(annotationOf(picture.order.scene, question.labels.front()));
     const bool known = std::any_of(things.begin(), things.end(),
                                    [&said](const AskedThing& each) { return each.words == said; });
     if (!known && !normalisedAnswer(said.at(words.language())).empty())
-      things.push_back({said, question.structures, question.labels, acceptedNames(said), view});
+      things.push_back({said, question.structures, question.labels, {}, picture.view});
   }
 }
 
@@ -65,17 +59,23 @@ WordsByLanguage spokenName(const std::string& name, const PageWords& words) {
   return words.ofLabel(label);
 }
 
-void addVisible(std::vector<AskedThing>& things, const ExportOrder& order, const PageWords& words) {
+/// Adds what one sees well where nothing has a label.
+void addSeen(std::vector<AskedThing>& things, const AskedPicture& picture, const PageWords& words) {
+  const ExportOrder& order = picture.order;
   const model::Scene& scene = order.scene;
   std::vector<model::NodeId> wanted;
   for (const std::string& name : askedNames(order))
     for (const model::NodeId id : scene.named(name))
       wanted.push_back(id);
   const bool focus = order.of<TestOptions>().of == AskedOf::focus;
+  const SeenMap map(scene, Screen(order.camera, order.page.sizeMm), &picture.trees);
   for (const model::VisibleStructure& structure : model::visibleStructures(scene)) {
     const model::NodeId id = structure.node->id;
     if ((focus && !isAmong(scene, id, scene.focus().targets)) ||
         (!askedNames(order).empty() && !isAmong(scene, id, wanted)))
+      continue;
+    const std::optional<SeenPlace> place = map.find(id);
+    if (!place || place->hidden || !place->sure)
       continue;
     const WordsByLanguage said = spokenName(structure.node->name, words);
     if (normalisedAnswer(said.at(words.language())).empty())
@@ -83,15 +83,45 @@ void addVisible(std::vector<AskedThing>& things, const ExportOrder& order, const
     auto same = std::find_if(things.begin(), things.end(),
                              [&said](const AskedThing& each) { return each.words == said; });
     if (same == things.end())
-      same = things.insert(things.end(), {said, {}, {}, acceptedNames(said), {}});
-    same->structures.push_back(id);
+      same = things.insert(things.end(), {said, {}, {}, {}, picture.view});
+    if (same->view == picture.view)
+      same->structures.push_back(id);
   }
+}
+
+/// Says which names are right, beside all that has a name in the scene.
+void acceptNames(std::vector<AskedThing>& things, const model::Scene& scene,
+                 const PageWords& words) {
+  std::set<WordsByLanguage> all;
+  for (const model::NodeId id : scene.structuresBelow(model::rootId))
+    all.insert(spokenName(scene.find(id)->name, words));
+  for (const AskedThing& thing : things)
+    all.insert(thing.words);
+  std::vector<AcceptedAnswers> known;
+  known.reserve(all.size());
+  for (const WordsByLanguage& each : all)
+    known.push_back(acceptedAnswers(each));
+  for (AskedThing& thing : things)
+    thing.accepted = ownAnswers(thing.words, known);
+}
+
+void addShown(std::vector<AskedThing>& things, AskedPicture picture, const PageWords& words) {
+  if (picture.order.scene.annotations().empty())
+    addSeen(things, picture, words);
+  else
+    addLabelled(things, std::move(picture), words);
 }
 
 std::set<std::string> normalisedOf(const std::vector<std::string>& names) {
   std::set<std::string> all;
   for (const std::string& name : names)
     all.insert(normalisedAnswer(name));
+  return all;
+}
+
+std::set<std::string> normalisedOf(const AcceptedAnswers& answers) {
+  std::set<std::string> all = normalisedOf(answers.names);
+  all.merge(normalisedOf(answers.brief));
   return all;
 }
 
@@ -112,12 +142,13 @@ float gapBetween(const model::Box& a, const model::Box& b) {
 
 std::vector<AskedThing> askedThings(const ExportOrder& order, const PageWords& words) {
   std::vector<AskedThing> things;
-  addLabelled(things, order, words, {});
+  model::MeshTrees trees;
   const std::vector<model::View>& views = order.scene.views();
+  if (views.empty())
+    addShown(things, {order, {}, trees}, words);
   for (std::size_t i = 0; i < views.size(); ++i)
-    addLabelled(things, orderOfView(order, views[i]), words, int(i) + 1);
-  if (order.scene.annotations().empty())
-    addVisible(things, order, words);
+    addShown(things, {orderOfView(order, views[i]), int(i) + 1, trees}, words);
+  acceptNames(things, order.scene, words);
   return things;
 }
 
@@ -132,7 +163,7 @@ Distractors::Distractors(const ExportOrder& order, const PageWords& words,
 
 void Distractors::add(const WordsByLanguage& words, const std::vector<model::NodeId>& structures) {
   if (!structures.empty())
-    m_candidates.push_back({words, structures, normalisedOf(acceptedNames(words))});
+    m_candidates.push_back({words, structures, normalisedOf(acceptedAnswers(words))});
 }
 
 std::optional<std::size_t> Distractors::systemOf(model::NodeId id) const {

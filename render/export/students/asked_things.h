@@ -17,11 +17,12 @@ struct AskedThing {
   std::vector<model::NodeId> structures;
   std::vector<model::AnnotationId> labels;
   std::vector<std::string> accepted;
-  std::optional<int> view;  ///< the first in which its label is shown, from 1; absent: as it opens
+  std::optional<int> view;  ///< the first in which one sees it, from 1; absent: there are no views
 };
 
-/// Returns what labels name, in the order's scene and in its views; where the scene has no labels,
-/// what is visible.
+/// Returns what the order's views show of what labels name (shown_questions.h) or, where the scene
+/// has no labels, of all that has a name; without views what its picture shows. Pages open on their
+/// first view and know no other pictures.
 std::vector<AskedThing> askedThings(const ExportOrder& order, const PageWords& words);
 
 /// Offers names that are wrong answers.

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "model/anatomy/laterality_words.h"
+#include "model/scene/in_focus.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/legend.h"
+#include "render/export/students/page_order.h"
 #include "render/labels/seen_map.h"
 
 namespace sline::render {
@@ -19,7 +21,6 @@ namespace {
 
 /// As many as have room beside a still picture; the quiz asks for as many of each view.
 constexpr std::size_t mostSeen = 30;
-constexpr glm::vec2 usualPageMm{160.0f, 90.0f};
 
 model::Annotation labelFor(const model::Node& node, const std::optional<SeenPlace>& place) {
   model::Annotation label;
@@ -33,15 +34,17 @@ model::Annotation labelFor(const model::Node& node, const std::optional<SeenPlac
   return label;
 }
 
-/// The structures of a scene, the largest first.
+/// The structures of a scene: those in focus before others, the largest first.
 std::vector<const model::Node*> structuresBySize(const model::Scene& scene) {
   std::vector<const model::Node*> all;
   for (const model::Node& node : scene.nodes())
     if (!node.isGroup() && node.mesh->triangleCount() > 0)
       all.push_back(&node);
-  std::stable_sort(all.begin(), all.end(), [](const model::Node* a, const model::Node* b) {
-    return glm::length(a->mesh->bounds().size()) > glm::length(b->mesh->bounds().size());
-  });
+  const auto rank = [&scene](const model::Node* node) {
+    return std::pair(model::isInFocus(scene, node->id), glm::length(node->mesh->bounds().size()));
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const model::Node* a, const model::Node* b) { return rank(a) > rank(b); });
   return all;
 }
 
@@ -52,7 +55,7 @@ class LabelFinder {
 
   /// Returns the largest structures that one sees in the order's picture, and finds their places.
   std::set<model::NodeId> look(const ExportOrder& order) {
-    const SeenMap map(order.scene, Screen(order.camera, usualPageMm));
+    const SeenMap map(order.scene, Screen(order.camera, pagePictureMm));
     std::set<model::NodeId> seen;
     for (const model::Node* node : m_structures) {
       const std::optional<SeenPlace> place = map.find(node->id);

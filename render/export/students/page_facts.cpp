@@ -6,12 +6,12 @@
 #include <cmath>
 #include <set>
 
+#include "model/scene/in_focus.h"
 #include "model/scene/known_frame.h"
 #include "render/export/description/alt_text.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/plate/source_credits.h"
 #include "render/export/students/answer_hash.h"
-#include "render/export/students/page_questions.h"
 
 namespace sline::render {
 
@@ -57,7 +57,7 @@ class FactsMaker {
   FactsMaker(const ExportOrder& order, const StudentsOptions& own)
       : m_order(order), m_scene(order.scene), m_own(own), m_words(order, own) {}
 
-  Json make(const std::vector<WordsByLanguage>& seen) {
+  Json make(const FactsExtras& extras) {
     Json facts{{"schema", 1},
                {"title", m_words.title()},
                {"language", m_words.language()},
@@ -70,7 +70,7 @@ class FactsMaker {
     for (const model::Node& node : m_scene.nodes())
       facts["nodes"].push_back(nodeFacts(node));
     for (std::size_t i = 0; i < m_scene.views().size(); ++i)
-      facts["views"].push_back(viewFacts(m_scene.views()[i], seen[i]));
+      facts["views"].push_back(viewFacts(m_scene.views()[i], extras.views[i]));
     for (const model::Annotation& annotation : m_scene.annotations())
       facts["labels"].push_back({{"id", annotation.id.value},
                                  {"structures", structuresOf(annotation)},
@@ -80,20 +80,13 @@ class FactsMaker {
       facts["labelsFound"] = true;
     if (!hasSides(m_scene))
       facts["sideless"] = true;
-    facts["quiz"] = quizFacts();
+    facts["quiz"] = quizFacts(extras.questions);
     if (!m_own.report.empty())
       facts["report"] = m_own.report;
     return facts;
   }
 
  private:
-  bool isInFocus(model::NodeId id) const {
-    const auto& targets = m_scene.focus().targets;
-    return std::any_of(targets.begin(), targets.end(), [&](model::NodeId target) {
-      return target == id || m_scene.isBelow(id, target);
-    });
-  }
-
   Json nodeFacts(const model::Node& node) const {
     const model::ResolvedStyle style = m_scene.resolve(node.id);
     Json facts{{"id", node.id.value},
@@ -103,7 +96,7 @@ class FactsMaker {
                {"colour", hexColour(style.colour)},
                {"gamma", rounded(style.gamma.value())},
                {"visible", style.visible},
-               {"focus", isInFocus(node.id)}};
+               {"focus", model::isInFocus(m_scene, node.id)}};
     if (Json note = noteOf(node.id); !note.empty())
       facts["note"] = std::move(note);
     return facts;
@@ -133,8 +126,7 @@ class FactsMaker {
             {"seconds", flightSeconds}};
   }
 
-  Json quizFacts() const {
-    const std::vector<PageQuestion> questions = pageQuestions(m_order, m_own, m_words);
+  Json quizFacts(const std::vector<PageQuestion>& questions) const {
     std::string all = m_words.title();
     for (const PageQuestion& question : questions)
       for (const std::string& name : question.accepted)
@@ -194,7 +186,7 @@ std::string withoutTags(const std::string& json) {
 
 std::string pageFacts(const ExportOrder& order, const StudentsOptions& own,
                       const FactsExtras& extras) {
-  Json facts = FactsMaker(order, own).make(extras.views);
+  Json facts = FactsMaker(order, own).make(extras);
   if (extras.simplifiedMm > 0.0f)
     facts["simplifiedMm"] = rounded(extras.simplifiedMm);
   // What is no UTF-8 becomes U+FFFD.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "render/export/students/page_questions.h"
 #include "render/export/students/page_words.h"
 
 namespace sline::render {
@@ -11,6 +13,7 @@ namespace sline::render {
 struct FactsExtras {
   float simplifiedMm = 0.0f;           ///< 0: no surface was simplified
   std::vector<WordsByLanguage> views;  ///< what each view's picture shows
+  std::vector<PageQuestion> questions;
 };
 
 /// Returns the facts of the page of that order (`pageOrder`), as resources/page/facts.d.ts has

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "model/edit/views.h"
+#include "model/scene/in_focus.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/students/found_labels.h"
@@ -46,8 +47,10 @@ model::Node published(model::Node node, model::DrawnUnit unit) {
   // And these what its coordinates stand for: never words of a file.
   if (node.provenance.frame == model::fileFrame)
     kept.frame = model::fileFrame;
+  kept.evidence = node.provenance.evidence;
   if (unit == model::DrawnUnit::angstrom && node.provenance.unitReason == model::angstromReason)
     kept.unitReason = model::angstromReason;
+  kept.unitEvidence = node.provenance.unitEvidence;
   node.provenance = kept;
   node.atoms = {};
   node.unread.clear();
@@ -146,10 +149,7 @@ std::set<model::NodeId> laterStructures(const model::Scene& scene) {
   std::set<model::NodeId> later;
   bool focus = false;
   for (const model::NodeId id : scene.structuresBelow(model::rootId)) {
-    const auto& targets = scene.focus().targets;
-    const bool inFocus = std::any_of(targets.begin(), targets.end(), [&](model::NodeId target) {
-      return target == id || scene.isBelow(id, target);
-    });
+    const bool inFocus = model::isInFocus(scene, id);
     focus = focus || (inFocus && scene.resolve(id).visible);
     if (!inFocus)
       later.insert(id);

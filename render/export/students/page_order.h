@@ -2,12 +2,16 @@
 // Reduces an order to what its page may hold.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <set>
 
 #include "render/export/order/export_order.h"
 #include "render/export/students/students_options.h"
 
 namespace sline::render {
+
+/// The shape of the picture that a page shows on a desk, millimetres.
+inline constexpr glm::vec2 pagePictureMm{160.0f, 90.0f};
 
 /// Returns the order with those structures and annotations alone that are shown as the page opens
 /// or in one of its views, without anything that nobody sees: scans, files' names, notes. Where

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
+#include "model/edit/views.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/order/test_options.h"
 #include "render/export/order/view_orders.h"
 #include "render/export/students/answer_hash.h"
 #include "render/export/students/asked_things.h"
+#include "render/export/students/page_order.h"
 #include "render/export/students/vessel_chains.h"
 
 namespace sline::render {
@@ -21,11 +23,11 @@ constexpr std::size_t mostDragged = 8;
 class QuestionMaker {
  public:
   QuestionMaker(const ExportOrder& order, const StudentsOptions& own, const PageWords& words)
-      : m_order(order),
+      : m_order(pictured(order)),
         m_own(own),
         m_words(words),
-        m_things(askedThings(order, words)),
-        m_distractors(order, words, m_things) {}
+        m_things(askedThings(m_order, words)),
+        m_distractors(m_order, words, m_things) {}
 
   std::vector<PageQuestion> make() {
     for (const AskedThing& thing : m_things) {
@@ -103,12 +105,28 @@ class QuestionMaker {
     flush();
   }
 
+  /// Returns the first view in which all of them are shown.
+  std::optional<int> viewShowing(const std::vector<model::NodeId>& structures) const {
+    const std::vector<model::View>& views = m_order.scene.views();
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      const model::Scene shown = model::withViewApplied(m_order.scene, views[i]).scene;
+      if (std::all_of(structures.begin(), structures.end(),
+                      [&](model::NodeId id) { return shown.resolve(id).visible; }))
+        return int(i) + 1;
+    }
+    return std::nullopt;
+  }
+
   void addChains() {
     for (const VesselChain& chain : vesselChains(m_order.scene)) {
+      const std::optional<int> view = viewShowing(chain.vessels);
+      if (!view)
+        continue;
       ++m_number;
       PageQuestion& question = m_questions.emplace_back();
       question.id = "order-" + std::to_string(m_number);
       question.kind = "order";
+      question.view = view;
       question.words = m_words.ofName(m_order.scene.find(chain.group)->name);
       question.structures = chain.vessels;
       for (const model::NodeId id : chain.vessels)
@@ -116,7 +134,14 @@ class QuestionMaker {
     }
   }
 
-  const ExportOrder& m_order;
+  /// Returns the order on a page of the picture's shape.
+  static ExportOrder pictured(const ExportOrder& order) {
+    ExportOrder one = order;
+    one.page.sizeMm = pagePictureMm;
+    return one;
+  }
+
+  ExportOrder m_order;
   const StudentsOptions& m_own;
   const PageWords& m_words;
   std::vector<AskedThing> m_things;

@@ -6,6 +6,7 @@
 
 #include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
+#include "model/anatomy/shown_names.h"
 #include "model/scene/known_frame.h"
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
@@ -173,16 +174,16 @@ Json PageWords::linesOf(const model::Wording& wording) const {
 
 WordsByLanguage PageWords::titleOf(const model::View& view) const {
   WordsByLanguage words;
-  const bool sided = hasSides(m_scene);
+  const model::KnownSides sides = knownSides(m_scene);
   for (const std::string& tag : m_languages) {
     if (!m_silent) {
-      words[tag] = render::titleOfView(view, tag, sided);
+      words[tag] = render::titleOfView(view, tag, sides);
       continue;
     }
     const auto side = model::anatomicalViewOf(view.camera);
-    if (side && sided)
+    if (side && sides.any)
       words[tag] =
-          MarkWords(tag)
+          MarkWords(tag, sides)
               .view(std::string(model::anatomicalViewNames[std::size_t(*side)]), view.camera)
               .toStdString();
   }
@@ -203,7 +204,8 @@ std::string PageWords::title() const {
   const std::vector<model::NodeId> top = m_scene.children(model::rootId);
   if (top.size() == 1 && m_scene.find(top.front())->isGroup())
     return structureName(m_scene.find(top.front())->name, language());
-  return m_fileTitle.empty() ? "Anatomy" : m_fileTitle;
+  const std::string shown = model::shownName(m_fileTitle);
+  return shown.empty() ? "Anatomy" : shown;
 }
 
 }  // namespace sline::render

@@ -177,14 +177,19 @@ Result<StudentsPage> studentsPage(const ExportOrder& order, const StudentsOption
   const Result<std::string> stills = pageStills(shown, words, seen, progress);
   if (!stills.ok())
     return stills.error();
+  std::vector<PageQuestion> questions = pageQuestions(shown, own, words);
+  if (own.quiz != QuizMode::off && questions.empty())
+    progress.note({.kind = ExportNote::Kind::quizEmpty, .names = {}, .detail = {}});
   if (!goesOn(0.85, "writing the page"))
     return givenUp({});
-  std::vector<Filling> fillings{
-      {"LANGUAGE", xmlText(words.language())},
-      {"DIRECTION", directionOf(words.language())},
-      {"TITLE", xmlText(words.title())},
-      {"STILLS", *stills},
-      {"FACTS", pageFacts(shown, own, {.simplifiedMm = simple.errorMm, .views = seen})}};
+  std::vector<Filling> fillings{{"LANGUAGE", xmlText(words.language())},
+                                {"DIRECTION", directionOf(words.language())},
+                                {"TITLE", xmlText(words.title())},
+                                {"STILLS", *stills},
+                                {"FACTS", pageFacts(shown, own,
+                                                    {.simplifiedMm = simple.errorMm,
+                                                     .views = seen,
+                                                     .questions = std::move(questions)})}};
   StudentsPage made{.html = {}, .files = {}, .title = words.title(), .language = words.language()};
   if (own.folder)
     made.files = putBeside(parts, own.report, fillings);

@@ -218,8 +218,10 @@ Status InkPass::drawBatch(gpu::Device& device, const InkTargets& targets,
   const auto looks = m_batch.lookTexels();
   if (Status s = makeRoom(InkBatch::rowsOf(strokes), InkBatch::rowsOf(looks)); !s)
     return s;
-  m_strokes->upload(std::as_bytes(strokes), InkBatch::rowsOf(strokes));
-  m_looks->upload(std::as_bytes(looks), InkBatch::rowsOf(looks));
+  if (Status s = m_strokes->upload(std::as_bytes(strokes), InkBatch::rowsOf(strokes)); !s)
+    return s;
+  if (Status s = m_looks->upload(std::as_bytes(looks), InkBatch::rowsOf(looks)); !s)
+    return s;
   findSights(device, surfaces.depths, queue);
   for (InkBatch::Run run : m_batch.runs()) {
     const std::size_t end = run.first + run.count;

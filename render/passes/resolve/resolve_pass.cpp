@@ -110,8 +110,8 @@ Result<std::unique_ptr<ResolvePass>> ResolvePass::create(gpu::Dialect dialect) {
   return pass;
 }
 
-void ResolvePass::upload(std::span<const ResolveTile> tiles,
-                         std::span<const ResolveEntry> entries) {
+Status ResolvePass::upload(std::span<const ResolveTile> tiles,
+                           std::span<const ResolveEntry> entries) {
   std::vector<ResolveTile> sorted(tiles.begin(), tiles.end());
   const auto others = std::stable_partition(
       sorted.begin(), sorted.end(), [](const ResolveTile& tile) { return tile.count == 1; });
@@ -141,8 +141,9 @@ void ResolvePass::upload(std::span<const ResolveTile> tiles,
     looks[i] = entries[i].look;
     m_hiddenLines = m_hiddenLines || (entries[i].look & hiddenFlag) != 0;
   }
-  m_offsets->upload(std::as_bytes(std::span(offsets)), rows);
-  m_looks->upload(std::as_bytes(std::span(looks)), rows);
+  if (Status s = m_offsets->upload(std::as_bytes(std::span(offsets)), rows); !s)
+    return s;
+  return m_looks->upload(std::as_bytes(std::span(looks)), rows);
 }
 
 void ResolvePass::set(const gpu::Program& program, gpu::TextureSize size,

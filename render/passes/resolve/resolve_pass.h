@@ -70,7 +70,7 @@ class ResolvePass {
   static constexpr int tileSide = TileMask::side;
   static Result<std::unique_ptr<ResolvePass>> create(gpu::Dialect dialect);
 
-  void upload(std::span<const ResolveTile> tiles, std::span<const ResolveEntry> entries);
+  Status upload(std::span<const ResolveTile> tiles, std::span<const ResolveEntry> entries);
   /// Draws the layers. Pixels outside all tiles become background, unless they are to stay. The GPU
   /// gets batches of tiles, a few at a time, so that another context's drawing gets its turn.
   void draw(gpu::Device& device, const gpu::Target& target, const ResolveInputs& inputs);

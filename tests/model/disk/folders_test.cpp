@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <QTemporaryDir>
 #include <QtTest>
+#include <csignal>
 #include <cstring>
 #include <fstream>
+#include <functional>
+#include <set>
 
 #include "model/disk/cache_folder.h"
+#include "model/disk/left_overs.h"
+#include "model/disk/temporary_folder.h"
+#include "model/disk/whole_file.h"
 #include "model/disk/whole_folder.h"
 #include "model/scene_file/ply_writer.h"
 #include "tests/support/shapes.h"
@@ -21,6 +28,10 @@ class FoldersTest : public QObject {
   void userFolders_data();
   void userFolders();
   void whatWasLeftIsNotTaken();
+  void leftOversOfKilledWritersAreSwept();
+
+ private:
+  static pid_t killedChild(const std::function<void()>& work);
 };
 
 void FoldersTest::plyIsExact() {
@@ -70,8 +81,7 @@ void FoldersTest::whatWasLeftIsNotTaken() {
   namespace fs = std::filesystem;
   const QTemporaryDir place;
   const fs::path folder = fs::path(place.path().toStdString()) / "frames";
-  const fs::path left =
-      folder.parent_path() / (".frames." + std::to_string(static_cast<long>(getpid())));
+  const fs::path left = model::partBeside(folder);
   fs::create_directory(left);
   std::ofstream(left / "old.png") << "old";
   const Status written = model::writeFolder(folder, [](const fs::path& temporary) -> Status {
@@ -84,6 +94,68 @@ void FoldersTest::whatWasLeftIsNotTaken() {
   QVERIFY(fs::exists(left / "old.png"));
   QCOMPARE(std::distance(fs::directory_iterator(folder.parent_path()), fs::directory_iterator()),
            std::ptrdiff_t(2));
+}
+
+/// Lets a process of its own do the work, and kills it in the midst of it.
+pid_t FoldersTest::killedChild(const std::function<void()>& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    work();
+    kill(getpid(), SIGKILL);
+  }
+  waitpid(child, nullptr, 0);
+  return child;
+}
+
+/// What a killed program left of a file, a folder or a temporary folder goes when the next one
+/// writes there; what others are writing, and files of other names, stay.
+void FoldersTest::leftOversOfKilledWritersAreSwept() {
+  namespace fs = std::filesystem;
+  const QTemporaryDir place;
+  const fs::path top = place.path().toStdString();
+  qputenv("TMPDIR", place.path().toUtf8());
+  const auto names = [&top] {
+    std::set<std::string> all;
+    for (const fs::directory_entry& entry : fs::directory_iterator(top))
+      all.insert(entry.path().filename().string());
+    return all;
+  };
+  const pid_t child = killedChild([&top] {
+    static_cast<void>(model::writeBeside(top / "a.png", [&top](const fs::path& part) -> Status {
+      std::ofstream(part) << "half";
+      static_cast<void>(model::writeFolder(top / "frames", [](const fs::path& folder) -> Status {
+        std::ofstream(folder / "1.png") << "half";
+        const auto temporary = model::TemporaryFolder::create();
+        std::ofstream(temporary->path() / "x") << "half";
+        kill(getpid(), SIGKILL);
+        return Unit{};
+      }));
+      return Unit{};
+    }));
+  });
+  const std::string number = std::to_string(child);
+  const std::set<std::string> left = names();
+  QCOMPARE(left.size(), std::size_t(3));
+  QVERIFY(left.contains(".a.png." + number + ".part"));
+  QVERIFY(left.contains(".frames." + number + ".part"));
+  // Those of a running process – its parent – and of other files, and a person's own.
+  const std::string parent = std::to_string(getppid());
+  const std::set<std::string> others{".a.png." + parent + ".part", ".b.png." + number + ".part",
+                                     ".a.png." + number, ".a.png.part", ".a.png.x.part"};
+  for (const std::string& name : others)
+    std::ofstream(top / name) << "x";
+  QVERIFY(model::writeText(top / "a.png", "whole").ok());
+  QVERIFY(model::writeFolder(top / "frames", [](const fs::path&) { return Unit{}; }).ok());
+  {
+    const auto mine = model::TemporaryFolder::create();
+    QVERIFY(mine.ok());
+    const auto second = model::TemporaryFolder::create();
+    QVERIFY(second.ok() && fs::exists(mine->path()));
+  }
+  std::set<std::string> expected = others;
+  expected.insert({"a.png", "frames"});
+  QVERIFY(names() == expected);
+  qunsetenv("TMPDIR");
 }
 
 SLINE_TEST(FoldersTest)

@@ -2,6 +2,7 @@
 // Tests saved views, annotations and the key light as edits.
 #include "model/edit/look.h"
 #include "model/edit/views.h"
+#include "model/scene/cut_place.h"
 
 #include <QtTest>
 #include <array>
@@ -70,6 +71,8 @@ class ViewsEditTest : public QObject {
   void changedAndRemoved();
   void shownInOneViewOrAll();
   void newOnesJoinViews();
+  void madeForOneView();
+  void onCutFaces();
   void tickedTogether();
   void keyLight();
 };
@@ -255,22 +258,82 @@ void ViewsEditTest::newOnesJoinViews() {
   s.scene.setViews(
       {s.view(), {.name = "All", .annotations = {{s.onOne, s.onTwo, s.free}}}, {.name = "W"}});
   const Annotation pin{.kind = AnnotationKind::pin, .anchors = {glm::vec3(4, 5, 6)}};
-  const Edited made = withAnnotationMade(s.scene, pin, std::nullopt);
+  const Edited made = withAnnotationForAll(s.scene, pin);
   QVERIFY(made.changed);
   const AnnotationId id = made.scene.annotations().back().id;
   QCOMPARE(viewsShowing(made.scene, id), (Places{1, 2}));
-  // The second view has still left out none.
-  const Edited second = withAnnotationMade(made.scene, pin, 0);
-  QCOMPARE(viewsShowing(second.scene, second.scene.annotations().back().id), (Places{0, 1, 2}));
-  QCOMPARE(viewsShowing(second.scene, s.onTwo), (Places{1, 2}));
-  QVERIFY(!second.scene.views()[2].annotations);
+  QVERIFY(!made.scene.views()[2].annotations);
   // This view was saved before there were any annotations.
   Scene bare;
   bare.setViews({viewOf(bare, Camera{}, "V")});
-  const Edited first = withAnnotationMade(bare, pin, std::nullopt);
+  const Edited first = withAnnotationForAll(bare, pin);
   QCOMPARE(viewsShowing(first.scene, first.scene.annotations().back().id), (Places{0}));
   const Annotation faulty{.kind = AnnotationKind::pin};
   QVERIFY(!withAnnotationMade(s.scene, faulty, 0).changed);
+  QVERIFY(!withAnnotationForAll(s.scene, faulty).changed);
+}
+
+void ViewsEditTest::madeForOneView() {
+  Sample s;
+  using Places = std::vector<std::size_t>;
+  s.scene.setViews(
+      {s.view(), {.name = "All", .annotations = {{s.onOne, s.onTwo, s.free}}}, {.name = "W"}});
+  const Places whole = viewsShowing(s.scene, s.onOne);
+  const Annotation pin{.kind = AnnotationKind::pin, .anchors = {glm::vec3(4, 5, 6)}};
+  for (const std::size_t view : {0, 1, 2}) {
+    const Edited made = withAnnotationMade(s.scene, pin, view);
+    QCOMPARE(viewsShowing(made.scene, made.scene.annotations().back().id), (Places{view}));
+    QCOMPARE(viewsShowing(made.scene, s.onOne), whole);
+  }
+  // What is made for none is the next view's, and that one's alone.
+  const Edited free = withAnnotationMade(s.scene, pin, std::nullopt);
+  const AnnotationId id = free.scene.annotations().back().id;
+  QCOMPARE(viewsShowing(free.scene, id), Places{});
+  QCOMPARE(unclaimedAnnotations(free.scene), std::vector<AnnotationId>{id});
+  const Edited added = withNewView(free.scene, Camera{}, "New");
+  QVERIFY(added.changed);
+  QCOMPARE(*added.scene.views()[3].annotations, std::vector<AnnotationId>{id});
+  QCOMPARE(viewsShowing(added.scene, s.onOne), whole);
+  for (const Annotation& annotation : added.scene.annotations())
+    QCOMPARE(annotation.visible, annotation.id == id);
+  QVERIFY(unclaimedAnnotations(added.scene).empty());
+  QVERIFY(withNewView(added.scene, Camera{}, "Next").scene.views()[4].annotations->empty());
+  // The first view of a scene takes all.
+  Scene fresh = s.scene;
+  fresh.setViews({});
+  QCOMPARE(withNewView(fresh, Camera{}, "First").scene.views()[0].annotations->size(),
+           unclaimedAnnotations(fresh).size());
+}
+
+/// A label on the face of a cut belongs to what was cut.
+void ViewsEditTest::onCutFaces() {
+  const Sample s;
+  const Node& one = *s.scene.find(s.one);
+  const glm::vec3 place = one.mesh->bounds().centre();
+  const Annotation label{.anchors = anchorsOnCut(one, place), .text = "within"};
+  QVERIFY(!annotationFault(label));
+  QCOMPARE(std::get<SurfacePoint>(label.anchors.front()).structure, s.one);
+  QVERIFY(cutPlaceOf(label) && *cutPlaceOf(label) == place);
+  QVERIFY(pointedAt(label).size() == 1 && pointedAt(label).front() == Anchor(place));
+  QVERIFY(withAnnotation(s.scene, label).changed);
+  Annotation wrong = label;
+  std::swap(wrong.anchors.front(), wrong.anchors.back());
+  QVERIFY(annotationFault(wrong));
+  wrong.anchors = {place, place};
+  QVERIFY(annotationFault(wrong));
+  const Annotation distance{.kind = AnnotationKind::distance, .anchors = label.anchors};
+  QVERIFY(!annotationFault(distance) && !cutPlaceOf(distance));
+  QCOMPARE(pointedAt(distance).size(), std::size_t(2));
+  // The plane through the place cuts there, one beside it does not, one that takes it away neither.
+  for (const auto& [shift, cut] : {std::pair(0.0f, true), {50.0f, false}, {-50.0f, false}}) {
+    Scene scene = s.scene;
+    scene.setSections(
+        {{.id = {1}, .plane = {.normal = {1.0f, 0.0f, 0.0f}, .offset = place.x + shift}}});
+    QCOMPARE(cutsThrough(scene, s.one, place), cut);
+  }
+  Scene whole = s.scene;
+  whole.setSections({});
+  QVERIFY(!cutsThrough(whole, s.one, place));
 }
 
 void ViewsEditTest::tickedTogether() {

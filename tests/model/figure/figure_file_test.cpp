@@ -10,6 +10,7 @@
 
 #include "model/figure/figure_keys.h"
 #include "model/figure/figure_layout.h"
+#include "model/scene/scene_limits.h"
 #include "tests/support/mutator.h"
 #include "tests/support/suite.h"
 
@@ -68,6 +69,28 @@ class FigureFileTest : public QObject {
   Q_OBJECT
 
  private slots:
+  /// A view's name, or a letter, may be what a figure's file refuses; the file that was there
+  /// stays.
+  void onlyWhatCanBeReadIsWritten() {
+    const QTemporaryDir folder;
+    const std::filesystem::path file = folder.filePath("figure.json").toStdString();
+    QVERIFY(writeFigure(fullFigure(), file).ok());
+    for (const std::string& name :
+         {std::string("Front\nand back"), std::string(longestSceneName + 1, 'x')}) {
+      Figure figure = fullFigure();
+      figure.panels[0].view = name;
+      const Status written = writeFigure(figure, file);
+      QVERIFY(!written.ok());
+      QCOMPARE(written.error().file, file.string());
+      QVERIFY2(written.error().where.find("panels[0].view") != std::string::npos,
+               written.error().text().c_str());
+      QVERIFY(*readFigure(file) == fullFigure());
+    }
+    Figure longest = fullFigure();
+    longest.panels[0].view = std::string(longestSceneName, 'x');
+    QVERIFY(writeFigure(longest, file).ok() && *readFigure(file) == longest);
+  }
+
   void allComesBack() {
     const Figure figure = fullFigure();
     const Result<Figure> again = figureFromText(figureText(figure));

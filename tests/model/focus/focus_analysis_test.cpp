@@ -146,6 +146,27 @@ class FocusAnalysisTest : public QObject {
     QVERIFY(of(scene, *analysis, "neighbour").reason == RoleReason::touches);
   }
 
+  /// What comes to the target like a vessel is none where its name says otherwise.
+  void namesSayWhatIsNoVessel_data() {
+    QTest::addColumn<bool>("feeds");
+    for (const char* name : {"vessel", "left renal artery", "carotid", "sciatic nerve",
+                             "left ureter", "common bile duct", "surface 12"})
+      QTest::newRow(name) << true;
+    for (const char* name : {"vertebrae_L3", "Rib6_left", "rib", "third ventricle", "ventricle",
+                             "left lateral ventricle", "caudate nucleus", "nuclei", "left-VIIA",
+                             "psoas muscle", "costal cartilage", "tumour", "pancreas"})
+      QTest::newRow(name) << false;
+  }
+  void namesSayWhatIsNoVessel() {
+    QFETCH(bool, feeds);
+    std::vector<Part> all = parts();
+    all[1].name = QTest::currentDataTag();
+    const Scene scene = sceneOf(all);
+    const auto analysis = ask(scene);
+    QVERIFY(analysis);
+    QCOMPARE(analysis->relations[1].role == ContextRole::feeder, feeds);
+  }
+
   void measuresAreRight() {
     const Scene scene = sceneOf(parts());
     const auto analysis = ask(scene);

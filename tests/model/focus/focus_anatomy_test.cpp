@@ -153,6 +153,12 @@ class FocusAnatomyTest : public QObject {
     expect(feeders, ContextRole::feeder, "feeder");
     expect(neighbours, ContextRole::neighbour, "neighbour");
     expect(shells, ContextRole::shell, "shell");
+    for (const Relation& relation : analysis->relations)
+      if (relation.role == ContextRole::feeder &&
+          (relation.tissue == Tissue::bone || relation.tissue == Tissue::joint ||
+           relation.tissue == Tissue::muscle))
+        wrong << QString::fromStdString(known->scene.find(relation.structure)->name) +
+                     " is taken for a vessel or duct";
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join("; ")));
   }
 

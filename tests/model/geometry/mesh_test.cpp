@@ -2,8 +2,10 @@
 #include "model/geometry/mesh.h"
 
 #include <QtTest>
+#include <cmath>
 #include <limits>
 
+#include "model/geometry/scale_limits.h"
 #include "tests/support/suite.h"
 
 using namespace sline::model;
@@ -19,6 +21,9 @@ class MeshTest : public QObject {
     QTest::newRow("index out of range") << 1.0f << 3u << "triangle 0";
     QTest::newRow("huge index") << 1.0f << 0xffffffffu << "triangle 0";
     QTest::newRow("not a number") << std::numeric_limits<float>::quiet_NaN() << 2u << "vertex 1";
+    QTest::newRow("as far as may be") << 1e8f << 2u << QString();
+    QTest::newRow("farther") << std::nextafter(1e8f, 2e8f) << 2u << "vertex 1";
+    QTest::newRow("farther on the other side") << -1e30f << 2u << "vertex 1";
     QTest::newRow("infinite") << std::numeric_limits<float>::infinity() << 2u << "vertex 1";
   }
   void create() {
@@ -30,7 +35,23 @@ class MeshTest : public QObject {
     if (!mesh.ok())
       QCOMPARE(QString::fromStdString(mesh.error().where), fault);
     else
-      QVERIFY((mesh->bounds() == Box{{0, 0, 0}, {1, 1, 0}}));
+      QVERIFY((mesh->bounds() == Box{{0, 0, 0}, {coordinate, 1, 0}}));
+  }
+
+  void plausibleSizes_data() {
+    QTest::addColumn<float>("size");
+    QTest::addColumn<bool>("plausible");
+    QTest::newRow("a point") << 0.0f << true;
+    QTest::newRow("an atom") << 0.9e-4f << false;
+    QTest::newRow("a virus") << 1.1e-4f << true;
+    QTest::newRow("a whale") << 3e4f << true;
+    QTest::newRow("a town") << 1.1e5f << false;
+  }
+  void plausibleSizes() {
+    QFETCH(float, size);
+    QFETCH(bool, plausible);
+    QCOMPARE(isPlausibleSize(Box{{0, 0, 0}, {0.1f * size, size, 0}}), plausible);
+    QVERIFY(isPlausibleSize(Box()));
   }
 
   void errorTextNamesEverything() {

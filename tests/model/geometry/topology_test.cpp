@@ -2,11 +2,49 @@
 #include "model/geometry/topology.h"
 
 #include <QtTest>
+#include <cmath>
+#include <ctime>
 
+#include "model/geometry/face_neighbours.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
+
+namespace {
+
+constexpr std::uint32_t many = 30'000;
+
+/// Returns leaves that all share one edge, or a double cone: a fan around either of two vertices.
+model::MeshPtr crowded(bool cone) {
+  std::vector<glm::vec3> positions{{0, 0, -1}, {0, 0, 1}};
+  std::vector<model::Triangle> triangles;
+  for (std::uint32_t i = 0; i < many; ++i) {
+    const double angle = 6.283185307 * double(i) / double(many);
+    positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    const std::uint32_t next = 2 + (i + 1) % many;
+    if (cone)
+      triangles.insert(triangles.end(), {{2 + i, next, 1}, {next, 2 + i, 0}});
+    else
+      triangles.push_back({0, 1, 2 + i});
+  }
+  return std::make_shared<const model::Mesh>(
+      std::move(model::Mesh::create(std::move(positions), std::move(triangles))).value());
+}
+
+/// Returns the processor's seconds that the work takes, the least of three times.
+template <class Work>
+double cost(const Work& work) {
+  double least = 1e9;
+  for (int i = 0; i < 3; ++i) {
+    const std::clock_t start = std::clock();
+    work();
+    least = std::min(least, double(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return least;
+}
+
+}  // namespace
 
 class TopologyTest : public QObject {
   Q_OBJECT
@@ -47,6 +85,51 @@ class TopologyTest : public QObject {
     QCOMPARE(int(count.open), open);
     QCOMPARE(int(count.nonManifold), nonManifold);
     QCOMPARE(count.closed(), open == 0 && nonManifold == 0);
+  }
+
+  void neighboursWhereManyMeet() {
+    const auto cone = crowded(true);
+    const model::FaceNeighbours around(*cone);
+    for (const std::uint32_t i : {0u, 1u, many - 1}) {
+      // Triangle 2i is (ring i, next, tip 1), and the one below has the same edge of the ring.
+      QCOMPARE(around.across(2 * i, 2), 2 * i + 1);
+      QCOMPARE(around.across(2 * i, 0), 2 * ((i + 1) % many));
+      QCOMPARE(around.across(2 * i, 1), 2 * ((i + many - 1) % many));
+    }
+    const auto leaves = crowded(false);
+    const model::FaceNeighbours none(*leaves);
+    for (const std::uint32_t i : {0u, many / 2, many - 1})
+      for (int corner = 0; corner < 3; ++corner)
+        QCOMPARE(none.across(i, corner), model::FaceNeighbours::none);
+    const model::EdgeCount count = model::countEdges(*leaves, model::VertexFaces(*leaves));
+    QCOMPARE(count.open, std::size_t(2 * many));
+    QCOMPARE(count.nonManifold, std::size_t(1));
+    // Only the common edge, 2 mm long and used an even number of times, is no rim.
+    const double rims = model::rimLength(*leaves, model::VertexFaces(*leaves));
+    QVERIFY(std::abs(rims / (2 * many * std::sqrt(2.0)) - 1.0) < 1e-4);
+  }
+
+  /// Costs as much for each triangle as a smooth mesh does: it was thousands of times as much.
+  void manyMeetAtNoCost_data() {
+    QTest::addColumn<bool>("cone");
+    QTest::newRow("at an edge") << false;
+    QTest::newRow("around a vertex") << true;
+  }
+  void manyMeetAtNoCost() {
+    QFETCH(bool, cone);
+    const auto mesh = crowded(cone);
+    const auto smooth = test::torus(10, 3, 300, 100);
+    const auto both = [](const model::Mesh& of) {
+      return cost([&of] {
+        const model::FaceNeighbours neighbours(of);
+        const model::VertexFaces faces(of);
+        (void)model::countEdges(of, faces);
+        (void)model::rimLength(of, faces);
+      });
+    };
+    const double each = both(*mesh) / double(mesh->triangleCount());
+    const double usual = both(*smooth) / double(smooth->triangleCount());
+    QVERIFY2(each < 20.0 * usual, qPrintable(QString::number(each / usual)));
   }
 
   void components() {

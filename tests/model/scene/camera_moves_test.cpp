@@ -173,6 +173,67 @@ class CameraMovesTest : public QObject {
             1.1f * glm::length(camera().eye - pivot));
   }
 
+  /// However long one zooms, and wherever the mouse is, the scene neither becomes a speck nor is
+  /// lost between two floats; and one step back is a step.
+  void zoomHasEnds_data() {
+    QTest::addColumn<int>("projection");
+    QTest::addColumn<float>("factor");
+    QTest::addColumn<float>("share");  // of the scene's size, that the picture shows in the end
+    for (const auto& [name, projection] : {std::pair("perspective", Projection::perspective),
+                                           std::pair("orthographic", Projection::orthographic)}) {
+      QTest::addRow("%s, in", name) << int(projection) << 1.15f << 1e-4f;
+      QTest::addRow("%s, out", name) << int(projection) << 1.0f / 1.15f << 100.0f;
+    }
+  }
+  void zoomHasEnds() {
+    QFETCH(int, projection);
+    QFETCH(float, factor);
+    QFETCH(float, share);
+    const model::Box bounds{{-60, -30, -80}, {60, 30, 80}};
+    const model::ZoomEnds ends = model::zoomEnds(bounds);
+    const float whole = glm::length(bounds.size());
+    const auto shown = [](const model::Camera& c, const glm::vec3& at) {
+      return millimetresPerPixel(c, at, 1.0f);
+    };
+    model::Camera c = camera(model::Projection(projection));
+    const glm::vec2 mouse(130.0f, 420.0f);
+    glm::vec3 at(0.0f);
+    for (int notch = 0; notch < 400; ++notch) {
+      at = pointAtDepthOf(c, glm::vec3(0.0f), mouse, size);
+      c = zoomedWithin(c, at, factor, ends);
+      QVERIFY(!model::cameraFault(c));
+    }
+    QVERIFY2(std::abs(shown(c, at) / (share * whole) - 1.0f) < 0.05f,
+             qPrintable(QString::number(shown(c, at) / whole)));
+    const model::Camera back = zoomedWithin(c, at, 1.0f / factor, ends);
+    QVERIFY(std::abs(shown(back, at) / (factor * shown(c, at)) - 1.0f) < 0.05f);
+    // A drag ends where the wheel does.
+    const CameraDrag drag(
+        {.kind = CameraDrag::Kind::zoom, .pixel = mouse, .camera = c, .pivot = at, .ends = ends});
+    const glm::vec2 on = mouse + glm::vec2(0.0f, factor > 1.0f ? -400.0f : 400.0f);
+    QVERIFY(std::abs(shown(drag.at(on, size), at) / shown(c, at) - 1.0f) < 0.05f);
+  }
+
+  void farFromTheOriginZoomEndsSooner() {
+    const model::Box near{{-5, -5, -5}, {5, 5, 5}};
+    const model::Box far{{99'995, -5, -5}, {100'005, 5, 5}};
+    QVERIFY(model::zoomEnds(far).least > 10.0f * model::zoomEnds(near).least);
+    QVERIFY(model::zoomEnds({}).least > 0.0f);
+    const model::ZoomEnds point = model::zoomEnds(model::Box{{1, 2, 3}, {1, 2, 3}});
+    QVERIFY(point.least == 0.0f && point.greatest > 1e30f);
+  }
+
+  void fromBeyondAnEndOneComesBack() {
+    const model::ZoomEnds ends{.least = 1.0f, .greatest = 100.0f};
+    model::Camera c = camera(model::Projection::orthographic);
+    c.heightMm = 0.01f;
+    QVERIFY(zoomedWithin(c, {}, 2.0f, ends) == c);
+    QCOMPARE(zoomedWithin(c, {}, 0.5f, ends).heightMm, 0.02f);
+    c.heightMm = 1e5f;
+    QVERIFY(zoomedWithin(c, {}, 0.5f, ends) == c);
+    QCOMPARE(zoomedWithin(c, {}, 2.0f, ends).heightMm, 5e4f);
+  }
+
   void turnedToKeepsThePivot() {
     const model::Camera before = orbited(camera(), {}, 33.0f, 12.0f);
     const glm::vec3 pivot(30.0f, -10.0f, 20.0f);

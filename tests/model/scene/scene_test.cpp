@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <set>
 
 #include "model/scene/visible_structures.h"
@@ -57,6 +58,8 @@ class SceneTest : public QObject {
   void findsByName();
   void boundsOfWhatIsVisible();
   void fitsWhatIsVisibleBelow();
+  void fitComesBackFromAnywhere_data();
+  void fitComesBackFromAnywhere();
   void sidesHaveOneView();
   void idsAreNeverReused();
   void findsEachNodeOfALargeTree();
@@ -201,6 +204,36 @@ void SceneTest::fitsWhatIsVisibleBelow() {
   const Camera camera = fittedToVisible(scene, {}, 1.5f, {}, std::array{near});
   QVERIFY(std::abs(camera.target.x - 20.0f) < 0.1f);
   QCOMPARE(fittedToVisible(scene, camera, 1.5f, {}, {}), camera);
+}
+
+void SceneTest::fitComesBackFromAnywhere_data() {
+  QTest::addColumn<Camera>("lost");
+  QTest::addColumn<bool>("turned");  // the way that it looks is gone
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  QTest::newRow("NaN") << Camera{.eye = {nan, 0, 0}} << true;
+  QTest::newRow("eye in the target") << Camera{.eye = {5, 5, 5}, .target = {5, 5, 5}} << true;
+  QTest::newRow("beyond reach") << Camera{.eye = {3e38f, -3e38f, 0}} << true;
+  QTest::newRow("as far as may be") << Camera{.eye = {1e11f, 0, 0}} << false;
+  QTest::newRow("as near as may be")
+      << Camera{.eye = {900.01f, 0, 0}, .target = {900, 0, 0}} << false;
+  QTest::newRow("nothing high") << Camera{.projection = Projection::orthographic,
+                                          .eye = {100, 0, 0},
+                                          .heightMm = 1e-30f}
+                                << true;
+}
+
+void SceneTest::fitComesBackFromAnywhere() {
+  QFETCH(Camera, lost);
+  QFETCH(bool, turned);
+  Scene scene;
+  scene.append(structure("ball", rootId, test::sphere(10.0f, 2)));
+  const Camera found = fittedToVisible(scene, lost, 1.5f);
+  QVERIFY(!cameraFault(found));
+  QVERIFY(glm::length(found.target) < 1.0f);
+  // The ball has nine tenths of the height, a little less for what bulges towards the eye.
+  const float shown = millimetresPerPixel(found, {0, 0, 0}, 1.0f);
+  QVERIFY2(shown > 20.0f && shown < 26.0f, qPrintable(QString::number(shown)));
+  QVERIFY(glm::dot(cameraFrame(found).back, glm::vec3(turned ? 0 : 1, turned ? -1 : 0, 0)) > 0.99f);
 }
 
 void SceneTest::sidesHaveOneView() {

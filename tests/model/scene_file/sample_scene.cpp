@@ -40,6 +40,7 @@ Provenance sampleProvenance() {
   Provenance p{.file = "a.ply",
                .frame = "LPS",
                .frameReason = "said so",
+               .evidence = {Evidence::conflict, Evidence::voted},
                .smoothingSteps = 3,
                .refinementSteps = 2,
                .repairedFaces = 1,
@@ -47,12 +48,14 @@ Provenance sampleProvenance() {
                .sliceMm = 1.5f,
                .mmPerUnit = 1000.0f,
                .unitReason = "glTF: metres",
+               .unitEvidence = Evidence::settled,
                .decimatedFrom = 4321,
                .decimationMm = 0.125f};
   p.part = "artery";
   p.fingerprint = Fingerprint{12'345'678'901, 0xfedcba98u};
   p.transform = {1, 0, 0, 0.1f, 0, -1, 0, 0, 0, 0, 1, -7};
   p.credit = {.authors = "Jane Doe", .source = "An atlas", .licence = "CC BY 4.0"};
+  p.asRead = ReadExtent{12.5f, 30.25f};
   return p;
 }
 

@@ -44,6 +44,8 @@ class SceneFileTest : public QObject {
   void unknownMembersAreKept();
   void refuses_data();
   void refuses();
+  void whatIsAtFaultIsLeftOut_data();
+  void whatIsAtFaultIsLeftOut();
   void everyCutIsRefused();
   void mutationsNeverCrash();
   void extensions();
@@ -137,18 +139,71 @@ void SceneFileTest::refuses_data() {
       "meshes/3.mesh: it is no mesh");
   row("broken paint", test::withMember(good, "paint/3.paint", "x"),
       "paint/3.paint: it does not begin like what is painted");
+  Json root = Json::parse(test::memberOf(good, "scene.json"));
+  root["frame"] = "RAS";
+  row("another frame", test::withMember(good, "scene.json", root.dump()),
+      "scene.json: frame: \"LPS\" is expected here");
+}
+
+void SceneFileTest::whatIsAtFaultIsLeftOut_data() {
+  QTest::addColumn<QByteArray>("bytes");
+  QTest::addColumn<QString>("message");
+  const auto row = [](const char* name, const std::string& bytes, const char* message) {
+    QTest::newRow(name) << QByteArray::fromStdString(bytes) << QString(message);
+  };
+  const std::string good = sampleFile();
   row("paint of too few", test::withMember(good, "paint/3.paint", "SlinePa1\x01\x02"),
-      "scene.json: nodes[2].paint.file: it has 2 values");
+      "\"Ärterie \"a\"\" (nodes[2].paint.file): it has 2 values");
   row("paint of too many",
       test::withMember(good, "paint/3.paint", "SlinePa1" + std::string(1'000'000, '\1')),
-      "scene.json: nodes[2].paint.file: it has 1000000 values");
-  Json root = Json::parse(test::memberOf(good, "scene.json"));
-  root["nodes"][2]["style"]["gamma"] = 7;
-  row("a value out of range", test::withMember(good, "scene.json", root.dump()),
-      "scene.json: nodes[2].style.gamma: a number from 0 to 5 is expected here");
-  root["nodes"][2]["mesh"]["file"] = "../secret";
-  row("a mesh elsewhere", test::withMember(good, "scene.json", root.dump()),
-      "nodes[2].mesh.file: the file holds no such mesh");
+      "(nodes[2].paint.file): it has 1000000 values");
+  const Json whole = Json::parse(test::memberOf(good, "scene.json"));
+  const auto changed = [&](const char* name, const char* message, const auto& change) {
+    Json root = whole;
+    change(root);
+    row(name, test::withMember(good, "scene.json", root.dump()), message);
+  };
+  changed("a value out of range", "(nodes[2].style.gamma): a number from 0 to 5 is expected here",
+          [](Json& root) { root["nodes"][2]["style"]["gamma"] = 7; });
+  changed("a mesh elsewhere", "(nodes[2].mesh.file): the file holds no such mesh",
+          [](Json& root) { root["nodes"][2]["mesh"]["file"] = "../secret"; });
+  changed("a long licence", "(nodes[2].provenance.credit.licence): a line of at most 300 bytes",
+          [](Json& root) {
+            root["nodes"][2]["provenance"]["credit"]["licence"] = std::string(301, 'x');
+          });
+  changed("a long name", "the name is longer than 1000 bytes; it was cut there",
+          [](Json& root) { root["nodes"][0]["name"] = std::string(1001, 'x'); });
+  changed("many faults", "and 2 more", [](Json& root) {
+    for (const char* key : {"halo", "grain", "fill", "technique", "opacity"})
+      root["nodes"][2]["style"][key] = "?";
+  });
+}
+
+/// The rest opens; the file stays as it is, and saved under another name the scene is whole.
+void SceneFileTest::whatIsAtFaultIsLeftOut() {
+  QFETCH(QByteArray, bytes);
+  QFETCH(QString, message);
+  const QTemporaryDir folder;
+  const fs::path file = folder.filePath("a.sline").toStdString();
+  QVERIFY(writeText(file, bytes.toStdString()).ok());
+  const auto document = readSceneFile(file);
+  QVERIFY2(document.ok(), document.ok() ? "" : document.error().text().c_str());
+  QVERIFY(document->isForReading() && !document->isNewer());
+  QVERIFY2(QString::fromStdString(document->warning()).contains(message),
+           document->warning().c_str());
+  QVERIFY(document->scene.nodes().size() >= 4 && document->scene.views().size() == 4);
+  for (const SceneDocument& saved : {*document, SceneDocument()}) {
+    const Status over = writeSceneFile(file, saved);
+    QVERIFY(!over.ok());
+    QCOMPARE(over.error().remedy, std::string("Save under another name"));
+  }
+  QCOMPARE(*readText(file, std::size_t(1) << 24), bytes.toStdString());
+  const fs::path other = folder.filePath("b.sline").toStdString();
+  QVERIFY(writeSceneFile(other, *document).ok());
+  const auto again = readSceneFile(other);
+  QVERIFY(again.ok() && !again->isForReading());
+  QCOMPARE(test::difference(again->scene, document->scene), std::string());
+  QVERIFY(writeSceneFile(other, *again).ok());
 }
 
 void SceneFileTest::refuses() {

@@ -288,6 +288,19 @@ void SceneJsonRefusalsTest::refuses() {
   QCOMPARE(QString::fromStdString(read.error().where), where);
   QVERIFY2(QString::fromStdString(read.error().reason).contains(reason),
            read.error().reason.c_str());
+  // Where only a part is at fault, a file opens without that; what is left is written and read.
+  std::vector<JsonRefusal> leftOut;
+  const auto rest = sceneFromJson(json, partsByName(scene), leftOut);
+  const QStringList all{"", "nodes", "format", "schema", "frame", "unit"};
+  QCOMPARE(rest.ok(), !all.contains(where));
+  if (!rest.ok())
+    return;
+  QVERIFY(!leftOut.empty());
+  QVERIFY2(QString::fromStdString(leftOut[0].where).contains(where), leftOut[0].where.c_str());
+  QVERIFY(!QString::fromStdString(leftOut[0].reason).isEmpty());
+  const auto again = sceneFromJson(jsonOf(*rest), partsByName(*rest));
+  QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
+  QCOMPARE(difference(*again, *rest), std::string());
 }
 
 void SceneJsonRefusalsTest::parserRefuses_data() {

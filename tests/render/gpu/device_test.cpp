@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <QRect>
 #include <QtTest>
+#include <algorithm>
 #include <array>
 
 #include "render/gpu/device.h"
@@ -48,6 +50,9 @@ class DeviceTest : public QObject {
   void drawsInstancesFromAStart();
   void clearsOnlyTheArea();
   void copiesDepth();
+  void whatDoesNotFitIsRefused_data();
+  void whatDoesNotFitIsRefused();
+  void whatHasNoRoomIsNotRead();
 
  private:
   struct Scene;
@@ -86,7 +91,8 @@ struct DeviceTest::Scene {
 
   std::array<int, 4> pixel(Device& device, int x, int y) {
     std::array<std::byte, 4> rgba{};
-    device.read(*target, {x, y, 1, 1}, rgba);
+    if (!device.read(*target, {x, y, 1, 1}, rgba))
+      return {-1, -1, -1, -1};
     return {int(rgba[0]), int(rgba[1]), int(rgba[2]), int(rgba[3])};
   }
 };
@@ -204,6 +210,49 @@ void DeviceTest::copiesDepth() {
   to.square(*m_device, 0.0f, glm::vec4(1.0f), {.depth = DepthTest::less});
   QCOMPARE(to.pixel(*m_device, 1, 1)[0], 0);
   QCOMPARE(to.pixel(*m_device, 2, 1)[0], 255);
+}
+
+void DeviceTest::whatDoesNotFitIsRefused_data() {
+  QTest::addColumn<int>("bytes");
+  QTest::addColumn<QRect>("area");
+  QTest::addColumn<bool>("fits");
+  QTest::newRow("all") << 4 * 8 * 8 << QRect(0, 0, 8, 8) << true;
+  QTest::newRow("a corner") << 4 * 3 * 2 << QRect(5, 6, 3, 2) << true;
+  QTest::newRow("nothing") << 0 << QRect(3, 3, 0, 0) << true;
+  QTest::newRow("a byte less") << 4 * 8 * 8 - 1 << QRect(0, 0, 8, 8) << false;
+  QTest::newRow("none for some pixels") << 0 << QRect(0, 0, 8, 8) << false;
+  QTest::newRow("more") << 4 * 8 * 8 << QRect(0, 0, 8, 7) << false;
+  QTest::newRow("for no pixels") << 4 << QRect(0, 0, 0, 1) << false;
+  QTest::newRow("beyond the right edge") << 4 * 3 * 2 << QRect(6, 6, 3, 2) << false;
+  QTest::newRow("beyond the upper edge") << 4 * 3 * 2 << QRect(0, 7, 3, 2) << false;
+  QTest::newRow("before the left edge") << 4 * 3 * 2 << QRect(-1, 0, 3, 2) << false;
+  QTest::newRow("below the lower edge") << 4 * 3 * 2 << QRect(0, -1, 3, 2) << false;
+}
+
+/// Drivers trust sizes: what is too little for its pixels is read beyond its end.
+void DeviceTest::whatDoesNotFitIsRefused() {
+  QFETCH(int, bytes);
+  QFETCH(QRect, area);
+  QFETCH(bool, fits);
+  const Scene scene;
+  m_device->clear(*scene.target, {.colour = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)});
+  const std::vector<std::byte> grey(std::size_t(bytes), std::byte(77));
+  const Status done = scene.colours.upload(grey, {area.x(), area.y(), area.width(), area.height()});
+  QCOMPARE(done.ok(), fits);
+  QVERIFY(fits || (!done.error().reason.empty() && !done.error().remedy.empty()));
+  std::array<std::byte, 4 * 8 * 8> rgba{};
+  QVERIFY(m_device->read(*scene.target, {0, 0, 8, 8}, rgba).ok());
+  QCOMPARE(int(std::count(rgba.begin(), rgba.end(), std::byte(77))), fits ? bytes : 0);
+}
+
+void DeviceTest::whatHasNoRoomIsNotRead() {
+  const Scene scene;
+  m_device->clear(*scene.target, {.colour = glm::vec4(1.0f)});
+  std::array<std::byte, 4 * 8 * 8> rgba{};
+  QVERIFY(!m_device->read(*scene.target, {0, 0, 8, 8}, std::span(rgba).first(4 * 8 * 8 - 1)).ok());
+  QCOMPARE(int(std::count(rgba.begin(), rgba.end(), std::byte(0))), int(rgba.size()));
+  QVERIFY(m_device->read(*scene.target, {0, 0, 8, 8}, rgba).ok());
+  QCOMPARE(int(std::count(rgba.begin(), rgba.end(), std::byte(255))), int(rgba.size()));
 }
 
 SLINE_TEST_WITH_EVENTS(DeviceTest)

@@ -168,11 +168,15 @@ std::vector<std::uint8_t> PassesTest::resolved(const Case& c, const glm::vec4& b
   gpu::Texture colours(gpu::TextureFormat::rgba8, size, "colours");
   gpu::Texture inks(gpu::TextureFormat::rg8, size, "inks");
   gpu::Texture depths(gpu::TextureFormat::depth32f, size, "depths");
-  colours.upload(std::as_bytes(std::span(c.pixels.colours)), atlasHeight);
+  const auto put = [](const Status& done) {
+    if (!done)
+      qFatal("%s", done.error().text().c_str());
+  };
+  put(colours.upload(std::as_bytes(std::span(c.pixels.colours)), atlasHeight));
   std::vector<std::uint8_t> pairs;  // each with nothing hidden
   for (const std::uint8_t ink : c.pixels.inks)
     pairs.insert(pairs.end(), {ink, 0});
-  inks.upload(std::as_bytes(std::span(pairs)), atlasHeight);
+  put(inks.upload(std::as_bytes(std::span(pairs)), atlasHeight));
   // Depth comes from clears, as it cannot be uploaded.
   auto depthTarget = std::move(gpu::Target::create({{}, &depths}, "depths").value());
   m_device->clear(*depthTarget, {.depth = 1.0f});
@@ -193,11 +197,11 @@ std::vector<std::uint8_t> PassesTest::resolved(const Case& c, const glm::vec4& b
   gpu::Texture picture(gpu::TextureFormat::rgba8, {side, side}, "picture");
   auto target = std::move(gpu::Target::create({{&picture}, nullptr}, "picture").value());
   auto pass = std::move(ResolvePass::create(m_device->dialect()).value());
-  pass->upload(lists.tiles, lists.entries);
+  put(pass->upload(lists.tiles, lists.entries));
   pass->draw(*m_device, *target,
              {.colours = colours, .inks = inks, .depths = depths, .background = background});
   std::vector<std::uint8_t> rgba(4 * side * side);
-  m_device->read(*target, {0, 0, side, side}, std::as_writable_bytes(std::span(rgba)));
+  put(m_device->read(*target, {0, 0, side, side}, std::as_writable_bytes(std::span(rgba))));
   return rgba;
 }
 
@@ -251,7 +255,10 @@ std::vector<int> PassesTest::inked(std::span<const Stroke> segments, InkKind kin
   if (!drawn)
     qFatal("%s", drawn.error().text().c_str());
   std::vector<std::uint8_t> rgba(4 * 64 * 64);
-  m_device->read(*target, {0, 0, 64, 64}, std::as_writable_bytes(std::span(rgba)));
+  if (const Status read =
+          m_device->read(*target, {0, 0, 64, 64}, std::as_writable_bytes(std::span(rgba)));
+      !read)
+    qFatal("%s", read.error().text().c_str());
   std::vector<int> coverage;
   for (std::size_t i = 0; i < rgba.size(); i += 4)
     coverage.push_back(rgba[i]);

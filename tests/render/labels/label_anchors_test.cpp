@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/edit/look.h"
+#include "model/scene/cut_place.h"
 #include "render/labels/anchors.h"
 #include "render/labels/seen_look.h"
 #include "render/labels/seen_map.h"
@@ -98,6 +99,42 @@ class LabelAnchorsTest : public QObject {
     point(two.scene, two.large, {0.6f, -0.8f, 0.0f});
     QVERIFY(shown(two.scene)[0].item.hidden);
     QVERIFY(!shown(two.scene)[1].item.hidden);
+  }
+
+  /// A label on the face of a cut points at that very place as long as the cut is there, and
+  /// belongs to what was cut: without the cut its name points at the structure, other words into
+  /// it.
+  void onTheFaceOfACut() {
+    const Two two = twoSpheres();
+    const glm::vec3 place(12.0f, 0.0f, 9.0f);
+    model::Scene scene = two.scene;
+    for (const auto& [text, found] : {std::pair("large", true), {"core", false}})
+      scene.appendAnnotation({.anchors = model::anchorsOnCut(*scene.find(two.large), place),
+                              .text = text,
+                              .found = found});
+    const auto cut = [&scene](float y, float normal) {
+      model::Scene now = scene;
+      now.setSections(
+          {{.id = {1}, .plane = {.normal = {0.0f, normal, 0.0f}, .offset = normal * y}}});
+      return shown(now);
+    };
+    const Screen screen(front(), paper);
+    const std::vector<ShownLabel> onFace = cut(0.0f, -1.0f);  // the front half is gone
+    QCOMPARE(onFace.size(), std::size_t(2));
+    for (const ShownLabel& label : onFace) {
+      QVERIFY(!label.item.hidden);
+      QVERIFY(glm::distance(label.item.places.front(), *screen.place(place)) < 1e-3f);
+    }
+    const std::vector<ShownLabel> whole = shown(scene);
+    QCOMPARE(whole.size(), std::size_t(2));
+    QVERIFY(!whole[0].item.hidden);
+    QVERIFY(whole[1].item.hidden);
+    QVERIFY(glm::distance(whole[1].item.places.front(), *screen.place(place)) < 1e-3f);
+    // Another cut takes the place away: the name goes to what is left, other words go with it.
+    const std::vector<ShownLabel> gone = cut(20.0f, -1.0f);
+    QCOMPARE(gone.size(), std::size_t(1));
+    QCOMPARE(gone[0].text, std::string("large"));
+    QVERIFY(!gone[0].item.hidden);
   }
 
   /// An offset made by hand counts in heights of the picture, whatever its size.

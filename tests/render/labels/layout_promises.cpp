@@ -66,6 +66,21 @@ QString broken(const LabelItem& item, const PlacedLabel& label) {
   return {};
 }
 
+QString passing(const LabelItem& item, const PlacedLabel& label) {
+  constexpr double dot = 0.6;    // its radius, and the pen's
+  constexpr double apart = 1.3;  // dots that one can tell apart
+  for (const glm::vec2& place : item.places)
+    for (const Line& line : linesOf(label.leader))
+      for (int i = 0; i <= 400; ++i)
+        if (glm::distance(glm::dvec2(place), line.a + double(i) / 400.0 * (line.b - line.a)) <
+                dot &&
+            glm::distance(place, label.leader.front()) > apart)
+          return QString("the leader of %1 passes the dot of %2")
+              .arg(label.id.value)
+              .arg(item.id.value);
+  return {};
+}
+
 QString broken(const LabelRequest& request, const LabelLayout& layout) {
   if (layout.labels.size() + layout.leftOut.size() != request.items.size())
     return "labels are lost";
@@ -83,6 +98,10 @@ QString broken(const LabelRequest& request, const LabelLayout& layout) {
         continue;
       if (overlap(one.box, two.box))
         return QString("%1 and %2 overlap").arg(one.id.value).arg(two.id.value);
+      for (const LabelItem& item : request.items)
+        if (item.id == two.id)
+          if (const QString fault = passing(item, one); !fault.isEmpty())
+            return fault;
       for (const Line& line : linesOf(one.leader)) {
         if (meets(line, two.box))
           return QString("%1 runs through %2").arg(one.id.value).arg(two.id.value);

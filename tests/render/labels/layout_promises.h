@@ -31,6 +31,9 @@ QString inReserved(const render::LabelRequest& request, const render::LabelLayou
 /// the text covers the dot or the measured line.
 QString broken(const render::LabelItem& item, const render::PlacedLabel& label);
 
+/// Returns that the label's leader passes a dot of another item; empty if it does not.
+QString passing(const render::LabelItem& item, const render::PlacedLabel& label);
+
 /// Returns a promise that does not hold; empty if all do.
 QString broken(const render::LabelRequest& request, const render::LabelLayout& layout);
 

@@ -39,10 +39,28 @@ class OrientationLettersTest : public QObject {
     camera.eye =
         glm::vec3(glm::rotate(glm::mat4(1.0f), glm::radians(-turn), glm::vec3(0.0f, 0.0f, 1.0f)) *
                   glm::vec4(camera.eye, 1.0f));
-    const EdgeLetters found = edgeLetters(camera);
+    const EdgeLetters found = edgeLetters(camera, {});
     QCOMPARE(QString::fromStdString(found.left + " " + found.right + " " + found.top + " " +
                                     found.bottom),
              letters);
+  }
+
+  /// What nobody is sure of has a question mark, in oblique views too.
+  void doubt() {
+    model::Camera camera = model::anatomicalCamera(model::AnatomicalView::anterior, {}, 1.0f);
+    const auto letters = [&camera](const model::SideEvidence& evidence) {
+      const EdgeLetters found = edgeLetters(camera, {.any = true, .evidence = evidence});
+      return found.left + " " + found.right + " " + found.top + " " + found.bottom;
+    };
+    using enum model::Evidence;
+    for (const model::Evidence sure : {known, settled, voted})
+      QCOMPARE(letters({sure, sure}), std::string("R L S I"));
+    for (const model::Evidence unsure : {assumed, conflict})
+      QCOMPARE(letters({unsure, known}), std::string("R? L? S I"));
+    QCOMPARE(letters({known, assumed}), std::string("R L S I"));
+    camera.eye = {-600.0f, -800.0f, 0.0f};
+    QCOMPARE(letters({assumed, assumed}), std::string("R?P? L?A? S I"));
+    QCOMPARE(letters({assumed, known}), std::string("R?P L?A S I"));
   }
 };
 

@@ -85,6 +85,15 @@ class ScaleLengthTest : public QObject {
     QCOMPARE(lengthText(millimetres, QLocale(QLocale::English)), english);
     QCOMPARE(lengthText(millimetres, QLocale(QLocale::German)), german);
   }
+  void aDoubtedUnitIsMarked() {
+    const QLocale english(QLocale::English);
+    const auto text = [&english](double millimetres) {
+      return lengthText(millimetres, english, model::DrawnUnit::doubtedMillimetre);
+    };
+    QCOMPARE(text(5.0), QStringLiteral("5 mm?"));
+    QCOMPARE(text(200.0), QStringLiteral("20 cm?"));
+    QCOMPARE(text(2000.0), QStringLiteral("2 m?"));
+  }
   void moleculesAreInAngstroms() {
     const QLocale english(QLocale::English);
     QCOMPARE(lengthText(10.0, english, model::DrawnUnit::angstrom), QStringLiteral("10 Å"));

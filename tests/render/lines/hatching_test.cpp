@@ -314,6 +314,24 @@ class HatchingTest : public QObject {
       }
   }
 
+  /// Cubes are as large as the form's details ask; all the way to a stray vertex there were more
+  /// than memory holds.
+  void strayVertexNeedsFewCells() {
+    const model::MeshPtr ball = test::sphere(40.0f, 4);
+    std::vector<glm::vec3> positions(ball->positions().begin(), ball->positions().end());
+    positions[7] = {1e7f, 5e6f, -3e6f};
+    auto stray = model::Mesh::create(std::move(positions),
+                                     {ball->triangles().begin(), ball->triangles().end()});
+    const auto surface =
+        model::prepareSurface(std::make_shared<const model::Mesh>(std::move(*stray)));
+    render::StrokeLayout layout(surface, 10.0f);
+    QVERIFY(!layout.coarsest().empty() && layout.coarsest().size() <= 4096);
+    // Strokes lie no closer than coordinates are told apart.
+    QVERIFY(layout.lastLevel() < render::finestHatchLevel);
+    QVERIFY(layout.spacing(layout.lastLevel()) > 10.0f);
+    QVERIFY(layout.spacing(layout.lastLevel() + 1) < 20.0f);
+  }
+
   void sameEveryTime() {
     const Subject torus = torusSubject();
     const render::Hatching a = torus.hatched(orthographic(slanted, 24.0f));

@@ -296,6 +296,28 @@ class ProcessorPictureTest : public QObject {
     QVERIFY(farApart(scene, slanted(true), settings) < 10);
   }
 
+  /// What shows nothing has memory that served another layer, of another size, and none of that is
+  /// its own: the driver, which takes over where it draws one of the others, once read beyond its
+  /// end.
+  void whatShowsNothingIsNotGivenToTheDriver() {
+    const PictureSettings whole{.width = 500, .height = 420};
+    const model::Scene before = bodies(5.0f, {});
+    const model::Scene scene = bodies(2.0f, [](model::Style& style, int i) {
+      if (i != 1)
+        return;
+      style.technique = model::Technique::noiseLic;
+      style.gamma = Gamma::clamped(3.0f);
+    });
+    PictureSettings tones = whole;
+    tones.parts = {.lines = false, .hatching = true, .fills = false};
+    model::Camera near = slanted(false);
+    for (const float height : {400.0f, 60.0f, 300.0f, 30.0f}) {
+      QVERIFY(m_processor->render(before, slanted(false), whole).ok());
+      near.heightMm = height;
+      compare(scene, near, tones);
+    }
+  }
+
   void whatReachesBehindTheEyeIsDrawnByTheDriver() {
     const model::Scene scene = bodies(5.0f, {});
     model::Camera camera = slanted(true);

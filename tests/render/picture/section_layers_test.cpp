@@ -61,6 +61,7 @@ void SectionLayersTest::scopeLimitsTheCut() {
   // A vessel through the ball, from front to back, stays whole.
   add(scene, moved(*sphere(9.0f, 4), 1.0f, {0, -12, 0}), styled(5.0f, blue));
   cut(scene, AnatomicalView::posterior, 0.0f, groupId);
+  tintFaces(scene);
   const Spot whole = spot(picture(scene, frontal(100.0f)), bluish);
   QVERIFY(std::abs(whole.count / (std::numbers::pi * 36.0 * 36.0) - 1.0) < 0.03);
   model::Scene all = scene;
@@ -158,6 +159,7 @@ void SectionLayersTest::piecesGiveTheSamePicture() {
   model::Scene scene = crowd(2.5f);
   cut(scene, AnatomicalView::left, -18.0f);
   cut(scene, AnatomicalView::posterior, -4.0f);
+  tintFaces(scene);
   model::Camera camera;
   camera.eye = {-180.0f, -260.0f, 90.0f};
   const Image whole = picture(scene, camera);

@@ -23,6 +23,14 @@ inline void cut(model::Scene& scene, model::AnatomicalView kept, float mm,
   scene.appendSection(model::anatomicalSection(scene, scope, kept, mm));
 }
 
+/// Tints all cut faces. Else that of a ball around others is blank, as nobody knows what it holds.
+inline void tintFaces(model::Scene& scene) {
+  std::vector<model::Section> sections = scene.sections();
+  for (model::Section& section : sections)
+    section.faces = model::CutFaces::tint;
+  scene.setSections(std::move(sections));
+}
+
 /// Each tells whether a pixel is redder than it is blue, or the other way.
 inline bool reddish(const Pixel& p) {
   return p.red > p.blue + 24;

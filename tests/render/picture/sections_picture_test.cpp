@@ -261,6 +261,7 @@ void SectionsPictureTest::capsHideWhatIsBehind() {
   add(scene, moved(*sphere(8.0f, 4), 1.0f, {10, 20, 5}), styled(4.0f, blue));
   add(scene, moved(*sphere(8.0f, 4), 1.0f, {-10, 70, -5}), styled(4.0f, blue));
   cut(scene, AnatomicalView::posterior, 0.0f);
+  tintFaces(scene);
   const model::Camera from = frontal(100.0f);
   QCOMPARE(spot(picture(scene, from), bluish).count, 0);
   // If the eye is in the part that is gone, nothing of the inside shows either.
@@ -297,6 +298,7 @@ void SectionsPictureTest::innerFaceLiesOnTheOuter() {
                        .name = "slanted",
                        .plane = {glm::normalize(glm::vec3(0.3f, -1.0f, 0.4f)), 0.0f},
                        .scope = model::rootId});
+  tintFaces(scene);
   model::Camera camera = frontal(100.0f);
   if (perspective)
     camera = {.eye = {0, -300, 0}};

@@ -26,7 +26,8 @@ class TargetPixels {
   render::Image image() {
     const std::size_t row = std::size_t(m_size.width) * 4;
     std::vector<std::byte> rows(row * std::size_t(m_size.height));
-    (*m_device)->read(target(), {0, 0, m_size.width, m_size.height}, rows);
+    if (!(*m_device)->read(target(), {0, 0, m_size.width, m_size.height}, rows))
+      return {};
     render::Image image{.width = m_size.width, .height = m_size.height, .rgba = {}};
     image.rgba.reserve(rows.size());
     for (std::size_t y = std::size_t(m_size.height); y-- > 0;)

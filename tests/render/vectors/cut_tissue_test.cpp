@@ -5,6 +5,7 @@
 
 #include "model/edit/sections.h"
 #include "render/strokes/face_patterns.h"
+#include "render/strokes/section_caps.h"
 #include "render/vectors/vector_drawing.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -70,6 +71,9 @@ class CutTissueTest : public QObject {
  private slots:
   void structuresHavePatterns_data();
   void structuresHavePatterns();
+  void hullsAreBlank();
+  void openFacesArePaper_data();
+  void openFacesArePaper();
   void layerOfItsOwn_data();
   void layerOfItsOwn();
   void patternsStayWhileTheCameraTurns();
@@ -83,6 +87,11 @@ void CutTissueTest::structuresHavePatterns_data() {
   QTest::newRow("left femur") << "Muscles" << int(CutPattern::spongy);
   QTest::newRow("segment 3") << "Muscles" << int(CutPattern::fibres);
   QTest::newRow("segment 4") << "Group" << int(CutPattern::plain);
+  QTest::newRow("skin") << "Skin and fat" << int(CutPattern::rim);
+  QTest::newRow("fat") << "Skin and fat" << int(CutPattern::cells);
+  // A group of both says of nothing that it is fat.
+  QTest::newRow("segment 5") << "Skin and fat" << int(CutPattern::rim);
+  QTest::newRow("white matter") << "Brain" << int(CutPattern::plain);
 }
 
 void CutTissueTest::structuresHavePatterns() {
@@ -91,6 +100,57 @@ void CutTissueTest::structuresHavePatterns() {
   const model::Scene scene =
       half(QTest::currentDataTag(), group.toStdString().c_str(), CutFaces::tissue);
   QCOMPARE(int(render::cutPattern(scene, scene.nodes().back())), pattern);
+}
+
+/// A hull whose name says nothing is not filled with what it is not; one that says what it is, is.
+void CutTissueTest::hullsAreBlank() {
+  for (const auto& [name, pattern] :
+       {std::pair("surface 1", CutPattern::blank), std::pair("liver", CutPattern::stipple),
+        std::pair("skin", CutPattern::rim)}) {
+    model::Scene scene;
+    scene.append({.name = "thing", .mesh = test::sphere(5.0f, 3)});
+    scene.append({.name = name, .mesh = test::sphere(20.0f, 3)});
+    QCOMPARE(int(render::cutPattern(scene, scene.nodes().back())), int(pattern));
+    QCOMPARE(int(render::cutPattern(scene, scene.nodes().front())), int(CutPattern::plain));
+  }
+  // What lies in its box, but outside of it, is not enclosed.
+  model::Scene scene;
+  scene.append(
+      {.name = "thing", .mesh = test::moved(*test::sphere(2.0f, 3), 1.0f, {13.0f, 13.0f, 13.0f})});
+  scene.append({.name = "surface 1", .mesh = test::sphere(20.0f, 3)});
+  QCOMPARE(int(render::cutPattern(scene, scene.nodes().back())), int(CutPattern::plain));
+}
+
+void CutTissueTest::openFacesArePaper_data() {
+  QTest::addColumn<int>("faces");
+  QTest::addColumn<bool>("paper");
+  const auto row = [](const char* name, CutFaces faces, bool paper) {
+    QTest::addRow("%s %d", name, int(faces)) << int(faces) << paper;
+  };
+  for (const char* name : {"skin", "body"}) {
+    row(name, CutFaces::tissue, true);
+    row(name, CutFaces::tint, true);
+  }
+  for (const char* name : {"aorta", "colon"}) {
+    row(name, CutFaces::tissue, true);
+    row(name, CutFaces::tint, false);
+  }
+  for (const char* name : {"femur", "liver", "subcutaneous fat", "thing"})
+    row(name, CutFaces::tissue, false);
+}
+
+/// Skin is no filling of a body, nor is a vessel's wall one of its lumen.
+void CutTissueTest::openFacesArePaper() {
+  QFETCH(int, faces);
+  QFETCH(bool, paper);
+  const QByteArray name = QByteArray(QTest::currentDataTag()).chopped(2);
+  const model::Scene scene = half(name.constData(), "", CutFaces(faces));
+  const Prepared prepared(scene);
+  const render::PictureView view(seenFrom({0.0f, -1.0f, 0.0f}, 200.0f),
+                                 prepared.shown.mesh->bounds(), 1280, 720);
+  const glm::vec4 colour =
+      render::capPaint(prepared.shown, view, render::Background::white, 0).colour;
+  QCOMPARE(colour == glm::vec4(1.0f), paper);
 }
 
 void CutTissueTest::layerOfItsOwn_data() {

@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include "model/edit/look.h"
+#include "tests/model/scene_file/limit_cases.h"
+#include "tests/model/scene_file/sample_scene.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "widgets/session/recent_files.h"
@@ -33,6 +35,48 @@ class DocumentFileTest : public QObject {
   }
   static bool idle(const Session& session) {
     return QTest::qWaitFor([&] { return !session.busy(); });
+  }
+  /// What happens to a file while nobody has it open.
+  enum class Meanwhile {
+    nothing,
+    touched,
+    replaced,
+    replacedByAnOlder,
+    replacedByOneAsLarge,
+    gone,
+    goneWithItsFolder,
+  };
+  static void happen(Meanwhile what, const fs::path& path) {
+    const fs::file_time_type time = fs::last_write_time(path);
+    const bool older = what == Meanwhile::replacedByAnOlder;
+    if (what == Meanwhile::touched)
+      fs::last_write_time(path, time + std::chrono::hours(1));
+    if (what == Meanwhile::replaced || older) {
+      model::Scene other = balls();
+      other.append({.name = "three", .mesh = test::sphere(3, 1)});
+      if (!model::writeSceneFile(path, {.scene = other}).ok())
+        qFatal("no other scene");
+    }
+    if (what == Meanwhile::replacedByOneAsLarge) {
+      std::fstream stream(path, std::ios::binary | std::ios::in | std::ios::out);
+      stream.seekp(100).put('!');
+    }
+    if (older || what == Meanwhile::replacedByOneAsLarge)
+      fs::last_write_time(path, older ? time - std::chrono::hours(24) : time);
+    if (what == Meanwhile::gone)
+      fs::remove(path);
+    if (what == Meanwhile::goneWithItsFolder)
+      fs::remove_all(path.parent_path());
+  }
+  /// Leaves what a program leaves that was killed with unsaved work.
+  static void leaveJournal(const fs::path& journals, const model::JournalSource& source) {
+    const auto journal = model::Journal::reserve(journals);
+    if (!journal.ok() ||
+        !(*journal)
+             ->start(source, {}, {.scene = std::make_shared<const model::Scene>(balls())})
+             .ok() ||
+        !(*journal)->writeMeshes(std::chrono::minutes(1)).ok())
+      qFatal("no journal");
   }
   static bool openMade(Session& session) {
     session.openMade(
@@ -183,14 +227,19 @@ class DocumentFileTest : public QObject {
     QTest::newRow("open in another window") << int(Writable::lockedElsewhere);
     QTest::newRow("no right to write") << int(Writable::notPermitted);
     QTest::newRow("of a newer program") << int(Writable::newerProgram);
+    QTest::newRow("at fault") << int(Writable::newerProgram);
   }
   void readOnly() {
     QFETCH(int, why);
+    const bool faulty = QLatin1String(QTest::currentDataTag()) == QLatin1String("at fault");
     const fs::path path = file("readonly.sline");
     fs::remove(path);
     Session other;
     if (why == int(Writable::newerProgram)) {
-      const std::string json = R"({"format":"sline scene","schema":99,"nodes":[],"more":1})";
+      const std::string json =
+          faulty ? R"({"format":"sline scene","schema":1,"nodes":[{"id":1,"name":"Liver",
+                     "style":{"gamma":7}}]})"
+                 : R"({"format":"sline scene","schema":99,"nodes":[],"more":1})";
       const model::ZipMember member{"scene.json", json};
       std::ofstream(path, std::ios::binary) << *model::zipped({&member});
     } else {
@@ -207,18 +256,84 @@ class DocumentFileTest : public QObject {
     QCOMPARE(int(session.file().writable), why);
     QVERIFY(!session.file().reason.isEmpty());
     QVERIFY(!session.file().lock);
+    if (faulty)
+      QVERIFY2(
+          session.file().reason.contains("Liver") && session.file().reason.contains("from 0 to 5"),
+          qPrintable(session.file().reason));
+    if (why == int(Writable::newerProgram))
+      QVERIFY(!save(session, path));  // not even where it is asked for
     QVERIFY(save(session, file("elsewhere.sline")));
     QVERIFY(session.file().writable == Writable::yes && session.file().reason.isEmpty());
+  }
+
+  /// Each value that a scene file refuses is refused as an edit, with a message; each other one is
+  /// kept, saved and opened.
+  void editsBeyondLimitsAreRefused() {
+    int kept = 0;
+    int refused = 0;
+    const fs::path path = file("limits.sline");
+    for (const test::LimitCase& each : test::limitCases()) {
+      if (each.slow)
+        continue;
+#ifndef NDEBUG
+      if (each.asserted)
+        continue;
+#endif
+      Session session;
+      session.openMade(
+          QStringLiteral("sample"),
+          [](const model::ImportProgress&, const std::stop_token&) -> Result<LoadedDocument> {
+            return LoadedDocument{.scene = test::sampleScene(), .title = "sample", .remarks = {}};
+          });
+      QVERIFY(idle(session));
+      const model::Scene before = session.scene();
+      model::Scene edited = before;
+      each.put(edited);
+      QSignalSpy failures(&session, &Session::failed);
+      const bool changed = !(edited == before);
+      const bool applied = session.apply("edit", {edited, changed});
+      const std::string name = each.field + " = " + each.value;
+      QVERIFY2(applied == (each.within && changed), name.c_str());
+      QVERIFY2(failures.count() == (each.within ? 0 : 1), name.c_str());
+      QVERIFY2(each.within || session.scene() == before, name.c_str());
+      // The same as a drag.
+      session.preview(edited);
+      session.commitPreview("drag");
+      QVERIFY2(failures.count() == (each.within ? 0 : 2), name.c_str());
+      QVERIFY2(each.within || session.scene() == before, name.c_str());
+      ++(each.within ? kept : refused);
+      if (!each.within)
+        continue;
+      fs::remove(path);
+      QVERIFY2(save(session, path), name.c_str());
+      const auto opened = model::readSceneFile(path);
+      QVERIFY2(opened.ok() && opened->leftOut.empty(), name.c_str());
+      QVERIFY2(test::difference(opened->scene, session.scene()).empty(), name.c_str());
+    }
+    qInfo("%d scenes kept, %d refused", kept, refused);
+    QVERIFY(kept > 150 && refused > 150);
   }
 
   void failuresLeaveTheOldFile_data() {
     QTest::addColumn<QString>("kind");
     QTest::newRow("the folder has gone") << "gone";
     QTest::newRow("another program has changed it") << "changed";
+    QTest::newRow("another one, of its length and time") << "as large";
     QTest::newRow("another window has the new name") << "locked";
     QTest::newRow("no folder") << "proc";
     QTest::newRow("a disk without space") << "full";
   }
+  /// A file that is only newer by its time is the same file.
+  void aTouchedFileIsSaved() {
+    const fs::path path = file("touched.sline");
+    QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
+    Session session;
+    QVERIFY(open(session, path) && gamma(session, 4.0f));
+    fs::last_write_time(path, fs::last_write_time(path) + std::chrono::hours(1));
+    QVERIFY(save(session, path));
+    QVERIFY(same(onDisk(path), session.scene()));
+  }
+
   void failuresLeaveTheOldFile() {
     QFETCH(QString, kind);
     const fs::path folder = file("place");
@@ -233,6 +348,8 @@ class DocumentFileTest : public QObject {
       fs::remove_all(folder);
     } else if (kind == QLatin1String("changed")) {
       std::ofstream(path, std::ios::app) << "more";
+    } else if (kind == QLatin1String("as large")) {
+      happen(Meanwhile::replacedByOneAsLarge, path);
     } else if (kind == QLatin1String("locked")) {
       to = folder / "theirs.sline";
       QVERIFY(openMade(other) && save(other, to));
@@ -314,6 +431,102 @@ class DocumentFileTest : public QObject {
     QVERIFY(save(session, path));
     QVERIFY(!session.modified());
     QVERIFY(same(onDisk(path), scene));
+  }
+
+  void pathsAreAbsolute() {
+    const fs::path path = file("relative.sline");
+    QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
+    Session session;
+    QVERIFY(open(session, fs::relative(path)));
+    QVERIFY(session.file().path.is_absolute() && fs::equivalent(session.file().path, path));
+    const fs::path other = file("other.sline");
+    QVERIFY(gamma(session, 4.0f) && save(session, fs::relative(other)));
+    QVERIFY(session.file().path.is_absolute() && fs::equivalent(session.file().path, other));
+  }
+
+  void recoveredWhereTheFileMayHaveChanged_data() {
+    QTest::addColumn<int>("meanwhile");
+    QTest::addColumn<int>("writable");
+    const auto row = [](const char* name, Meanwhile meanwhile, Writable writable) {
+      QTest::newRow(name) << int(meanwhile) << int(writable);
+    };
+    row("nothing happened", Meanwhile::nothing, Writable::yes);
+    row("touched", Meanwhile::touched, Writable::yes);
+    row("another", Meanwhile::replaced, Writable::changedOnDisk);
+    row("another, from a backup", Meanwhile::replacedByAnOlder, Writable::changedOnDisk);
+    row("another, of its length and time", Meanwhile::replacedByOneAsLarge,
+        Writable::changedOnDisk);
+    row("gone", Meanwhile::gone, Writable::yes);
+    row("gone with its folder", Meanwhile::goneWithItsFolder, Writable::notPermitted);
+  }
+  void recoveredWhereTheFileMayHaveChanged() {
+    QFETCH(int, meanwhile);
+    QFETCH(int, writable);
+    const QTemporaryDir place;
+    const fs::path folder = fs::path(place.path().toStdString()) / "scenes";
+    const fs::path journals = fs::path(place.path().toStdString()) / "journals";
+    fs::create_directory(folder);
+    const fs::path path = folder / "work.sline";
+    QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
+    leaveJournal(journals, {"work.sline", path, stampOf(path)});
+    happen(Meanwhile(meanwhile), path);
+    const auto then = stampOf(path);
+    Session session;
+    session.openRecovered(model::recoverableIn(journals).at(0));
+    QVERIFY(idle(session));
+    QCOMPARE(int(session.file().writable), writable);
+    QVERIFY(session.modified());
+    if (writable == int(Writable::yes)) {
+      QVERIFY(save(session, path));
+      QVERIFY(same(onDisk(path), session.scene()));
+      return;
+    }
+    const QString reason = session.file().reason;
+    QCOMPARE(reason.contains(QLatin1String("has changed")),
+             writable == int(Writable::changedOnDisk));
+    QCOMPARE(reason.contains(QString::fromStdString("no folder " + folder.string())),
+             writable == int(Writable::notPermitted));
+    // Nor does coming back to it let it be written over.
+    QVERIFY(openMade(session));
+    session.undo();
+    QCOMPARE(int(session.file().writable), writable);
+    QCOMPARE(session.file().reason, reason);
+    QVERIFY(stampOf(path) == then);
+    QVERIFY(save(session, file("elsewhere.sline")));
+    QVERIFY(session.file().writable == Writable::yes);
+    QVERIFY(stampOf(path) == then);
+  }
+
+  /// Journals of older programs do not say what the file held, nor always where it was.
+  void whatAnOlderJournalDoesNotSayIsNotGuessed_data() {
+    QTest::addColumn<bool>("there");
+    QTest::addColumn<bool>("relative");
+    QTest::newRow("a file is there") << true << false;
+    QTest::newRow("no file is there") << false << false;
+    QTest::newRow("a name alone") << true << true;
+  }
+  void whatAnOlderJournalDoesNotSayIsNotGuessed() {
+    QFETCH(bool, there);
+    QFETCH(bool, relative);
+    const QTemporaryDir place;
+    const fs::path journals = place.path().toStdString();
+    const fs::path path = file("older.sline");
+    fs::remove(path);
+    if (there)
+      QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
+    leaveJournal(journals, {"older.sline", path, {}});
+    model::Recoverable found = model::recoverableIn(journals).at(0);
+    if (relative)
+      found.source.file = fs::relative(path);
+    Session session;
+    session.openRecovered(found);
+    QVERIFY(idle(session));
+    QVERIFY(session.modified());
+    QCOMPARE(session.title(), QStringLiteral("older.sline"));
+    QCOMPARE(session.file().path.empty(), relative);
+    QCOMPARE(session.file().writable == Writable::yes, !there || relative);
+    if (there && !relative)
+      QVERIFY(session.file().reason.contains(QLatin1String("not known")));
   }
 
   void recentFilesAreOrdered() {

@@ -79,11 +79,11 @@ class OrientationCubeTest : public QObject {
     // front the side that stands at the picture's right edge.
     QVERIFY(*cubeDirectionAt(faces, {2, 3}) == CubeDirection(sideOf(letter)));
     const CubeDirection edge = *cubeDirectionAt(faces, {27, 0});
-    const char right = render::edgeLetters(camera).right.front();
+    const char right = render::edgeLetters(camera, {}).right.front();
     QVERIFY(edge == CubeDirection(sideOf(letter) + sideOf(right)));
     const model::Camera again =
         turnedTo(camera, {}, glm::vec3(faces[0].part), upwardsFrom(faces[0].part));
-    QVERIFY(render::edgeLetters(again) == render::edgeLetters(camera));
+    QVERIFY(render::edgeLetters(again, {}) == render::edgeLetters(camera, {}));
   }
 
   /// The cube is right-handed for every camera: letters are never seen from behind, and stand in

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "model/edit/annotations.h"
+#include "model/scene/shortest_distance.h"
 #include "render/labels/seen_map.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/annotations/in_picture/picture_labels.h"
@@ -107,6 +108,8 @@ void LabelActions::makeTools() {
     action.setCheckable(true);
     action.installEventFilter(this);
     connect(&action, &QAction::triggered, this, [this, kind = row.kind](bool on) {
+      if (on && kind == model::AnnotationKind::distance && measureSelected())
+        on = false;
       m_labels.make(on ? std::optional(kind) : std::nullopt);
       m_picture.setFocus(Qt::OtherFocusReason);
       showMaking();
@@ -174,6 +177,29 @@ void LabelActions::showState() {
   m_actions[QStringLiteral("labelSelected")].setEnabled(!m_session.selection().empty());
   m_actions[QStringLiteral("labelEdit")].setEnabled(active);
   m_actions[QStringLiteral("labelDelete")].setEnabled(active);
+}
+
+bool LabelActions::measureSelected() {
+  const model::Scene& scene = m_session.scene();
+  const NodeIds two = scene.structuresBelow(m_session.selection());
+  if (two.size() != 2)
+    return false;
+  m_queue.add([this, scene, two, opening = m_session.document().opening](
+                  const std::stop_token&) -> BackgroundQueue::Sequel {
+    return [this, opening, distance = model::shortestDistance(scene, two[0], two[1])] {
+      if (!distance || opening != m_session.document().opening)
+        return;
+      if (!m_session.apply(
+              tr("Add Distance"),
+              model::withAnnotationMade(m_session.scene(), *distance, m_labels.currentView())))
+        return;
+      m_window.statusBar()->showMessage(
+          tr("The shortest distance between the two selected structures was added; with another "
+             "selection you choose two places"),
+          readable);
+    };
+  });
+  return true;
 }
 
 void LabelActions::labelSelected() {

@@ -45,6 +45,8 @@ class LabelActions : public QObject {
   void follow();
   void showMaking();
   void showState();
+  /// Adds the shortest distance where two structures are selected; else returns false.
+  bool measureSelected();
   /// Labels each selected structure that has no label, at the point where it is best seen.
   void labelSelected();
   /// Returns what to say when saved views leave out the label that was made last; empty if none

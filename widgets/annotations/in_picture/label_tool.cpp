@@ -73,15 +73,18 @@ void LabelTool::moveText(const Pointer& pointer) {
 }
 
 void LabelTool::movePlace(const Pointer& pointer) {
-  m_surface(pointer.pixel, [this, number = ++m_asked](const std::optional<model::Anchor>& anchor) {
+  m_surface(pointer.pixel, [this, number = ++m_asked](const std::vector<model::Anchor>& anchors) {
     const model::Annotation* annotation = before();
     // Answers come in the order of the questions; those for a drag that has ended are ignored.
     if (!annotation || number <= m_answered || number > m_asked)
       return;
     m_answered = number;
-    if (anchor) {
+    if (!anchors.empty()) {
       model::Annotation moved = *annotation;
-      moved.anchors[*m_grip->place] = *anchor;
+      if (moved.kind == model::AnnotationKind::distance)
+        moved.anchors[*m_grip->place] = anchors.back();
+      else
+        moved.anchors = anchors;
       moved.found = false;  // a place that was set by hand stays
       show(moved);
     }

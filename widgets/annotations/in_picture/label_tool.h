@@ -14,8 +14,9 @@ namespace sline::widgets {
 class LabelTool : public QObject, public Tool {
   Q_OBJECT
  public:
-  using Answer = std::function<void(const std::optional<model::Anchor>&)>;
-  /// Looks up the surface that is seen at a pixel; the answer comes later.
+  using Answer = std::function<void(const std::vector<model::Anchor>&)>;
+  /// Looks up the anchors of a label on what is seen at a pixel, of which the last is the place
+  /// itself; none where nothing is. The answer comes later.
   using Surface = std::function<void(const glm::vec2& pixel, const Answer& answer)>;
   LabelTool(Session& session, const LabelLayer& layer, Surface surface, QObject* parent);
 

@@ -7,6 +7,7 @@
 
 #include "model/edit/annotations.h"
 #include "model/scene/camera_moves.h"
+#include "model/scene/cut_place.h"
 #include "render/lettering/fitted_sides.h"
 #include "render/lettering/label_style.h"
 #include "widgets/annotations/annotation_texts.h"
@@ -35,6 +36,15 @@ QString stepOf(model::AnnotationKind kind) {
   }
 }
 
+/// Returns the anchors of a label at the place: one on a cut face belongs to what was cut.
+std::vector<model::Anchor> anchorsAt(const model::Scene& scene, const render::Picks& picks) {
+  if (!picks.anchor)
+    return {};
+  const auto* cut = std::get_if<glm::vec3>(&*picks.anchor);
+  const model::Node* node = cut && picks.seen ? scene.find(picks.seen->id) : nullptr;
+  return node ? model::anchorsOnCut(*node, *cut) : std::vector<model::Anchor>{*picks.anchor};
+}
+
 }  // namespace
 
 PictureLabels::PictureLabels(Context place)
@@ -47,8 +57,9 @@ PictureLabels::PictureLabels(Context place)
           [this](const glm::vec2& pixel, const LabelTool::Answer& answer) {
             Picker::Question question = m_place.question({double(pixel.x), double(pixel.y)});
             question.anchored = true;
-            m_place.picker.ask(std::move(question),
-                               [answer](const render::Picks& picks) { answer(picks.anchor); });
+            m_place.picker.ask(std::move(question), [this, answer](const render::Picks& picks) {
+              answer(anchorsAt(m_place.session.scene(), picks));
+            });
           },
           this)),
       m_editor(new LabelEditor(&m_place.picture)) {
@@ -180,7 +191,7 @@ void PictureLabels::clicked(const render::Picks& picks, const QPointF& at) {
   }
   if (*m_making != model::AnnotationKind::distance) {
     const QString name = offeredText(m_place.session, picks.seen->id, typedLanguage(m_style));
-    begin({.kind = *m_making, .anchors = {*picks.anchor}}, name, at);
+    begin({.kind = *m_making, .anchors = anchorsAt(m_place.session.scene(), picks)}, name, at);
     return;
   }
   m_begun.push_back(*picks.anchor);
@@ -319,7 +330,7 @@ std::optional<glm::vec2> PictureLabels::begunAt() const {
   if (m_begun.empty() && !typed)
     return std::nullopt;
   const auto place =
-      m_place.session.scene().placeOf(typed ? m_written->anchors.front() : m_begun.front());
+      m_place.session.scene().placeOf(typed ? m_written->anchors.back() : m_begun.front());
   return place ? pixelOf(m_camera, *place, wish().size) : std::nullopt;
 }
 

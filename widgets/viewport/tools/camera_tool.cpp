@@ -8,8 +8,11 @@ bool CameraTool::press(const Pointer& pointer) {
   if (!kind)
     return false;
   m_before = m_view.camera();
-  m_drag.emplace(model::CameraDrag::Start{
-      .kind = *kind, .pixel = pointer.pixel, .camera = m_before, .pivot = m_view.pivot()});
+  m_drag.emplace(model::CameraDrag::Start{.kind = *kind,
+                                          .pixel = pointer.pixel,
+                                          .camera = m_before,
+                                          .pivot = m_view.pivot(),
+                                          .ends = m_view.zoomEnds()});
   return true;
 }
 

@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "model/scene/camera.h"
+#include "model/scene/camera_moves.h"
 
 namespace sline::widgets {
 
@@ -33,6 +33,8 @@ class ViewControl {
   virtual const model::Camera& camera() const = 0;
   virtual glm::vec3 pivot() const = 0;
   virtual void move(const model::Camera& camera) = 0;
+  /// Returns how far tools may zoom.
+  virtual model::ZoomEnds zoomEnds() const { return {}; }
 };
 
 class Tool {

@@ -212,6 +212,25 @@ void addEntry(LabelNames& names, const Json& entry) {
     add(names, value->get<std::int64_t>(), name->get_ref<const std::string&>(), colourIn(entry));
 }
 
+/// Adds names that stand in one list, their colours in three and their numbers in another:
+/// "labels", "R", "G", "B", "I". Without numbers they are counted from 0.
+void addLists(LabelNames& names, const Json& table, const Json& labels) {
+  const auto numberIn = [&table](const char* key, std::size_t i) -> std::optional<double> {
+    const auto list = table.find(key);
+    if (list == table.end() || !list->is_array() || i >= list->size() || !(*list)[i].is_number())
+      return std::nullopt;
+    return (*list)[i].get<double>();
+  };
+  const bool numbered = table.contains("I");
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const std::optional<double> value = numbered ? numberIn("I", i) : std::optional(double(i));
+    if (!labels[i].is_string() || !value || std::abs(*value) > 1e15)
+      continue;
+    add(names, std::int64_t(*value), labels[i].get_ref<const std::string&>(),
+        colourOfChannels({numberIn("R", i), numberIn("G", i), numberIn("B", i)}, false));
+  }
+}
+
 /// Returns the name without the number at its end, or nothing where it has none.
 std::string_view withoutCode(std::string_view name) {
   const std::size_t space = name.find_last_of(" \t");
@@ -279,6 +298,8 @@ LabelNames labelsInJson(std::string_view text) {
   if (labels->is_array()) {
     for (const Json& entry : *labels)
       addEntry(names, entry);
+    if (names.empty() && whole_.is_object())
+      addLists(names, whole_, *labels);
     return names;
   }
   for (const auto& [key, value] : labels->items()) {
@@ -345,6 +366,20 @@ LabelNames labelsBeside(const fs::path& volume, const ReadLimits& limits, std::s
     if (entry->path().extension() == ".ctbl")
       tables.push_back(entry->path());
   return tables.size() == 1 ? tryFile(tables.front()) : LabelNames();
+}
+
+std::string tableBeside(const fs::path& volume) {
+  fs::path stem = volume.filename();
+  std::error_code code;
+  while (stem.has_extension()) {
+    stem.replace_extension();
+    for (const char* more : {"", "_names", "_labels"})
+      for (const char* ending : {".ctbl", ".tsv", ".csv", ".txt", ".label", ".json"})
+        if (const std::string name = stem.string() + more + ending;
+            fs::is_regular_file(volume.parent_path() / name, code))
+          return name;
+  }
+  return {};
 }
 
 void nameLabels(LabelVolume& volume, const LabelNames& names) {

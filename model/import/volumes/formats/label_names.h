@@ -22,8 +22,9 @@ using LabelNames = std::map<std::int64_t, Label>;
 LabelNames labelsInTable(std::string_view text);
 
 /// Reads {"labels": …} or its value on its own: {"liver": 5}, {"5": "liver"} or [{"value": 5,
-/// "name": "liver", "color": …}], as training sets and annotation programs write. Returns an empty
-/// table where the text is no JSON.
+/// "name": "liver", "color": …}], as training sets and annotation programs write, and lists beside
+/// each other: {"labels": ["air", "liver"], "R": [0, 200], …, "I": [0, 5]}. Returns an empty table
+/// where the text is no JSON.
 LabelNames labelsInJson(std::string_view text);
 
 /// Reads the LabelTable of Caret and Connectome Workbench, which other programs put into NIfTI's
@@ -35,6 +36,10 @@ LabelNames labelsInCaret(std::string_view xml);
 /// `from` becomes the name of the file that was used.
 LabelNames labelsBeside(const std::filesystem::path& volume, const ReadLimits& limits,
                         std::string& from);
+
+/// Returns the name of the file beside `volume` in which labelsBeside looks first, or nothing where
+/// there is none.
+std::string tableBeside(const std::filesystem::path& volume);
 
 /// Sets names, colours and groups by the labels' numbers. Where there are several labels, those
 /// without a name are called after their number.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "model/import/volumes/formats/analyze_geometry.h"
@@ -230,25 +231,14 @@ class NiftiReader {
                                  : number<std::int32_t>(m_places->forms + 4 * i);
     };
     glm::dmat4 toRas(1.0);
-    glm::dvec3 spacing;
-    for (int i = 0; i < 3; ++i) {
-      spacing[i] = std::abs(real(m_places->pixdim, std::size_t(i) + 1));
-      if (!std::isfinite(spacing[i]) || spacing[i] == 0.0)
-        spacing[i] = 1.0;
-    }
+    const glm::dvec3 spacing = spacings();
     m_file.frame = Frame::ras;
     if (code(1) > 0 && sform(toRas)) {
       m_file.frameReason = "sform (NIfTI is RAS)";
+      if (code(0) > 0)
+        compare(toRas, qform(spacing));
     } else if (code(0) > 0) {
-      glm::dvec3 q;
-      for (int i = 0; i < 3; ++i) {
-        q[i] = real(m_places->quaternion, std::size_t(i));
-        toRas[3][i] = real(m_places->quaternion, std::size_t(i) + 3);
-      }
-      const glm::dmat3 turn = rotation(q);
-      const double sign = real(m_places->pixdim, 0) < 0.0 ? -1.0 : 1.0;
-      for (int i = 0; i < 3; ++i)
-        toRas[i] = glm::dvec4(turn[i] * spacing[i] * (i == 2 ? sign : 1.0), 0.0);
+      toRas = qform(spacing);
       m_file.frameReason = "qform (NIfTI is RAS)";
     } else {
       for (int i = 0; i < 3; ++i)
@@ -264,6 +254,54 @@ class NiftiReader {
       for (int row = 0; row < 3; ++row)
         toRas[column][row] *= unit * (row < 2 ? turn : 1.0);
     m_file.toLps = toRas;
+  }
+
+  glm::dvec3 spacings() const {
+    glm::dvec3 spacing;
+    for (int i = 0; i < 3; ++i) {
+      spacing[i] = std::abs(real(m_places->pixdim, std::size_t(i) + 1));
+      if (!std::isfinite(spacing[i]) || spacing[i] == 0.0)
+        spacing[i] = 1.0;
+    }
+    return spacing;
+  }
+
+  glm::dmat4 qform(const glm::dvec3& spacing) const {
+    glm::dmat4 toRas(1.0);
+    glm::dvec3 q;
+    for (int i = 0; i < 3; ++i) {
+      q[i] = real(m_places->quaternion, std::size_t(i));
+      toRas[3][i] = real(m_places->quaternion, std::size_t(i) + 3);
+    }
+    const glm::dmat3 turn = rotation(q);
+    const double sign = real(m_places->pixdim, 0) < 0.0 ? -1.0 : 1.0;
+    for (int i = 0; i < 3; ++i)
+      toRas[i] = glm::dvec4(turn[i] * spacing[i] * (i == 2 ? sign : 1.0), 0.0);
+    return toRas;
+  }
+
+  /// Says where the two places that the header gives do not agree. A sheared sform has no qform
+  /// that is equal to it, so half a voxel is let pass.
+  void compare(const glm::dmat4& sform, const glm::dmat4& qform) {
+    double farthest = 0.0;
+    double voxel = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+      glm::dvec4 at(0.0, 0.0, 0.0, 1.0);
+      for (int i = 0; i < 3; ++i)
+        at[i] = (corner >> i & 1) != 0 ? double(m_file.layout.size[i] - 1) : 0.0;
+      farthest = std::max(farthest, glm::length(glm::dvec3((sform - qform) * at)));
+    }
+    for (int i = 0; i < 3; ++i)
+      voxel = std::max(voxel, glm::length(glm::dvec3(sform[i])));
+    if (!(farthest > 0.5 * voxel))
+      return;
+    const bool mirrored =
+        glm::determinant(glm::dmat3(sform)) * glm::determinant(glm::dmat3(qform)) < 0.0;
+    m_file.warnings.push_back(m_source.warning(
+        "sform and qform place it differently, by up to " +
+        std::to_string(std::lround(std::max(farthest, 1.0))) +
+        (mirrored ? " of its units and with left and right swapped; the sform was taken"
+                  : " of its units; the sform was taken")));
   }
 
   void placeAsAnalyze() {

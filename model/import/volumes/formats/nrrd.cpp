@@ -31,6 +31,7 @@ class NrrdReader {
       return status.error();
     const bool segments =
         !m_header.key("Segment0_LabelValue").empty() || !m_header.key("Segment0_Name").empty();
+    m_file.layersMeant = segments;
     m_file.names = [header = std::move(m_header), segments, layered = m_file.layout.layers > 1,
                     file = m_source.file(),
                     limits = m_options.limits](const LabelVolume&, std::size_t layer) {
@@ -70,6 +71,7 @@ class NrrdReader {
     for (std::size_t i = 0; i < m_sizes.size(); ++i)
       if (isSpatial(i, kinds))
         spatial.push_back(i);
+    dropListOfOne(spatial);
     const bool contiguous =
         spatial.size() == 3 && spatial[2] - spatial[0] == 2 && m_sizes.size() <= 4;
     if (!contiguous)
@@ -91,6 +93,15 @@ class NrrdReader {
                            "Export a volume with one number per voxel");
     }
     return Unit{};
+  }
+
+  /// Takes from four axes in space one that has a single place: a volume written as a list of one,
+  /// whose list has a direction of its own.
+  void dropListOfOne(std::vector<std::size_t>& spatial) const {
+    if (spatial.size() != 4 || m_sizes.size() != 4)
+      return;
+    const std::size_t list = m_sizes[3] == 1 ? 3 : m_sizes[0] == 1 ? 0 : 4;
+    std::erase(spatial, list);
   }
 
   bool isSpatial(std::size_t axis, const std::vector<std::string_view>& kinds) const {

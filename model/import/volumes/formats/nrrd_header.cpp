@@ -101,10 +101,18 @@ std::vector<std::optional<glm::dvec3>> nrrdVectors(std::string_view text) {
         return {};
     }
     inside.skipSpace();
+    // A space of four dimensions has one that is no place; an axis along it lies in none.
+    double other = 0.0;
+    const bool four = !inside.atEnd();
+    if (four && (!inside.number(other) || !std::isfinite(other)))
+      return {};
+    inside.skipSpace();
     if (!inside.atEnd())
       return {};
     at.moveTo(at.at() + close + 1);
     vectors.emplace_back(v);
+    if (four && v == glm::dvec3(0.0) && other != 0.0)
+      vectors.back().reset();
   }
   return vectors;
 }

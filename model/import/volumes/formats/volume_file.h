@@ -25,6 +25,7 @@ struct VolumeFile {
   bool onlySideOpen = false;  ///< as RawMesh::onlySideOpen
   /// Returns the names of a layer's labels, if there are any; asked once its voxels are there.
   std::function<LabelNames(const LabelVolume& volume, std::size_t layer)> names;
+  bool layersMeant = false;  ///< its layers are structures that overlap, rather than points in time
   std::vector<ImportWarning> warnings;
 };
 

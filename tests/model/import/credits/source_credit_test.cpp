@@ -5,10 +5,12 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <bit>
 
 #include "model/edit/credits.h"
 #include "model/import/credits/source_credit.h"
 #include "model/import/plan/import.h"
+#include "model/scene_file/scene_file.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -66,7 +68,25 @@ class SourceCreditTest : public QObject {
     add("a path", CreditText::mesh, "# Copyright /home/jane/scans\n# Author: C:\\Users\\jane\n",
         "||");
     add("nothing", CreditText::licence, "", "||");
-    add("zeros", CreditText::mesh, "# CC BY 4.0 \x01 by\tJ\n", "||CC BY 4.0 by J");
+    add("control characters", CreditText::mesh, "# CC BY 4.0 \x01 by\tJ\n", "||");
+    add("control characters of Latin 1", CreditText::mesh, "# CC BY\xc2\x85 4.0\n", "||");
+    add("Latin 1", CreditText::licence, "\xa9 J, CC BY\nMIT License, \xfc\nCC0 for all\n",
+        "||CC0 for all");
+    add("numbers of a VTK file", CreditText::mesh,
+        "# vtk DataFile Version 3.0\na heart\nBINARY\nDATASET POLYDATA\nPOINTS 9 float\n"
+        "\x41\n#gpl \x99\x99\n# (c) J, CC BY\n",
+        "||");
+    add("after a PLY file's header", CreditText::mesh,
+        "ply\ncomment CC0\nend_header\nxyz\n# CC BY by J\ncomment (c) J\n", "||CC0");
+    add("between numbers", CreditText::mesh, "# a heart\nv 0 0 0\n# CC BY by J\n", "||");
+    add("STL in binary", CreditText::mesh,
+        "solid heart, CC BY 4.0                                                          "
+        "\x01\x02\n# gpl\n",
+        "||heart, CC BY 4.0");
+    add("NRRD", CreditText::mesh, "NRRD0005\n# CC BY 4.0\ntype: int16\n\n# gpl\n", "||CC BY 4.0");
+    add("appended data", CreditText::mesh,
+        "<VTKFile>\n<AppendedData encoding=\"raw\">\n_\x05\n#gpl\n# (c) J\n", "||");
+    add("within a word", CreditText::mesh, "# absdiff of singpl\n", "||");
   }
   void textsSayIt() {
     QFETCH(int, kind);
@@ -77,11 +97,52 @@ class SourceCreditTest : public QObject {
     QCOMPARE(QString::fromStdString(said.authors + "|" + said.source + "|" + said.licence), says);
   }
 
-  void longLinesAreCutBetweenLetters() {
-    const std::string text = "# CC BY 4.0 " + std::string(290, 'x') + "\xc3\xa4\xc3\xa4\n";
-    const SourceCredit said = model::creditIn(text, CreditText::mesh);
-    QVERIFY(said.licence.size() <= model::longestCredit);
-    QVERIFY(!QString::fromStdString(said.licence).contains(QChar::ReplacementCharacter));
+  /// A line that is too long for a scene is cut between letters, and import tells of it; one that
+  /// is too long for any line is none.
+  void longLinesAreCutAndTold() {
+    QTemporaryDir folder;
+    const auto credited = [&folder](const std::string& line) {
+      write(folder.filePath("a.obj"),
+            QByteArray::fromStdString("# " + line) + "\nv 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n");
+      return model::importInputs({{folder.filePath("a.obj").toStdString()}}, {});
+    };
+    const auto cut = credited("CC BY 4.0 " + std::string(289, 'x') + "\xc3\xa4\xc3\xa4");
+    QVERIFY(cut.ok());
+    QCOMPARE(cut->scene.nodes()[0].provenance.credit.licence, "CC BY 4.0 " + std::string(289, 'x'));
+    QCOMPARE(cut->report.warnings.size(), std::size_t(1));
+    QCOMPARE(cut->report.warnings[0].reason,
+             std::string("structure \"a\": its credit is longer than 300 bytes; it was cut there"));
+    const auto none = credited("CC BY 4.0 " + std::string(2000, 'x'));
+    QVERIFY(none.ok() && none->scene.nodes()[0].provenance.credit.empty());
+  }
+
+  /// The numbers of this file have the bytes of a comment about a licence, and more that are no
+  /// text; the scene that was made of it could be saved and not opened.
+  void numbersAreNoLicence() {
+    QTemporaryDir folder;
+    QByteArray values("\n#gpl (c) ");
+    values += QByteArray(3 * 33 * 4 - values.size(), '\xe9');
+    QByteArray points;
+    const auto number = [](QByteArray& to, std::uint32_t bits) {
+      for (int shift = 24; shift >= 0; shift -= 8)
+        to += char(bits >> shift & 0xff);
+    };
+    for (const float coordinate : {0.0f, 0.0f, 0.0f, 50.0f, 0.0f, 0.0f, 0.0f, 50.0f, 0.0f})
+      number(points, std::bit_cast<std::uint32_t>(coordinate));
+    QByteArray file = "# vtk DataFile Version 3.0\nvtk output\nBINARY\nDATASET POLYDATA\n";
+    file += "POINTS 3 float\n" + points + "\nPOLYGONS 1 4\n";
+    for (const std::uint32_t corner : {3u, 0u, 1u, 2u})
+      number(file, corner);
+    file += "\nPOINT_DATA 3\nFIELD FieldData 1\nmeasured 33 3 float\n" + values;
+    write(folder.filePath("a.vtk"), file + "\n");
+    const auto imported = model::importInputs({{folder.filePath("a.vtk").toStdString()}}, {});
+    QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+    QVERIFY(imported->scene.nodes()[0].provenance.credit.empty());
+    const auto bytes = model::sceneFileBytes({.scene = imported->scene});
+    QVERIFY2(bytes.ok(), bytes.ok() ? "" : bytes.error().text().c_str());
+    const auto again = model::documentFromBytes(*bytes);
+    QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
+    QVERIFY(again->leftOut.empty());
   }
 
   /// The file's own words come first, then its folder's, then the licence above; names of folders

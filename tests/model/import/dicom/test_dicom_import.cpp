@@ -32,7 +32,7 @@ void write(const QString& path, const QByteArray& bytes) {
 QByteArray organs() {
   std::vector<WrittenRegion> regions;
   for (const char* name : {"Heart", "Cord", "Lung Left"})
-    regions.push_back({name, "ORGAN", {}, ball({40, 0, 0}, 10, -9, 2)});
+    regions.push_back({name, "ORGAN", {}, ball({40, 0, 0}, 32, -31, 2)});
   for (const char* name : {"GTV", "PTV 60"})
     regions.push_back({name, "PTV", Colour{200, 10, 10}, ball({0, 0, 40}, 6, 35, 2)});
   regions.push_back({"Points", "MARKER", {}, {circle({0, 0, 0}, 2)}, "POINT"});
@@ -72,6 +72,7 @@ class TestDicomImport : public QObject {
   Q_OBJECT
  private slots:
   void folderWithSlices();
+  void contentTellsWhateverItIsCalled();
   void folderOfSlicesOnly();
   void slicesNamedOneByOne();
   void nothingOfThePatientStays();
@@ -93,6 +94,17 @@ void TestDicomImport::folderWithSlices() {
   QCOMPARE(imported->report.warnings.size(), std::size_t(2));  // the other one is about the points
   QCOMPARE(groupsOf(imported->scene), QString("Organs at risk, Targets"));
   QCOMPARE(imported->scene.structuresBelow(model::rootId).size(), std::size_t(5));
+}
+
+void TestDicomImport::contentTellsWhateverItIsCalled() {
+  const QTemporaryDir folder;
+  for (const char* name : {"a.seg", "b.label", "c.dicom"})
+    write(folder.filePath(name), mask());
+  write(folder.filePath("notes.seg"), QByteArray(400, 'x'));
+  const auto imported = model::importInputs(std::array{Path(folder.path().toStdString())}, {});
+  QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+  QCOMPARE(imported->scene.structuresBelow(model::rootId).size(), std::size_t(3));
+  QVERIFY(!model::importInputs(std::array{Path(folder.filePath("notes.seg").toStdString())}, {}));
 }
 
 void TestDicomImport::folderOfSlicesOnly() {

@@ -272,6 +272,8 @@ void TestStructureSets::whatIsSkippedIsTold_data() {
                          << QByteArray("CLOSED_PLANAR") << "1 contour given twice";
   QTest::newRow("missing slice") << rod({0, 0, 0}, 10, {0, 3, 6, 12, 15, 18})
                                  << QByteArray("CLOSED_PLANAR") << "1 slice without a contour";
+  QTest::newRow("one slice") << one << QByteArray("CLOSED_PLANAR")
+                             << "one slice; made 2 mm thick, as slices of other structures are";
   QTest::newRow("wide gap") << rod({0, 0, 0}, 10, {0, 3, 6, 60, 63, 66})
                             << QByteArray("CLOSED_PLANAR") << "2 pieces";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the two readers row by row: what is read, what is refused and how.
 #include <QTest>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -206,6 +207,23 @@ class TestEntryRecords : public QObject {
     QTest::newRow("nothing") << " 12 "
                              << "ALA"
                              << "";
+    // CHARMM's ions, and names that programs write from the first column on.
+    const std::array<std::array<const char*, 3>, 14> names{{{"POT ", "POT", "K"},
+                                                            {" POT", "POT", "K"},
+                                                            {"SOD ", "SOD", "Na"},
+                                                            {" SOD", "SOD", "Na"},
+                                                            {"CLA ", "CLA", "Cl"},
+                                                            {" CLA", "CLA", "Cl"},
+                                                            {"CAL ", "CAL", "Ca"},
+                                                            {" CAL", "CAL", "Ca"},
+                                                            {"CA  ", "HSD", "C"},
+                                                            {"CD2 ", "HSE", "C"},
+                                                            {"NE2 ", "HSP", "N"},
+                                                            {"HG1 ", "THR", "H"},
+                                                            {"N9  ", "GUA", "N"},
+                                                            {"P   ", "CYT", "P"}}};
+    for (const auto& [columns, residue, symbol] : names)
+      QTest::addRow("%s of %s", columns, residue) << columns << residue << symbol;
   }
   void elements() {
     QFETCH(QString, columns);

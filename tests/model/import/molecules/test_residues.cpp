@@ -83,6 +83,13 @@ class TestResidues : public QObject {
     QTest::newRow("phosphotyrosine") << "PTR" << 'Y';
     QTest::newRow("selenocysteine") << "SEC" << 'C';
     QTest::newRow("histidine of a force field") << "HSD" << 'H';
+    QTest::newRow("histidine with its proton at ε") << "HSE" << 'H';
+    QTest::newRow("histidine with both protons") << "HSP" << 'H';
+    QTest::newRow("guanine of a force field") << "GUA" << 'G';
+    QTest::newRow("adenine of a force field") << "ADE" << 'A';
+    QTest::newRow("cytosine of a force field") << "CYT" << 'C';
+    QTest::newRow("thymine of a force field") << "THY" << 'T';
+    QTest::newRow("uracil of a force field") << "URA" << 'U';
     QTest::newRow("of DNA") << "DA" << 'A';
     QTest::newRow("of RNA") << "U" << 'U';
     QTest::newRow("pseudouridine") << "PSU" << 'U';
@@ -104,6 +111,27 @@ class TestResidues : public QObject {
       const auto molecule = read(cifFile(atoms), ".cif");
       QVERIFY2(molecule && molecule->waters == 1 && molecule->ligands.empty(), name);
     }
+  }
+
+  /// CHARMM writes ions as atoms of three letters, from the first column on, without an element.
+  void ionsOfSimulations() {
+    std::vector<Written> atoms = helix("AAAA");
+    double x = 30.0;
+    for (const char* name : {"SOD", "POT", "CLA", "CAL"})
+      atoms.push_back({.name = name, .residue = name, .number = int(x), .place = {x += 8.0, 0, 0}});
+    QByteArray file;
+    for (const Written& atom : atoms)
+      file += pdbLine(atom).left(66) + "\n";
+    const auto molecule = read(file);
+    QVERIFY(molecule);
+    QCOMPARE(molecule->chains.size(), std::size_t(1));
+    QStringList found;
+    for (const Ligand& ligand : molecule->ligands)
+      found << QString::fromStdString(ligand.name + " " +
+                                      std::string(ligand.atoms.front().element->name) +
+                                      (ligand.ion ? " ion" : ""));
+    QCOMPARE(found.join(", "),
+             QString("SOD sodium ion, POT potassium ion, CLA chlorine ion, CAL calcium ion"));
   }
 
   void kinds() {

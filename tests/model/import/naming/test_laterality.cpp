@@ -17,6 +17,8 @@ class LateralityTest : public QObject {
  private slots:
   void vote_data();
   void vote();
+  void clearVotes_data();
+  void clearVotes();
   void otherSideNamesTheStructures();
   void liverOnTheRight_data();
   void liverOnTheRight();
@@ -38,9 +40,15 @@ void LateralityTest::vote_data() {
   row("single by the pairs' middle", {"left kidney", "right kidney", "left ureter"}, {-50, 50, -20},
       0, 2);
   row("single by the spine", {"right femur", "sacrum"}, {-80, 0}, 1, 0);
-  row("single alone", {"left kidney"}, {50}, 0, 0);
-  row("no sides", {"liver", "spleen"}, {-50, 50}, 0, 0);
-  row("too close to say", {"left vein", "right vein", "liver"}, {0.2, 0.1, 100}, 0, 0);
+  row("single alone, by the origin", {"left kidney"}, {50}, 1, 0);
+  row("two singles, by each other", {"left kidney", "right femur"}, {450, 520}, 0, 1);
+  row("organs by nature", {"liver", "spleen"}, {-50, 50}, 1, 0);
+  row("organs by nature, by the spine", {"Leber", "spleen", "sacrum"}, {-50, 50, 0}, 2, 0);
+  row("single by the middle of others", {"left eye", "a", "b", "c", "d", "e"},
+      {480, 500, 510, 490, 505, 520}, 0, 1);
+  row("parts of what lies in the middle", {"left atrium", "right lobe of liver"}, {-5, -20}, 0, 0);
+  row("no sides", {"bowel", "bladder"}, {-50, 50}, 0, 0);
+  row("too close to say", {"left vein", "right vein", "bowel"}, {0.2, 0.1, 100}, 0, 0);
   row("outvoted", {"left a", "right a", "left b", "right b", "left c", "right c"},
       {50, -50, 40, -40, -10, 10}, 2, 1);
 }
@@ -59,10 +67,40 @@ void LateralityTest::vote() {
   QCOMPARE(vote.winner().has_value(), lps != ras);
   // Seen as LPS, the structures with votes against it are those on the other side; a mirror swaps
   // the two.
-  QCOMPARE(namedForOtherSide(places).empty(), ras == 0);
+  // What only the origin tells is no reason to doubt a name.
+  QCOMPARE(namedForOtherSide(places).empty(), ras == 0 || vote.byOrigin);
   for (NamedPosition& place : places)
     place.x = -place.x;
-  QCOMPARE(namedForOtherSide(places).empty(), lps == 0);
+  QCOMPARE(namedForOtherSide(places).empty(), lps == 0 || vote.byOrigin);
+}
+
+void LateralityTest::clearVotes_data() {
+  QTest::addColumn<QStringList>("names");
+  QTest::addColumn<QList<double>>("xs");
+  QTest::addColumn<bool>("clear");
+  const auto row = [](const char* tag, const QStringList& names, const QList<double>& xs,
+                      bool clear) { QTest::newRow(tag) << names << xs << clear; };
+  row("a pair", {"left kidney", "right kidney"}, {50, -50}, true);
+  row("one name", {"left kidney", "sacrum"}, {50, 0}, false);
+  row("two names", {"left kidney", "left femur", "sacrum"}, {50, 90, 0}, true);
+  row("the origin", {"left kidney", "left femur"}, {50, 90}, false);
+  row("each other", {"left kidney", "right femur"}, {50, -90}, true);
+  const QStringList pairs{"left a", "right a", "left b", "right b",
+                          "left c", "right c", "left d", "right d"};
+  row("one in four", pairs, {50, -50, 50, -50, 50, -50, -50, 50}, true);
+  row("two in four", pairs, {50, -50, 50, -50, -50, 50, -50, 50}, false);
+  row("one in three", pairs.mid(0, 6), {50, -50, 50, -50, -50, 50}, false);
+  row("no names", {"a", "b"}, {50, -50}, false);
+}
+
+void LateralityTest::clearVotes() {
+  QFETCH(QStringList, names);
+  QFETCH(QList<double>, xs);
+  QFETCH(bool, clear);
+  std::vector<NamedPosition> places;
+  for (qsizetype i = 0; i < names.size(); ++i)
+    places.push_back({names[i].toStdString(), float(xs[i]), 0.0f, 10.0f});
+  QCOMPARE(voteOnFrame(places).isClear(), clear);
 }
 
 void LateralityTest::otherSideNamesTheStructures() {
@@ -135,8 +173,8 @@ void LateralityTest::liverOnTheRight() {
   const char* const reason = chosen             ? "chosen"
                              : format == "gltf" ? "glTF"
                              : header           ? "SPACE"
-                             : kidneys          ? "1 of 1 left/right names"
-                                                : "no header";
+                             : kidneys          ? "3 of 3 left/right names"
+                                                : "2 of 2 left/right names";
   QVERIFY2(QString::fromStdString(provenance.frameReason).contains(reason),
            provenance.frameReason.c_str());
 }

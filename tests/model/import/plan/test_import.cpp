@@ -32,8 +32,6 @@ class ImportTest : public QObject {
   void partsThatFailAreWarnings();
   void whatMemoryHasNoRoomForIsAWarning();
   void cleanMeshIsBitEqual();
-  void unitGuess_data();
-  void unitGuess();
   void progressRises();
   void cancel_data();
   void cancel();
@@ -130,28 +128,6 @@ void ImportTest::cleanMeshIsBitEqual() {
   QCOMPARE(node.provenance.smoothingSteps + node.provenance.refinementSteps +
                node.provenance.repairedFaces,
            0);
-}
-
-void ImportTest::unitGuess_data() {
-  QTest::addColumn<QString>("name");
-  QTest::addColumn<float>("radius");
-  QTest::addColumn<float>("expected");
-  QTest::newRow("a liver in metres") << "liver" << 0.1f << 100.0f;
-  QTest::newRow("a liver in millimetres") << "liver" << 100.0f << 100.0f;
-  QTest::newRow("a small thing of unknown name") << "bunny" << 0.1f << 0.1f;
-}
-
-void ImportTest::unitGuess() {
-  QFETCH(QString, name);
-  QFETCH(float, radius);
-  QFETCH(float, expected);
-  const QTemporaryDir folder;
-  test::writeMesh(folder.filePath(name + ".ply"), *test::octahedron({}, radius));
-  const auto imported = importInputs(std::array{path(folder)}, {});
-  QVERIFY(imported.ok());
-  const float size = imported->scene.nodes().front().mesh->bounds().size().x;
-  QVERIFY(std::abs(size - 2.0f * expected) < 1e-3f * expected);
-  QCOMPARE(test::warningsOf(*imported).contains("metre"), radius != expected);
 }
 
 void ImportTest::progressRises() {

@@ -109,10 +109,28 @@ void ImportAtlasTest::abdomenFolderVotes() {
     SLINE_ABSENT("the folder of real data is absent");
   ImportOptions options;
   options.smoothing.mode = Smoothing::Mode::off;
-  const auto imported = import("abdomen/Data", options);
+  // The scene beside the folder would decide.
+  const auto beside = import("abdomen/Data", options);
+  QVERIFY(beside.ok());
+  QCOMPARE(beside->report.frame, Frame::ras);
+  QCOMPARE(beside->report.frameReason, std::string("scene of Slicer before 4.11"));
+  // Without it the label volume does, and without that the names.
+  const QTemporaryDir apart;
+  const auto linked = [&](const QString& kinds) {
+    const QDir data(QString(SLINE_TEST_DATA) + "/abdomen/Data");
+    for (const QString& file : data.entryList({kinds}, QDir::Files))
+      QFile::link(data.filePath(file), apart.filePath(file));
+    return importInputs(std::array{std::filesystem::path(apart.path().toStdString())}, options);
+  };
+  const auto imported = linked("*.vtk");
   QVERIFY(imported.ok());
+  const auto laid = linked("*");
+  QVERIFY(laid.ok());
+  QCOMPARE(laid->report.frame, Frame::ras);
+  QVERIFY(QString::fromStdString(laid->report.frameReason).startsWith("laid over surfaces"));
   QCOMPARE(imported->report.frame, Frame::ras);
   QVERIFY(QString::fromStdString(imported->report.frameReason).startsWith("vote: "));
+  QVERIFY(imported->scene.nodes().back().provenance.evidence.isSure());
   const auto [right, all] = pairsOnTheirSides(imported->scene);
   QVERIFY(all >= 20 && right == all);
   QCOMPARE(imported->scene.groupPath(test::named(imported->scene, "aorta").id),

@@ -51,12 +51,12 @@ class PackedFilesTest : public QObject {
   /// A packed file is found in a folder, and its structure is named without either ending.
   void inAFolder() {
     QTemporaryDir folder;
-    writeText(folder.filePath("my_cube.stl.gz"), gzipped(cubeFile("stl binary")));
+    writeText(folder.filePath("small_cube.stl.gz"), gzipped(cubeFile("stl binary")));
     writeText(folder.filePath("notes.txt.gz"), gzipped("nothing of the kind"));
     const Result<Imported> imported =
         importInputs(std::array{std::filesystem::path(folder.path().toStdString())}, {});
     QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
-    QVERIFY(named(imported->scene, "my cube").mesh);
+    QVERIFY(named(imported->scene, "small cube").mesh);
     QVERIFY2(imported->report.warnings.empty(), qPrintable(warningsOf(*imported)));
   }
 

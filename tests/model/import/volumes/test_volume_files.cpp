@@ -44,6 +44,14 @@ void VolumeFilesTest::namesAndColours_data() {
   QTest::newRow("columns") << "b_names.csv"
                            << QByteArray(
                                   "name,r,g,b,label\nstrange thing,12,240,7,1\nliver,1,2,3,2\n");
+  QTest::newRow("JSON lists")
+      << "b.json"
+      << QByteArray(R"({"labels":["air","strange thing","liver"],"R":[0,12,1],"G":[0,240,2],)"
+                    R"("B":[0,7,3]})");
+  QTest::newRow("JSON lists with numbers")
+      << "b.json"
+      << QByteArray(R"({"I":[2,1],"labels":["liver","strange thing"],"R":[1,12],"G":[2,240],)"
+                    R"("B":[3,7]})");
   QTest::newRow("JSON list")
       << "b.json"
       << QByteArray(

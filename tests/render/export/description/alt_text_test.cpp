@@ -362,6 +362,25 @@ class AltTextTest : public QObject {
     QCOMPARE(altTextOf(order).language, std::string("en"));
   }
 
+  /// A side that nobody is sure of is not told as a fact.
+  void doubtIsSaid() {
+    ExportOrder order = ballsOrder();
+    const auto doubted = [&order](model::Evidence sides, model::Evidence front) {
+      std::vector<model::Node> nodes = order.scene.nodes();
+      for (model::Node& node : nodes)
+        node.provenance.evidence = {sides, front};
+      order.scene.setNodes(std::move(nodes));
+      return QString::fromStdString(altTextOf(order).text)
+          .contains("Which side of the body is which is not certain.");
+    };
+    using enum model::Evidence;
+    QVERIFY(!doubted(voted, voted));
+    QVERIFY(doubted(assumed, assumed));
+    QVERIFY(doubted(conflict, known));
+    // From above neither left nor right would be told but at the edge.
+    QVERIFY(doubted(known, assumed));
+  }
+
   /// Where a picture gives no names away, its description gives none away either.
   void testsAreNotAnswered() {
     ExportOrder order = ballsOrder();

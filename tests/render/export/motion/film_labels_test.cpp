@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures labels over films of 8 seconds as one sees them: which change sides, which are there or
-// gone for less than a second, and how often one hops.
+// gone for less than a second, how often one hops, and whether they end on what they name.
 #include "render/export/motion/film_labels.h"
 
 #include <QDir>
@@ -9,11 +9,16 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
+#include <set>
 
 #include "model/demo/demo.h"
+#include "model/edit/views.h"
 #include "model/import/plan/import.h"
+#include "render/export/order/view_orders.h"
 #include "render/labels/seen_map.h"
 #include "render/lettering/typesetting.h"
+#include "render/measures/leader_truth.h"
+#include "render/picture/headless/headless_picture.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -48,6 +53,48 @@ ExportOrder orderOf(const model::Scene& scene, Motion motion, std::size_t labels
   label(order, labels);
   order.of<FilmOptions>() = {.motion = motion, .seconds = 8.0, .framesPerSecond = rate};
   return order;
+}
+
+/// Adds three views, each with labels of its own besides those of all.
+ExportOrder tourOrder(ExportOrder order) {
+  const model::Box bounds = order.scene.visibleBounds();
+  std::vector<model::View> views;
+  for (const auto from : {model::AnatomicalView::anterior, model::AnatomicalView::left,
+                          model::AnatomicalView::posterior}) {
+    const model::Camera camera = model::anatomicalCamera(from, bounds, 0.5f * page.x / page.y);
+    model::View view = model::viewOf(order.scene, camera, "view");
+    std::size_t each = 0;
+    std::erase_if(*view.annotations,
+                  [&](model::AnnotationId) { return each++ % 3 == views.size(); });
+    views.push_back(view);
+  }
+  order.scene.setViews(views);
+  return order;
+}
+
+/// Returns in words where each label of the plate stands and what it points at.
+QStringList placesOf(const FigurePlate& plate) {
+  QStringList places;
+  for (const ShownLabel& label : plate.labels->labels)
+    if (const PlacedLabel* placed = plate.labels->layout.find(label.item.id)) {
+      const glm::vec2 place = label.item.places.front();
+      places << QString("%1 %2: %3 %4, %5 %6%7")
+                    .arg(label.item.id.value)
+                    .arg(QString::fromStdString(label.text))
+                    .arg(placed->box.low.x)
+                    .arg(placed->box.low.y)
+                    .arg(place.x)
+                    .arg(place.y)
+                    .arg(placed->hidden ? "?" : "");
+    }
+  return places;
+}
+
+model::NodeId structureOf(const model::Scene& scene, model::AnnotationId id) {
+  for (const model::Annotation& annotation : scene.annotations())
+    if (annotation.id == id)
+      return std::get<model::SurfacePoint>(annotation.anchors.front()).structure;
+  return {};
 }
 
 /// Holds what one sees of a label in a frame.
@@ -192,18 +239,97 @@ class FilmLabelsTest : public QObject {
     judge(orderOf(imported->scene, Motion::turntable));
   }
 
+  /// Where a tour rests it has the labels of the view's still, each in its place, and on its way
+  /// none.
   void touring() {
-    ExportOrder order = orderOf(demoScene(model::DemoName::abdomen), Motion::tour);
-    const model::Box bounds = order.scene.visibleBounds();
-    std::vector<model::View> views;
-    for (const auto from : {model::AnatomicalView::anterior, model::AnatomicalView::left,
-                            model::AnatomicalView::posterior}) {
-      model::View view{.name = "view", .camera = {}};
-      view.camera = model::anatomicalCamera(from, bounds, 0.5f * page.x / page.y);
-      views.push_back(view);
+    const ExportOrder order = tourOrder(orderOf(demoScene(model::DemoName::abdomen), Motion::tour));
+    const Film film = std::move(Film::create(order, glm::vec2(0.6f, 1.0f))).value();
+    FilmLabels labels(order);
+    QVERIFY(labels.settle(film, {}));
+    std::set<std::size_t> rested;
+    std::size_t shown = 0;
+    for (int i = 0; i < film.frames(); ++i) {
+      const FilmFrame frame = film.at(i);
+      const FigurePlate plate = labels.plateOf(film, i);
+      QCOMPARE(plate.labels.has_value(), !frame.moving);
+      QCOMPARE(plate.labels.has_value(), labels.alone(film, i).labels.has_value());
+      if (frame.moving)
+        continue;
+      QVERIFY(frame.rest);
+      const FigurePlate still = figurePlate(orderOfView(order, order.scene.views()[*frame.rest]));
+      QCOMPARE(placesOf(plate), placesOf(still));
+      if (rested.insert(*frame.rest).second)
+        shown += plate.labels->layout.labels.size();
     }
-    order.scene.setViews(views);
-    judge(order);
+    QCOMPARE(rested.size(), order.scene.views().size());
+    QVERIFY2(shown > 30, qPrintable(QString::number(shown)));
+  }
+
+  /// A tour that rests nowhere would have labels for one frame.
+  void toursWithoutRests() {
+    ExportOrder order = tourOrder(orderOf(demoScene(model::DemoName::kidney), Motion::tour));
+    order.of<FilmOptions>().hold = 0.0;
+    const Film film = std::move(Film::create(order)).value();
+    FilmLabels labels(order);
+    QVERIFY(labels.settle(film, {}));
+    for (int i = 0; i < film.frames(); ++i)
+      QVERIFY(!labels.plateOf(film, i).labels);
+  }
+
+  /// Leaders end on what they name, judged by the frames' pictures alone.
+  void leadersEndOnWhatTheyName_data() {
+    QTest::addColumn<int>("motion");
+    QTest::addColumn<int>("demo");
+    for (const auto& [name, demo] :
+         {std::pair("kidney", model::DemoName::kidney), {"abdomen", model::DemoName::abdomen}}) {
+      QTest::addRow("tour, %s", name) << int(Motion::tour) << int(demo);
+      QTest::addRow("sweep, %s", name) << int(Motion::gammaSweep) << int(demo);
+    }
+    QTest::newRow("turntable, kidney") << int(Motion::turntable) << int(model::DemoName::kidney);
+  }
+  void leadersEndOnWhatTheyName() {
+    QFETCH(int, motion);
+    QFETCH(int, demo);
+    const ExportOrder order = tourOrder(orderOf(demoScene(model::DemoName(demo)), Motion(motion)));
+    const Film film = std::move(Film::create(order, glm::vec2(0.6f, 1.0f))).value();
+    FilmLabels labels(order);
+    QVERIFY(labels.settle(film, {}));
+    auto picture = HeadlessPicture::create();
+    QVERIFY(picture.ok());
+    const DrawPicture draw = [&](const model::Scene& scene, const model::Camera& camera,
+                                 const PictureSettings& settings) {
+      return (*picture)->render(scene, camera, settings);
+    };
+    constexpr int frames = 5;
+    std::size_t judged = 0;
+    for (int k = 0; k < frames; ++k) {
+      const int at = k * (film.frames() - 1) / (frames - 1);
+      const FigurePlate plate = labels.plateOf(film, at);
+      if (!plate.labels)
+        continue;
+      const FilmFrame frame = film.at(at);
+      constexpr glm::ivec2 size{960, 540};
+      std::vector<LeaderEnd> ends;
+      for (const ShownLabel& label : plate.labels->labels)
+        if (plate.labels->layout.find(label.item.id))
+          ends.push_back({structureOf(frame.scene, label.item.id),
+                          label.item.places.front() * float(size.x) / page.x, label.item.hidden});
+      const auto verdicts = judgeLeaders(
+          draw,
+          {frame.scene, frame.camera, {.width = size.x, .height = size.y}, float(size.x) / 480.0f},
+          ends);
+      QVERIFY(verdicts.ok());
+      for (std::size_t i = 0; i < ends.size(); ++i) {
+        const LeaderFault fault = (*verdicts)[i].fault;
+        QVERIFY2(fault != LeaderFault::onAnother && fault != LeaderFault::besideIt,
+                 qPrintable(
+                     QString("frame %1: %2")
+                         .arg(at)
+                         .arg(QString::fromStdString(frame.scene.find(ends[i].structure)->name))));
+      }
+      judged += ends.size();
+    }
+    QVERIFY2(judged > 5, qPrintable(QString::number(judged)));
   }
 
  private:

@@ -131,20 +131,18 @@ class PackagesTest : public QObject {
   void answersAreTolerant() {
     const std::vector<std::string>& names = thing("left kidney").accepted;
     QCOMPARE(names.front(), std::string("left kidney"));
+    // No system tells capitals from small letters.
     for (const char* name : {"Ren sinister", "linke Niere", "venstre nyre"})
-      QVERIFY2(std::find(names.begin(), names.end(), name) != names.end(), name);
+      QVERIFY2(std::any_of(names.begin(), names.end(),
+                           [name](const std::string& each) {
+                             return QString::fromStdString(each).toCaseFolded() ==
+                                    QString(name).toCaseFolded();
+                           }),
+               name);
     std::set<QString> folded;
     for (const std::string& name : names)
       QVERIFY(folded.insert(QString::fromStdString(name).toCaseFolded()).second);
     QCOMPARE(render::withoutAccents("Übergang æ ß é"), std::string("Ubergang ae ss e"));
-  }
-
-  void whatNamesTwoThingsIsNoAnswer() {
-    std::vector<std::string> a{"left kidney", "kidney", "Niere"};
-    std::vector<std::string> b{"right kidney", "Kidney", "Ren dexter"};
-    render::dropAmbiguous({&a, &b});
-    QCOMPARE(a, (std::vector<std::string>{"left kidney", "Niere"}));
-    QCOMPARE(b, (std::vector<std::string>{"right kidney", "Ren dexter"}));
   }
 
   void moodleHasOneRightAnswer() {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/plan/file_marks.h"
+
+#include <cstdint>
+
+#include "model/import/kinds/file_kinds.h"
+#include "model/import/naming/names.h"
+
+namespace sline::model {
+
+namespace {
+
+/// Returns the 64-bit checksum of Fowler, Noll and Vo (FNV-1a, RFC 9923) in hexadecimal digits.
+std::string checksum(const std::string& text) {
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (const char c : text)
+    sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  std::string digits;
+  for (int shift = 60; shift >= 0; shift -= 4)
+    digits += "0123456789abcdef"[sum >> shift & 15];
+  return digits;
+}
+
+}  // namespace
+
+std::string fileMark(const std::filesystem::path& file) {
+  std::string name = file.filename().string();
+  return name.empty() || mayBeShown(stemOf(file)) ? name : '#' + checksum(name);
+}
+
+}  // namespace sline::model

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Says what a scene keeps of the names of the files that it came from, so that it can travel.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace sline::model {
+
+/// Returns the file's name where it may be shown to others (model/anatomy/shown_names.h), else "#"
+/// and a checksum of it, by which the file is found again.
+std::string fileMark(const std::filesystem::path& file);
+
+}  // namespace sline::model

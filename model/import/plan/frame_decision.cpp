@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/plan/frame_decision.h"
+
+#include <algorithm>
+
+#include "model/import/naming/laterality.h"
+#include "model/import/plan/frame_fit.h"
+#include "model/scene/known_frame.h"
+
+namespace sline::model {
+
+namespace {
+
+/// Holds the frame of surfaces whose files are silent about it.
+struct SilentFrame {
+  Frame frame = Frame::lps;
+  std::string reason{nothingTellsFrame};
+  SideEvidence evidence{Evidence::assumed, Evidence::assumed};
+};
+
+/// Returns the frame that differs in left and right alone.
+Frame mirroredOf(Frame frame) {
+  const FrameAxes& axes = axesOf(frame);
+  return frameWith(!axes.left, axes.posterior);
+}
+
+/// Returns what to do where names contradict the sides of the frame.
+std::string adviceAgainst(Frame frame, const FrontVote& front) {
+  const FrameAxes& axes = axesOf(frame);
+  const std::string turned = frameName(frameWith(!axes.left, !axes.posterior));
+  const std::string mirrored = frameName(mirroredOf(frame));
+  const std::optional<bool> back = front.toTheBack();
+  if (!back)
+    return "if left and right are swapped, choose " + turned +
+           " where front and back are swapped too, else " + mirrored;
+  return *back == axes.posterior
+             ? "front and back are right: if the files are mirrored, choose " + mirrored
+             : "front and back are swapped too: choose " + turned;
+}
+
+class FrameDecision {
+ public:
+  FrameDecision(std::vector<Part>& parts, const ReadInputs& read, const ImportOptions& options)
+      : m_parts(parts), m_read(read), m_sources(read.sources), m_options(options) {}
+
+  void run(ImportReport& report) {
+    bool silent = false;
+    for (Part& part : m_parts)
+      if (!isSilent(part))
+        decideKnown(part);
+      else
+        silent = true;
+    const SilentFrame decided = silent ? silentFrame(report) : SilentFrame();
+    report.frame = decided.frame;
+    report.frameReason = decided.reason;
+    for (Part& part : m_parts)
+      if (isSilent(part)) {
+        part.frame = decided.frame;
+        part.provenance.frameReason = decided.reason;
+        part.provenance.evidence = decided.evidence;
+        if (part.raw.onlySideOpen)
+          part.provenance.evidence.front = Evidence::known;
+      }
+    if (!silent && !m_parts.empty()) {
+      report.frame = m_parts.front().frame;
+      report.frameReason = m_parts.front().provenance.frameReason;
+    }
+    markContradictions(report);
+  }
+
+ private:
+  const SlicerModel* modelOf(const Part& part) const {
+    const SourceFile& file = m_sources.files[part.file];
+    return file.model ? &m_sources.sources[file.source].scene->models[*file.model] : nullptr;
+  }
+  bool isChosen(const Part& part) const { return m_options.frame || part.choice.frame; }
+  bool isSilent(const Part& part) const {
+    return !isChosen(part) && !part.raw.frame && !modelOf(part) && !m_sources.files[part.file].told;
+  }
+
+  void decideKnown(Part& part) const {
+    std::string& reason = part.provenance.frameReason;
+    const SlicerModel* model = modelOf(part);
+    part.provenance.evidence = {};
+    if (isChosen(part)) {
+      part.frame = part.choice.frame ? *part.choice.frame : *m_options.frame;
+      part.provenance.evidence = {Evidence::settled, Evidence::settled};
+      reason = chosenReason;
+    } else if (part.raw.frame) {
+      part.frame = *part.raw.frame;
+      reason = (part.raw.molecule || part.raw.yUp ? "" : "header: ") + part.raw.frameReason;
+    } else if (model) {
+      part.frame = model->frame;
+      reason = model->frameReason;
+    } else {
+      part.frame = m_sources.files[part.file].told->frame;
+      reason = m_sources.files[part.file].told->frameReason;
+    }
+  }
+
+  template <class Wanted>
+  std::vector<NamedPosition> placesOf(const Wanted& wanted) const {
+    std::vector<NamedPosition> places;
+    for (const Part& part : m_parts)
+      if (wanted(part)) {
+        Box box;
+        for (const glm::vec3& p : part.raw.positions)
+          box.add(part.raw.yUp ? uprightToLps(p) : p);
+        const glm::vec3 centre = box.centre();
+        places.push_back({part.name, centre.x, centre.y, 0.5f * box.size().x});
+      }
+    return places;
+  }
+
+  FrameSides knownAndSilent() const {
+    FrameSides sides;
+    for (const Part& part : m_parts)
+      if (isSilent(part))
+        sides.silent.push_back(&part);
+      else if (part.frame != Frame::file)
+        sides.known.push_back(&part);
+    return sides;
+  }
+
+  SilentFrame silentFrame(ImportReport& report) const {
+    const auto silent = [this](const Part& part) { return isSilent(part); };
+    const std::vector<NamedPosition> places = placesOf(silent);
+    const FrameVote vote = voteOnFrame(places);
+    const FrameSides sides = knownAndSilent();
+    const FrameFit laid = laidOverSameNames(sides, m_read);
+    const FrameFit fit = fittedIn(sides, m_read);
+    SilentFrame decided;
+    if (laid.frame)
+      decided = {*laid.frame, laid.reason, {Evidence::voted, Evidence::voted}};
+    else if (vote.isClear())
+      decided = {*vote.winner(), vote.text(), {Evidence::voted, Evidence::voted}};
+    else if (fit.frame)
+      decided = {*fit.frame, fit.reason, {Evidence::voted, Evidence::voted}};
+    else
+      decided = weakly(vote, voteOnFront(places));
+    compare(decided, vote, fit);
+    if (!laid.frame && isSure(decided.evidence.sides) && vote.winner() &&
+        axesOf(*vote.winner()).left != axesOf(decided.frame).left)
+      decided.evidence.sides = Evidence::assumed;
+    compareFront(decided, voteOnFront(places), report);
+    if (fit.none && !decided.evidence.isSure())
+      report.warnings.push_back(
+          {"",
+           "surfaces whose files do not say their frame lie beside the others, whether they "
+           "are read as LPS or as RAS; " +
+               frameName(decided.frame) + " was assumed"});
+    return decided;
+  }
+
+  /// Decides where nothing is clear: by what there is.
+  static SilentFrame weakly(const FrameVote& vote, const FrontVote& front) {
+    SilentFrame decided;
+    if (const std::optional<Frame> winner = vote.winner()) {
+      decided.frame = *winner;
+      decided.reason = vote.text();
+    } else if (const std::optional<bool> back = front.toTheBack()) {
+      decided = {*back ? Frame::lps : Frame::ras,
+                 "names of front and back alone",
+                 {Evidence::assumed, Evidence::voted}};
+    }
+    return decided;
+  }
+
+  /// Lets the evidence fall where others speak against what has decided.
+  static void compare(SilentFrame& decided, const FrameVote& vote, const FrameFit& fit) {
+    const bool left = axesOf(decided.frame).left;
+    const bool names = vote.isClear() && axesOf(*vote.winner()).left != left;
+    const bool place = fit.frame && *fit.frame != decided.frame;
+    if (names || place)
+      decided.evidence = {Evidence::conflict, Evidence::conflict};
+  }
+
+  static void compareFront(SilentFrame& decided, const FrontVote& front, ImportReport& report) {
+    const std::optional<bool> back = front.toTheBack();
+    if (!back || *back == axesOf(decided.frame).posterior)
+      return;
+    decided.evidence = {Evidence::conflict, Evidence::conflict};
+    const FrameAxes& axes = axesOf(decided.frame);
+    report.warnings.push_back({"", "names of front and back contradict the frame " +
+                                       frameName(decided.frame) +
+                                       "; if the files are mirrored, choose " +
+                                       frameName(frameWith(axes.left, !axes.posterior))});
+  }
+
+  /// Marks files whose frame names contradict, and warns: left and right must never be swapped
+  /// silently.
+  void markContradictions(ImportReport& report) {
+    for (const FrameAxes& axes : frames) {
+      const auto stated = [&](const Part& part) {
+        return part.frame == axes.frame && axes.frame != Frame::file && !isSilent(part) &&
+               !isChosen(part);
+      };
+      const std::vector<NamedPosition> places = placesOf(stated);
+      const FrameVote vote = voteOnFrame(places);
+      if (!vote.isClear() || axesOf(*vote.winner()).left == axes.left)
+        continue;
+      const FrontVote front = voteOnFront(places);
+      const std::optional<bool> back = front.toTheBack();
+      for (Part& part : m_parts)
+        if (stated(part)) {
+          part.provenance.evidence.sides = Evidence::conflict;
+          if (!part.raw.onlySideOpen && !(back && *back == axes.posterior))
+            part.provenance.evidence.front = Evidence::conflict;
+        }
+      const int against = std::max(vote.lps, vote.ras);
+      report.warnings.push_back(
+          {"", std::to_string(against) + " of " + std::to_string(vote.lps + vote.ras) +
+                   " left/right names contradict the frame " + frameName(axes.frame) +
+                   " that the files give; " + adviceAgainst(axes.frame, front)});
+    }
+  }
+
+  std::vector<Part>& m_parts;
+  const ReadInputs& m_read;
+  const Sources& m_sources;
+  const ImportOptions& m_options;
+};
+
+}  // namespace
+
+void decideFrames(std::vector<Part>& parts, const ReadInputs& read, const ImportOptions& options,
+                  ImportReport& report) {
+  // Where surfaces fit depends on how large they are: a unit that was chosen counts.
+  for (Part& part : parts)
+    part.unit = part.choice.unit.value_or(options.unit.value_or(part.raw.millimetresPerUnit));
+  FrameDecision(parts, read, options).run(report);
+  if (options.frame) {
+    report.frame = *options.frame;
+    report.frameReason = chosenReason;
+  }
+}
+
+}  // namespace sline::model

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the frame in which surfaces whose files are silent about it lie where others show that they
+// belong.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/import/plan/read_inputs.h"
+
+namespace sline::model {
+
+/// Holds surfaces whose frames are known, and those that are silent.
+struct FrameSides {
+  std::vector<const Part*> known;
+  std::vector<const Part*> silent;
+};
+
+/// Returns the middle of the part's surface, whatever its triangles' sizes, in LPS, millimetres, if
+/// its file is read in the frame.
+glm::vec3 middleInPatient(const Part& part, Frame frame, const std::optional<glm::dmat4>& toWorld);
+
+struct FrameFit {
+  std::optional<Frame> frame;  ///< the only one that fits
+  std::string reason;
+  bool none = false;  ///< there is something to fit in with, and neither LPS nor RAS does
+};
+
+/// Lays silent surfaces over known ones of the same names, such as the label volume from which
+/// models were cut: a frame, mirrored ones included, that brings their middles within 2 mm of each
+/// other decides where no other does.
+FrameFit laidOverSameNames(const FrameSides& sides, const ReadInputs& read);
+
+/// Finds out whether silent surfaces lie within what is known, or around it, if read as LPS and as
+/// RAS: the known surfaces, scans whose files state their frame, and scene files that are opened
+/// with them.
+FrameFit fittedIn(const FrameSides& sides, const ReadInputs& read);
+
+}  // namespace sline::model

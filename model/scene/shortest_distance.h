@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measures between two structures.
+#pragma once
+
+#include <optional>
+
+#include "model/scene/scene.h"
+
+namespace sline::model {
+
+/// Returns a distance without words from one structure to another: between the points where their
+/// surfaces are nearest to each other or, with a place, from the point of the first that is nearest
+/// to it to the nearest of the second. Nothing where one of them has no surface. Takes long on
+/// large meshes.
+std::optional<Annotation> shortestDistance(const Scene& scene, NodeId from, NodeId to,
+                                           const std::optional<glm::vec3>& at = std::nullopt);
+
+}  // namespace sline::model

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests that the window asks where files are of two patients, or of another size than their names
+// say, and does what is answered.
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QtTest>
+
+#include "model/edit/settled_units.h"
+#include "model/scene_file/scene_file.h"
+#include "tests/gui/window_fixture.h"
+#include "tests/model/import/volumes/written_volumes.h"
+#include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
+#include "widgets/import_dialog/import_dialog.h"
+
+namespace sline::test {
+
+namespace {
+
+QByteArray maskOf(const QByteArray& patient) {
+  const WrittenVolume cube = sampled({12, 12, 12}, glm::dmat4(1.0), [](const glm::dvec3& p) {
+    return p.x > 2 && p.x < 9 && p.y > 2 && p.y < 9 && p.z > 2 && p.z < 9 ? 1 : 0;
+  });
+  QByteArray file = nrrdFile(cube, "left-posterior-superior");
+  return file.insert(file.indexOf("\n\n") + 1, "PatientID:=" + patient + "\n");
+}
+
+struct Desk {
+  WindowFixture f;
+
+  bool asks() {
+    return QTest::qWaitFor([this] { return box() != nullptr; }, 60'000);
+  }
+  QMessageBox* box() {
+    auto* found = f.window.findChild<QMessageBox*>(QStringLiteral("patientsDialog"));
+    return found && found->isVisible() ? found : nullptr;
+  }
+  void click(const char* button) {
+    QTest::mouseClick(&f.control<QPushButton>(button), Qt::LeftButton);
+  }
+  bool planned() {
+    return QTest::qWaitFor(
+        [this] {
+          auto* dialog = f.window.findChild<widgets::ImportDialog*>();
+          return dialog && dialog->draft().ready();
+        },
+        60'000);
+  }
+  std::size_t structures() { return f.session.scene().structuresBelow(model::rootId).size(); }
+  float extent() {
+    const model::Scene& scene = f.session.scene();
+    return scene.find(scene.structuresBelow(model::rootId).front())->mesh->bounds().size().x;
+  }
+  bool barDoubts() { return f.control<QWidget>("scaleBar").accessibleName().contains('?'); }
+};
+
+}  // namespace
+
+class ImportQuestionsTest : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_two;
+  QTemporaryDir m_small;
+
+ private slots:
+  void initTestCase() {
+    writeText(m_two.filePath("first.nrrd"), maskOf("QZX7"));
+    writeText(m_two.filePath("second.nrrd"), maskOf("QZX8"));
+    writeMesh(m_small.filePath("left kidney.stl"), *octahedron({}, 5.0f));
+  }
+
+  void patientsAreAsked_data() {
+    QTest::addColumn<QString>("button");
+    QTest::addColumn<int>("structures");
+    QTest::newRow("together") << "patientsTogether" << 2;
+    QTest::newRow("the first") << "patientsFirst" << 1;
+    QTest::newRow("neither") << "" << 0;
+  }
+  void patientsAreAsked() {
+    QFETCH(QString, button);
+    QFETCH(int, structures);
+    for (const bool dialog : {false, true}) {
+      Desk desk;
+      QVERIFY(desk.f.drop(m_two.path(), dialog ? Qt::ShiftModifier : Qt::NoModifier));
+      QVERIFY(desk.asks());
+      QVERIFY(desk.f.session.scene().nodes().empty());
+      const QString said = desk.box()->text() + desk.box()->informativeText();
+      QVERIFY2(said.contains("1: first.nrrd") && said.contains("2: second.nrrd"), qPrintable(said));
+      QVERIFY2(!said.contains("QZX"), qPrintable(said));
+      if (button.isEmpty()) {
+        QTest::keyClick(desk.box(), Qt::Key_Escape);
+        QTRY_VERIFY(!desk.box());
+        QVERIFY(!desk.f.session.busy());
+        QTRY_VERIFY(!desk.f.window.findChild<widgets::ImportDialog*>());
+      } else {
+        desk.click(qPrintable(button));
+        if (dialog) {
+          QVERIFY(desk.planned());
+          desk.click("importButton");
+        }
+        QVERIFY(desk.f.settled());
+      }
+      QCOMPARE(int(desk.structures()), structures);
+    }
+  }
+
+  void anotherPatientIsNotAddedInSilence() {
+    Desk desk;
+    QVERIFY(desk.f.drop(m_two.filePath("first.nrrd")));
+    QVERIFY(desk.f.settled());
+    for (const char* answer : {"", "patientsTogether"}) {
+      QVERIFY(desk.f.drop(m_two.filePath("second.nrrd"), Qt::ShiftModifier));
+      QVERIFY(desk.planned());
+      desk.click("addButton");
+      QVERIFY(desk.asks());
+      QVERIFY(!desk.box()->findChild<QPushButton*>(QStringLiteral("patientsFirst")));
+      QCOMPARE(desk.structures(), std::size_t(1));
+      if (*answer)
+        desk.click(answer);
+      else
+        QTest::keyClick(desk.box(), Qt::Key_Escape);
+      QTRY_VERIFY(!desk.box());
+      QVERIFY(desk.f.settled());
+      QCOMPARE(desk.structures(), std::size_t(*answer ? 2 : 1));
+    }
+  }
+
+  void unitIsOffered() {
+    Desk desk;
+    QVERIFY(desk.f.drop(m_small.path()));
+    QVERIFY(desk.f.settled());
+    QCOMPARE(desk.extent(), 10.0f);
+    QTRY_VERIFY(desk.barDoubts());
+    auto& take = desk.f.control<QPushButton>("messageRemedy");
+    QVERIFY(take.isVisible() && take.text().contains("cm"));
+    desk.click("messageRemedy");
+    QVERIFY(desk.f.settled());
+    QCOMPARE(desk.extent(), 100.0f);
+    QTRY_VERIFY(!desk.barDoubts());
+  }
+
+  void sizeIsRight() {
+    Desk desk;
+    QVERIFY(desk.f.drop(m_small.path()));
+    QVERIFY(desk.f.settled());
+    // A scene that was saved so asks again.
+    const QString saved = desk.f.folder.filePath("doubted.sline");
+    QVERIFY(model::writeSceneFile(saved.toStdString(), {desk.f.session.scene(), {}, {}, 0}).ok());
+    for (const QString& opened : {QString(), saved}) {
+      if (!opened.isEmpty())
+        QVERIFY(desk.f.drop(opened) && desk.f.settled());
+      QTRY_VERIFY(desk.barDoubts());
+      desk.click("messageOther");
+      QTRY_VERIFY(!desk.barDoubts());
+      QCOMPARE(desk.extent(), 10.0f);
+      desk.f.session.undo();
+      QTRY_VERIFY(desk.barDoubts());
+    }
+  }
+
+  void dialogOffersBoth() {
+    for (const auto& [button, extent] :
+         {std::pair("takeUnitButton", 100.0f), std::pair("keepUnitButton", 10.0f)}) {
+      Desk desk;
+      QVERIFY(desk.f.drop(m_small.filePath("left kidney.stl"), Qt::ShiftModifier));
+      QVERIFY(desk.planned());
+      QVERIFY(desk.f.control<QLabel>("importDoubt").text().contains("left kidney"));
+      QVERIFY(desk.f.control<QPushButton>(button).isVisible());
+      if (const QString file = qEnvironmentVariable("SLINE_UNIT_PICTURE"); !file.isEmpty())
+        desk.f.window.findChild<widgets::ImportDialog*>()->grab().save(file);
+      desk.click(button);
+      QVERIFY(desk.planned());
+      QVERIFY(!desk.f.control<QPushButton>(button).isVisible());
+      desk.click("importButton");
+      QVERIFY(desk.f.settled());
+      QCOMPARE(desk.extent(), extent);
+      QVERIFY(!model::hasDoubtedUnits(desk.f.session.scene()));
+    }
+  }
+};
+
+}  // namespace sline::test
+
+SLINE_TEST_WITH_WIDGETS(sline::test::ImportQuestionsTest)
+#include "import_questions_test.moc"

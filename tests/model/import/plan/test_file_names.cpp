@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests that names of files and folders, which are often patients', stay out of what is imported.
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <array>
+
+#include "model/import/plan/reload.h"
+#include "model/scene_json/scene_json.h"
+#include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::model;
+using namespace sline::test;
+
+namespace {
+
+constexpr const char* planted[] = {"Qzxdoe", "Qzxjane", "4711"};
+
+QByteArray volume() {
+  QByteArray text =
+      "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: 9 9 9\n"
+      "space directions: (2,0,0) (0,2,0) (0,0,2)\nspace origin: (40,0,0)\nencoding: ascii\n\n";
+  for (int i = 0; i < 729; ++i) {
+    const int x = i % 9;
+    const int y = i / 9 % 9;
+    const int z = i / 81;
+    text += std::min({x, y, z}) >= 2 && std::max({x, y, z}) < 7 ? "1 " : "0 ";
+  }
+  return text;
+}
+
+/// Returns what of the planted names the text has.
+QStringList foundIn(const std::string& text) {
+  QStringList found;
+  for (const char* name : planted)
+    if (QString::fromStdString(text).contains(QLatin1String(name), Qt::CaseInsensitive))
+      found << name;
+  return found;
+}
+
+}  // namespace
+
+class FileNamesTest : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+  QString m_top = m_folder.filePath("Qzxdoe_Qzxjane");
+
+  Scene imported(const ImportOptions& options = {}) const {
+    const auto result =
+        importInputs(std::array{std::filesystem::path(m_top.toStdString())}, options);
+    return result.ok() ? result->scene : Scene();
+  }
+  static QStringList namesIn(const Scene& scene) {
+    QStringList names;
+    for (const Node& node : scene.nodes())
+      names << (node.isGroup() ? "[" + QString::fromStdString(node.name) + "]"
+                               : QString::fromStdString(node.name));
+    return names;
+  }
+
+ private slots:
+  void init() {
+    QDir(m_top).removeRecursively();
+    QDir().mkpath(m_top + "/Qzxjane_bones");
+    QDir().mkpath(m_top + "/4711");
+    writeMesh(m_top + "/Qzxjane_bones/Qzxdoe_Qzxjane_femur.stl", *octahedron({0, 0, 0}, 9.0f));
+    writeMesh(m_top + "/Qzxjane_bones/4711-left-tibia.ply", *octahedron({20, 0, 0}, 9.0f));
+    writeMesh(m_top + "/4711/Qzxdoe.off", *octahedron({-20, 0, 0}, 9.0f));
+    writeMesh(m_top + "/4711/Qzxjane_left.off", *octahedron({-40, 0, 0}, 9.0f));
+    writeMesh(m_top + "/4711/liver.off", *octahedron({0, 40, 0}, 9.0f));
+    writeText(m_top + "/4711/Qzxdoe_tumour.nrrd", volume());
+  }
+
+  void nothingOfThemIsKept() {
+    const Scene scene = imported();
+    QCOMPARE(scene.structuresBelow(rootId).size(), std::size_t(6));
+    QCOMPARE(foundIn(sceneJson(scene)), QStringList());
+    const QStringList names = namesIn(scene);
+    for (const char* name : {"[bones]", "[group 1]", "femur", "left-tibia", "structure",
+                             "left structure", "liver", "tumour"})
+      QVERIFY2(names.contains(QLatin1String(name)), qPrintable(name + (": " + names.join(", "))));
+    for (const Node& node : scene.nodes())
+      if (!node.isGroup())
+        QCOMPARE(node.provenance.file.starts_with('#'), node.name != "liver");
+  }
+
+  void allOfThemByChoice() {
+    ImportOptions options;
+    options.keepFileNames = true;
+    const Scene scene = imported(options);
+    const QStringList names = namesIn(scene);
+    for (const char* name : {"[Qzxjane bones]", "[4711]", "Qzxdoe Qzxjane femur", "Qzxdoe"})
+      QVERIFY2(names.contains(QLatin1String(name)), qPrintable(names.join(", ")));
+    QCOMPARE(named(scene, "Qzxdoe").provenance.file, std::string("Qzxdoe.off"));
+  }
+
+  /// A checksum is enough to find the file again.
+  void theyAreReadAgain() {
+    const Scene scene = imported();
+    const std::array places{std::filesystem::path(m_top.toStdString())};
+    QVERIFY(!reload(scene, places).changed);
+    writeMesh(m_top + "/Qzxjane_bones/Qzxdoe_Qzxjane_femur.stl", *octahedron({0, 0, 0}, 7.0f));
+    const Reloaded reloaded = reload(scene, places);
+    QVERIFY(reloaded.changed);
+    QCOMPARE(named(reloaded.scene, "femur").mesh->bounds().high.x, 7.0f);
+    QCOMPARE(foundIn(sceneJson(reloaded.scene)), QStringList());
+    // Whoever reads again is told which file it was; it is there, beside the person.
+    QCOMPARE(std::count_if(reloaded.files.begin(), reloaded.files.end(),
+                           [](const ReloadedFile& file) {
+                             return file.fate == ReloadedFile::Fate::replaced &&
+                                    file.file == "Qzxdoe_Qzxjane_femur.stl";
+                           }),
+             1);
+  }
+};
+
+SLINE_TEST(FileNamesTest)
+#include "test_file_names.moc"

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests that marks keep off anatomy.
+#include <QTest>
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <random>
+#include <set>
+#include <string>
+
+#include "model/scene/section.h"
+#include "render/export/plate/figure_plate.h"
+#include "render/labels/screen.h"
+#include "render/lettering/typesetting.h"
+#include "tests/support/shapes.h"
+#include "tests/support/suite.h"
+
+namespace sline::test {
+
+using namespace render;
+
+namespace {
+
+model::Scene sphereScene(const char* frame = "LPS") {
+  model::Scene scene;
+  model::Node node;
+  node.name = "Sphere";
+  node.mesh = sphere(50.0f, 3);
+  node.provenance.frame = frame;
+  scene.append(std::move(node));
+  return scene;
+}
+
+ExportOrder orderOf(const model::Scene& scene, const char* view = "anterior") {
+  ExportOrder order;
+  order.scene = scene;
+  order.viewName = view;
+  if (const auto side = model::anatomicalViewNamed(view))
+    order.camera = model::anatomicalCamera(*side, scene.visibleBounds(), 160.0f / 90.0f);
+  return order;
+}
+
+const LetteringItem* find(const Marks& marks, const std::string& name) {
+  for (const LetteringItem& item : marks.lettering.items)
+    if (item.name == name)
+      return &item;
+  return nullptr;
+}
+
+QRectF boxOf(const LetteringItem& item) {
+  QRectF box = item.text ? outlineOf(*item.text).boundingRect() : QRectF();
+  for (const LetteringShape& shape : item.shapes)
+    box |= painterPath(shape.path).boundingRect();
+  return box;
+}
+
+model::Section coronal(float mm) {
+  model::Section section;
+  section.plane = model::anatomicalPlane(model::AnatomicalView::posterior, mm);
+  return section;
+}
+
+}  // namespace
+
+class ClearMarksTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    Result<std::unique_ptr<Typesetting>> made = Typesetting::create();
+    QVERIFY(made.ok());
+    m_typesetting = std::move(*made);
+  }
+
+  void marksKeepOffAnatomy_data() {
+    QTest::addColumn<int>("seed");
+    for (int seed = 0; seed < 40; ++seed)
+      QTest::addRow("camera %d", seed) << seed;
+  }
+
+  /// Where a ball reaches under the usual place of a mark, the mark stands beside the ball, a
+  /// letter at its own edge; what has no such place is left out and told. The ball's outline is
+  /// known: a circle.
+  void marksKeepOffAnatomy() {
+    QFETCH(int, seed);
+    constexpr float radius = 50.0f;
+    std::mt19937 random(std::uint32_t(seed) + 1);
+    std::uniform_real_distribution<float> any(-1.0f, 1.0f);
+    ExportOrder order = orderOf(sphereScene());
+    order.legend = LegendList::all;
+    order.scene.appendSection(coronal(-12.0f));
+    order.words.text.text = "What the view says";
+    order.camera.projection = model::Projection::orthographic;
+    order.camera.heightMm = 100.0f + 60.0f * any(random);
+    order.camera.target += glm::vec3(90.0f * any(random), 0.0f, 60.0f * any(random));
+    order.camera.eye = order.camera.target + glm::vec3(0.0f, -400.0f, 0.0f);
+
+    const Marks usual = marksOf(order);
+    const FigurePlate plate = figurePlate(order);
+    const Screen screen(order.camera, order.page.sizeMm);
+    const glm::vec2 middle = *screen.place({0.0f, 0.0f, 0.0f});
+    const float outline = radius * order.page.sizeMm.y / order.camera.heightMm;
+    const auto touches = [&](const QRectF& box) {
+      const glm::vec2 nearest{std::clamp(middle.x, float(box.left()), float(box.right())),
+                              std::clamp(middle.y, float(box.top()), float(box.bottom()))};
+      // The mesh lies within the ball.
+      return glm::distance(nearest, middle) < 0.995f * outline;
+    };
+    bool inTheWay = false;
+    for (const LetteringItem& item : usual.lettering.items)
+      inTheWay = inTheWay || touches(boxOf(item));
+    std::set<std::string> told;
+    for (const ExportNote& note : plate.marks.notes)
+      if (note.kind == ExportNote::Kind::marksWithoutRoom)
+        told.insert(note.names.begin(), note.names.end());
+    for (const LetteringItem& item : plate.marks.lettering.items) {
+      const QRectF box = boxOf(item);
+      // What the view says is never lost, and stands at the foot where it has no room.
+      QVERIFY2(!touches(box) || item.name == "caption", item.name.c_str());
+      QVERIFY(QRectF(0, 0, 160, 90).contains(box));
+      if (const LetteringItem* before = find(usual, item.name); item.name == "side R")
+        QCOMPARE(box.left(), boxOf(*before).left());
+      if (const LetteringItem* before = find(usual, item.name); item.name == "side S")
+        QCOMPARE(box.top(), boxOf(*before).top());
+    }
+    for (const LetteringItem& item : usual.lettering.items)
+      if (!find(plate.marks, item.name))
+        QVERIFY2(told.contains(item.name) ||
+                     (item.name.starts_with("legend") && told.contains("legend")),
+                 item.name.c_str());
+    if (!inTheWay)
+      QCOMPARE(plate.marks.lettering.items.size(), usual.lettering.items.size());
+  }
+
+ private:
+  std::unique_ptr<Typesetting> m_typesetting;
+};
+
+}  // namespace sline::test
+
+SLINE_TEST(sline::test::ClearMarksTest)
+#include "clear_marks_test.moc"
