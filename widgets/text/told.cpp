@@ -47,7 +47,7 @@ Pattern patternOf(const char* source) {
 const std::vector<Pattern>& patterns() {
   static const std::vector<Pattern> all = [] {
     std::vector<Pattern> made;
-    for (const auto& rows : {toldPatterns(), systemPatterns()})
+    for (const auto& rows : {toldPatterns(), doubtPatterns(), systemPatterns()})
       for (const char* row : rows)
         made.push_back(patternOf(row));
     return made;

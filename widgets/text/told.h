@@ -18,6 +18,8 @@ inline QString told(const std::string& english) {
 /// Returns the patterns of messages as the other rooms put them together; "%1" and the like stand
 /// for numbers, names and further messages. A new message gets a row there.
 std::span<const char* const> toldPatterns();
+/// Returns those of what an import doubts.
+std::span<const char* const> doubtPatterns();
 /// Returns what the system says of files, in the same form.
 std::span<const char* const> systemPatterns();
 

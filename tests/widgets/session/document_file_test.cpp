@@ -4,19 +4,14 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
-#include <fstream>
 
-#include "model/edit/look.h"
 #include "tests/model/scene_file/limit_cases.h"
 #include "tests/model/scene_file/sample_scene.h"
-#include "tests/support/shapes.h"
 #include "tests/support/suite.h"
+#include "tests/widgets/session/documents.h"
 #include "widgets/session/recent_files.h"
-#include "widgets/session/scene_saver.h"
 
 namespace sline::widgets {
-
-namespace fs = std::filesystem;
 
 class DocumentFileTest : public QObject {
   Q_OBJECT
@@ -25,93 +20,6 @@ class DocumentFileTest : public QObject {
 
   fs::path file(const char* name) const {
     return m_folder.filePath(QLatin1String(name)).toStdString();
-  }
-  static model::Scene balls() {
-    model::Scene scene;
-    scene.append(
-        {.name = "one", .style = {.fill = model::Fill::paper}, .mesh = test::sphere(1, 1)});
-    scene.append({.name = "two", .mesh = test::sphere(2, 1)});
-    return scene;
-  }
-  static bool idle(const Session& session) {
-    return QTest::qWaitFor([&] { return !session.busy(); });
-  }
-  /// What happens to a file while nobody has it open.
-  enum class Meanwhile {
-    nothing,
-    touched,
-    replaced,
-    replacedByAnOlder,
-    replacedByOneAsLarge,
-    gone,
-    goneWithItsFolder,
-  };
-  static void happen(Meanwhile what, const fs::path& path) {
-    const fs::file_time_type time = fs::last_write_time(path);
-    const bool older = what == Meanwhile::replacedByAnOlder;
-    if (what == Meanwhile::touched)
-      fs::last_write_time(path, time + std::chrono::hours(1));
-    if (what == Meanwhile::replaced || older) {
-      model::Scene other = balls();
-      other.append({.name = "three", .mesh = test::sphere(3, 1)});
-      if (!model::writeSceneFile(path, {.scene = other}).ok())
-        qFatal("no other scene");
-    }
-    if (what == Meanwhile::replacedByOneAsLarge) {
-      std::fstream stream(path, std::ios::binary | std::ios::in | std::ios::out);
-      stream.seekp(100).put('!');
-    }
-    if (older || what == Meanwhile::replacedByOneAsLarge)
-      fs::last_write_time(path, older ? time - std::chrono::hours(24) : time);
-    if (what == Meanwhile::gone)
-      fs::remove(path);
-    if (what == Meanwhile::goneWithItsFolder)
-      fs::remove_all(path.parent_path());
-  }
-  /// Leaves what a program leaves that was killed with unsaved work.
-  static void leaveJournal(const fs::path& journals, const model::JournalSource& source) {
-    const auto journal = model::Journal::reserve(journals);
-    if (!journal.ok() ||
-        !(*journal)
-             ->start(source, {}, {.scene = std::make_shared<const model::Scene>(balls())})
-             .ok() ||
-        !(*journal)->writeMeshes(std::chrono::minutes(1)).ok())
-      qFatal("no journal");
-  }
-  static bool openMade(Session& session) {
-    session.openMade(
-        QStringLiteral("balls"),
-        [](const model::ImportProgress&, const std::stop_token&) -> Result<LoadedDocument> {
-          return LoadedDocument{.scene = balls(), .title = QStringLiteral("balls"), .remarks = {}};
-        });
-    return idle(session);
-  }
-  static bool open(Session& session, const fs::path& path) {
-    session.openPaths({path});
-    return idle(session);
-  }
-  static bool gamma(Session& session, float value, const QString& series = {}) {
-    const model::NodeId first[] = {session.scene().nodes().front().id};
-    return session.apply(QStringLiteral("Γ"),
-                         model::withLook(session.scene(), first, {.gamma = Gamma::clamped(value)}),
-                         series);
-  }
-  /// Saves the scene; returns false if it was not saved.
-  static bool save(Session& session, const fs::path& path,
-                   SceneSaver::As as = SceneSaver::As::document) {
-    SceneSaver saver(session);
-    QSignalSpy saved(&saver, &SceneSaver::saved);
-    saver.save(path, as);
-    return QTest::qWaitFor([&] { return !saver.busy(); }) && saved.count() == 1;
-  }
-  /// Returns the scene as another program would find it.
-  static model::Scene onDisk(const fs::path& path) {
-    const auto read = model::readSceneFile(path);
-    return read.ok() ? read->scene : model::Scene();
-  }
-  /// Tells whether both give the same bytes as a file; meshes that were read are other objects.
-  static bool same(const model::Scene& a, const model::Scene& b) {
-    return *model::sceneFileBytes({.scene = a}) == *model::sceneFileBytes({.scene = b});
   }
 
  private slots:
@@ -407,32 +315,6 @@ class DocumentFileTest : public QObject {
     QCOMPARE(again->others[0].bytes, std::string("mine"));
   }
 
-  void recoveredIsUnsaved() {
-    const fs::path folder = file("left");
-    const fs::path path = file("lost.sline");
-    model::Scene scene = balls();
-    {
-      const auto journal = model::Journal::reserve(folder);
-      QVERIFY(journal.ok());
-      QVERIFY((*journal)
-                  ->start({"lost.sline", path}, {},
-                          {.scene = std::make_shared<const model::Scene>(scene)})
-                  .ok());
-      QVERIFY((*journal)->writeMeshes(std::chrono::minutes(1)).ok());
-    }
-    Session session;
-    const auto found = model::recoverableIn(folder);
-    QCOMPARE(found.size(), std::size_t(1));
-    session.openRecovered(found[0]);
-    QVERIFY(idle(session));
-    QVERIFY(same(session.scene(), scene));
-    QVERIFY(session.modified());
-    QVERIFY(session.file().path == path);
-    QVERIFY(save(session, path));
-    QVERIFY(!session.modified());
-    QVERIFY(same(onDisk(path), scene));
-  }
-
   void pathsAreAbsolute() {
     const fs::path path = file("relative.sline");
     QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
@@ -442,91 +324,6 @@ class DocumentFileTest : public QObject {
     const fs::path other = file("other.sline");
     QVERIFY(gamma(session, 4.0f) && save(session, fs::relative(other)));
     QVERIFY(session.file().path.is_absolute() && fs::equivalent(session.file().path, other));
-  }
-
-  void recoveredWhereTheFileMayHaveChanged_data() {
-    QTest::addColumn<int>("meanwhile");
-    QTest::addColumn<int>("writable");
-    const auto row = [](const char* name, Meanwhile meanwhile, Writable writable) {
-      QTest::newRow(name) << int(meanwhile) << int(writable);
-    };
-    row("nothing happened", Meanwhile::nothing, Writable::yes);
-    row("touched", Meanwhile::touched, Writable::yes);
-    row("another", Meanwhile::replaced, Writable::changedOnDisk);
-    row("another, from a backup", Meanwhile::replacedByAnOlder, Writable::changedOnDisk);
-    row("another, of its length and time", Meanwhile::replacedByOneAsLarge,
-        Writable::changedOnDisk);
-    row("gone", Meanwhile::gone, Writable::yes);
-    row("gone with its folder", Meanwhile::goneWithItsFolder, Writable::notPermitted);
-  }
-  void recoveredWhereTheFileMayHaveChanged() {
-    QFETCH(int, meanwhile);
-    QFETCH(int, writable);
-    const QTemporaryDir place;
-    const fs::path folder = fs::path(place.path().toStdString()) / "scenes";
-    const fs::path journals = fs::path(place.path().toStdString()) / "journals";
-    fs::create_directory(folder);
-    const fs::path path = folder / "work.sline";
-    QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
-    leaveJournal(journals, {"work.sline", path, stampOf(path)});
-    happen(Meanwhile(meanwhile), path);
-    const auto then = stampOf(path);
-    Session session;
-    session.openRecovered(model::recoverableIn(journals).at(0));
-    QVERIFY(idle(session));
-    QCOMPARE(int(session.file().writable), writable);
-    QVERIFY(session.modified());
-    if (writable == int(Writable::yes)) {
-      QVERIFY(save(session, path));
-      QVERIFY(same(onDisk(path), session.scene()));
-      return;
-    }
-    const QString reason = session.file().reason;
-    QCOMPARE(reason.contains(QLatin1String("has changed")),
-             writable == int(Writable::changedOnDisk));
-    QCOMPARE(reason.contains(QString::fromStdString("no folder " + folder.string())),
-             writable == int(Writable::notPermitted));
-    // Nor does coming back to it let it be written over.
-    QVERIFY(openMade(session));
-    session.undo();
-    QCOMPARE(int(session.file().writable), writable);
-    QCOMPARE(session.file().reason, reason);
-    QVERIFY(stampOf(path) == then);
-    QVERIFY(save(session, file("elsewhere.sline")));
-    QVERIFY(session.file().writable == Writable::yes);
-    QVERIFY(stampOf(path) == then);
-  }
-
-  /// Journals of older programs do not say what the file held, nor always where it was.
-  void whatAnOlderJournalDoesNotSayIsNotGuessed_data() {
-    QTest::addColumn<bool>("there");
-    QTest::addColumn<bool>("relative");
-    QTest::newRow("a file is there") << true << false;
-    QTest::newRow("no file is there") << false << false;
-    QTest::newRow("a name alone") << true << true;
-  }
-  void whatAnOlderJournalDoesNotSayIsNotGuessed() {
-    QFETCH(bool, there);
-    QFETCH(bool, relative);
-    const QTemporaryDir place;
-    const fs::path journals = place.path().toStdString();
-    const fs::path path = file("older.sline");
-    fs::remove(path);
-    if (there)
-      QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
-    leaveJournal(journals, {"older.sline", path, {}});
-    model::Recoverable found = model::recoverableIn(journals).at(0);
-    if (relative)
-      found.source.file = fs::relative(path);
-    Session session;
-    session.openRecovered(found);
-    QVERIFY(idle(session));
-    QVERIFY(session.modified());
-    QCOMPARE(session.title(), QStringLiteral("older.sline"));
-    QCOMPARE(session.file().path.empty(), relative);
-    QCOMPARE(session.file().writable == Writable::yes, !there || relative);
-    if (there && !relative)
-      QVERIFY(session.file().reason.contains(QLatin1String("not known")));
   }
 
   void recentFilesAreOrdered() {

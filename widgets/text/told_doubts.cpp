@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lists what an import doubts: sides, units, what a file says twice, and patients.
+#include <QtGlobal>
+
+#include "widgets/text/told.h"
+
+namespace sline::widgets {
+
+namespace {
+
+constexpr const char* doubtRows[] = {
+    QT_TRANSLATE_NOOP("Told",
+                      "%1 of %2 left/right names contradict the frame %3 that the files give; %4"),
+    QT_TRANSLATE_NOOP("Told", "front and back are right: if the files are mirrored, choose %1"),
+    QT_TRANSLATE_NOOP("Told", "front and back are swapped too: choose %1"),
+    QT_TRANSLATE_NOOP("Told",
+                      "if left and right are swapped, choose %1 where front and back are swapped "
+                      "too, else %2"),
+    QT_TRANSLATE_NOOP("Told",
+                      "names of front and back contradict the frame %1; if the files are mirrored, "
+                      "choose %2"),
+    QT_TRANSLATE_NOOP("Told",
+                      "surfaces whose files do not say their frame lie beside the others, whether "
+                      "they are read as LPS or as RAS; %1 was assumed"),
+    QT_TRANSLATE_NOOP("Told",
+                      "scenes of 3D Slicer beside it disagree about its coordinates; none of them "
+                      "was followed"),
+    QT_TRANSLATE_NOOP("Told",
+                      "%1 of %2 structures are not as large as their names say: \"%3\" is %4 mm "
+                      "large, and such structures are %5 to %6 mm; %7"),
+    QT_TRANSLATE_NOOP("Told", "\"%1\" is %2 mm large, and such structures are %3 to %4 mm; %5"),
+    QT_TRANSLATE_NOOP("Told", "no usual unit would make it right"),
+    QT_TRANSLATE_NOOP("Told", "it would be right if the file's unit were %1 mm"),
+    QT_TRANSLATE_NOOP("Told", "it would be right if the file's unit were %1 or %2 mm"),
+    QT_TRANSLATE_NOOP("Told", "\"%1\" is flat: it has no extent in a direction"),
+    QT_TRANSLATE_NOOP("Told",
+                      "\"%1\" beside it gives none of its labels a name that is understood"),
+    QT_TRANSLATE_NOOP("Told",
+                      "holds %1 label volumes of one place, as points in time; structures of all "
+                      "of them lie over each other"),
+    QT_TRANSLATE_NOOP(
+        "Told",
+        "sform and qform place it differently, by up to %1 of its units; the sform was taken"),
+    QT_TRANSLATE_NOOP("Told",
+                      "sform and qform place it differently, by up to %1 of its units and with "
+                      "left and right swapped; the sform was taken"),
+    QT_TRANSLATE_NOOP("Told", "is drawn on one slice; made %1 mm thick, as the file says"),
+    QT_TRANSLATE_NOOP("Told",
+                      "is drawn on one slice; made %1 mm thick, as slices of other structures are"),
+    QT_TRANSLATE_NOOP("Told", "is drawn on one slice; made %1 mm thick, which nothing tells"),
+    QT_TRANSLATE_NOOP("Told", "is of another patient than the files before it; left out"),
+    QT_TRANSLATE_NOOP("Told",
+                      "files of one patient lie in different frames of reference: nothing says "
+                      "that what is laid over each other fits"),
+    QT_TRANSLATE_NOOP("Told", "it is of another patient than the other files now"),
+};
+
+}  // namespace
+
+std::span<const char* const> doubtPatterns() {
+  return doubtRows;
+}
+
+}  // namespace sline::widgets
