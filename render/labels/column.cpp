@@ -42,6 +42,34 @@ float costOf(float way, const ColumnItem& item) {
   return far > jump ? far + (item.calm <= restDegrees ? dear * dear : dear) : far;
 }
 
+/// Counts the items that are in the way of another, however leaders are bent.
+std::size_t stuckIn(const Column& column, const std::vector<ColumnItem>& items) {
+  const std::vector<ColumnPlacement> places = placesIn(column, items);
+  std::size_t stuck = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      stuck += canPass(column, places[k], places[i]) ? 0 : 1;
+  return stuck;
+}
+
+/// Exchanges two items whose leaders cannot be bent past each other's dots, as long as fewer are
+/// left.
+void unstick(const Column& column, std::vector<ColumnItem>& items) {
+  const auto stuck = [&](const ColumnPlacement& a, const ColumnPlacement& b) {
+    return !canPass(column, a, b);
+  };
+  for (std::size_t now = stuckIn(column, items); now > 0;) {
+    const auto pair = firstPair(placesIn(column, items), stuck);
+    std::vector<ColumnItem> tried = items;
+    std::swap(tried[pair->first], tried[pair->second]);
+    const std::size_t left = stuckIn(column, tried);
+    if (left >= now)
+      return;
+    items = std::move(tried);
+    now = left;
+  }
+}
+
 }  // namespace
 
 std::vector<Span> freeSpans(const Column& column) {
@@ -103,7 +131,7 @@ void uncross(const Column& column, std::vector<ColumnItem>& items) {
   for (std::size_t tries = 0; tries < most; ++tries) {
     const auto crossing = firstPair(placesIn(column, items), leadersCross);
     if (!crossing)
-      return;
+      return unstick(column, items);
     std::swap(items[crossing->first], items[crossing->second]);
   }
   for (int tries = 0; tries < 4 && firstPair(placesIn(column, items), leadersCross); ++tries)

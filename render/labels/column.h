@@ -73,7 +73,8 @@ std::vector<ColumnPlacement> placesIn(const Column& column, const std::vector<Co
 
 /// Exchanges items until no two leaders cross, as few as it finds necessary. Exchanging two that
 /// cross makes leaders shorter, so that it comes to an end (Bekos et al., lemma on type-s leaders);
-/// boxes of different heights may still leave crossings.
+/// boxes of different heights may still leave crossings. Where none does, it exchanges those whose
+/// leaders can pass each other's dots in no way else.
 void uncross(const Column& column, std::vector<ColumnItem>& items);
 
 /// Returns where a further box finds room beside those that stay, nearest to its wanted height,

@@ -62,6 +62,7 @@ void Layouter::settle() {
 }
 
 void Layouter::comeBack(const std::vector<Fate>& chosen) {
+  m_bending = true;
   for (const bool hidden : {false, true})
     for (const std::size_t i : m_order) {
       if (!m_fates[i].out || chosen[i].out || !isColumn(chosen[i].post) || item(i).hidden != hidden)

@@ -77,7 +77,7 @@ class Layouter {
   /// Places all items, and lets those give way that are in conflict, until none is.
   void settle();
   /// Lets those that gave way come back on the sides that were chosen for them, where that has
-  /// become possible.
+  /// become possible, also with leaders that bend round others.
   void comeBack(const std::vector<Fate>& chosen);
   void choosePosts();
   /// Lets a label that is too wide into a column where nothing else stands.
@@ -132,6 +132,7 @@ class Layouter {
   std::array<float, 2> m_near{};  ///< the edges of columns that have room there
   std::array<float, 2> m_edges{};
   std::array<float, 2> m_widths{};
+  bool m_bending = false;  ///< leaders of columns are bent, so that left out labels find room
   bool m_crowded = false;  ///< more than fit: none goes across for the sake of another
   float m_middle = 0.0f;
   float m_width = 0.0f;              ///< that of the anatomy

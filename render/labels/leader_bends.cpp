@@ -12,6 +12,12 @@ Leader bent(const Column& column, const ColumnPlacement& place, const LeaderBend
   return leaderOf(column, place.leader.front(), place.box, bend);
 }
 
+/// Returns in how many ways that leader can be bent. Straight ones, from behind the column or close
+/// in front of it, never are.
+std::size_t waysOf(const ColumnPlacement& place) {
+  return place.leader.size() > 2 ? leaderBends.size() : 1;
+}
+
 /// Bends either of two leaders that disturb each other, so that they disturb neither each other nor
 /// any other.
 bool bendPair(const Column& column, std::vector<ColumnPlacement>& places, std::size_t i,
@@ -22,13 +28,9 @@ bool bendPair(const Column& column, std::vector<ColumnPlacement>& places, std::s
         return false;
     return true;
   };
-  // Straight leaders from behind the column or close in front of it are never bent.
-  const auto ways = [&](std::size_t k) {
-    return places[k].leader.size() > 2 ? leaderBends.size() : 1;
-  };
   std::optional<std::pair<std::size_t, std::size_t>> best;
-  for (std::size_t one = 0; one < ways(i); ++one)
-    for (std::size_t two = 0; two < ways(j); ++two) {
+  for (std::size_t one = 0; one < waysOf(places[i]); ++one)
+    for (std::size_t two = 0; two < waysOf(places[j]); ++two) {
       if (best && one + two >= best->first + best->second)
         break;
       const Leader first = bent(column, places[i], leaderBends[one]);
@@ -70,6 +72,16 @@ bool inTheWay(const ColumnPlacement& a, const ColumnPlacement& b) {
     return one.leader.size() == 2 && runsThrough(one.leader, other.box.grown(clearance));
   };
   return disturb(a.leader, b.leader) || through(a, b) || through(b, a);
+}
+
+bool canPass(const Column& column, const ColumnPlacement& a, const ColumnPlacement& b) {
+  if (!disturb(a.leader, b.leader))
+    return true;
+  for (std::size_t one = 0; one < waysOf(a); ++one)
+    for (std::size_t two = 0; two < waysOf(b); ++two)
+      if (!disturb(bent(column, a, leaderBends[one]), bent(column, b, leaderBends[two])))
+        return true;
+  return false;
 }
 
 bool leadersCross(const ColumnPlacement& a, const ColumnPlacement& b) {

@@ -39,6 +39,9 @@ Leader leaderOf(const Column& column, const glm::vec2& place, const LabelBox& bo
 bool inTheWay(const ColumnPlacement& a, const ColumnPlacement& b);
 bool leadersCross(const ColumnPlacement& a, const ColumnPlacement& b);
 
+/// Tells whether two leaders can be bent so that neither disturbs the other; boxes stay.
+bool canPass(const Column& column, const ColumnPlacement& a, const ColumnPlacement& b);
+
 /// Returns the first two places for which `stand` is true, neighbours first.
 template <typename Stand>
 std::optional<std::pair<std::size_t, std::size_t>> firstPair(
@@ -56,8 +59,7 @@ std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
     const std::vector<ColumnPlacement>& places);
 
 /// Bends leaders, as few and as little as it finds necessary, until no two cross and none passes
-/// another's dot; boxes stay. It
-/// returns false, and changes nothing, where that is impossible.
+/// another's dot; boxes stay. It returns false, and changes nothing, where that is impossible.
 bool bendApart(const Column& column, std::vector<ColumnPlacement>& places);
 
 }  // namespace sline::render

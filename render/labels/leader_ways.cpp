@@ -163,6 +163,8 @@ void Layouter::bendApart() {
       bendRound(i);
   if (m_request.still)
     bendSteadily();
+  else if (m_bending || follows())
+    unravel({column(LabelPost::left), column(LabelPost::right)});
 }
 
 void Layouter::setBend(std::size_t i, const Column& column, std::size_t bend) {

@@ -118,7 +118,7 @@ class LabelColumnsTest : public QObject {
       }
       const LabelLayout layout = layOutLabels(request);
       const float height = frameOf(request.space).size().y;
-      QVERIFY2(float(layout.labels.size()) >= 0.6f * 2.0f * height / (5.0f + columnGap),
+      QVERIFY2(float(layout.labels.size()) >= 0.9f * 2.0f * height / (5.0f + columnGap),
                qPrintable(QString::number(layout.labels.size())));
       for (const PlacedLabel& label : layout.labels) {
         QCOMPARE(label.post, label.id.value % 2 == 1 ? LabelPost::left : LabelPost::right);

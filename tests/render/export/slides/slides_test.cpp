@@ -186,8 +186,7 @@ class SlidesTest : public QObject {
                qPrintable(words));
       ++found;
     }
-    // Of a hundred, those whose leaders pass no other's dot.
-    QVERIFY2(found >= std::min<int>(int(names.size()), 30), qPrintable(QString::number(found)));
+    QVERIFY2(found >= std::min<int>(int(names.size()), 40), qPrintable(QString::number(found)));
   }
 
   void checkPlace(const render::ExportOrder& order, const pugi::xml_node& box,
