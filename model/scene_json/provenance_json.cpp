@@ -65,10 +65,8 @@ std::optional<ReadExtent> extentFrom(JsonObject& object) {
     return std::nullopt;
   ReadExtent extent;
   JsonObject inner(*value);
-  if (const auto area = inner.take("area_mm2"))
-    extent.areaMm2 = area->number();
-  if (const auto volume = inner.take("volume_mm3"))
-    extent.volumeMm3 = volume->number();
+  readInto(inner.take("area_mm2"), extent.areaMm2, asNumber);
+  readInto(inner.take("volume_mm3"), extent.volumeMm3, asNumber);
   object.giveBack("as_read", inner.rest());
   return extent;
 }
