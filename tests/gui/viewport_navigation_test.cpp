@@ -379,7 +379,7 @@ class ViewportNavigationTest : public QObject {
     QVERIFY(f.settled());
     QCOMPARE(difference(before, f.picture()), QRect());
     f.viewport().setParent(home);
-    static_cast<QGridLayout*>(home->layout())->addWidget(&f.viewport(), 0, 0);
+    static_cast<QGridLayout*>(home->layout())->addWidget(&f.viewport(), 1, 0);
     f.viewport().show();
     other.hide();
     QTRY_COMPARE(f.viewport().size(), size);

@@ -83,8 +83,6 @@ class Viewport : public QWidget, public ViewControl {
   /// Makes labels and letters grow with the picture's height, to be read from afar. `covered`:
   /// pixels that something else takes; labels keep clear of them.
   void setPresented(bool presented, const QRect& covered = {});
-  /// Sets how many pixels at the upper edge are covered; marks keep clear of them.
-  void setHeadroom(int pixels);
   void setNamesWanted(bool wanted);
   PictureLabels& labels() { return *m_labels; }
   /// Asks what is seen at that pixel of the picture; the answer comes later.
