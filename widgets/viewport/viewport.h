@@ -140,6 +140,8 @@ class Viewport : public QWidget, public ViewControl {
   enum class ClickFor { selection, addition, deeper, nearer, pivot, menu };
   void openGraphics();
   void closeGraphics();
+  /// Rebuilds them once the events under way are done, however often it is asked for until then.
+  void rebuildSoon();
   void rebuildGraphics();
   void refresh();
   void refresh(model::Scene scene);
@@ -191,6 +193,7 @@ class Viewport : public QWidget, public ViewControl {
   PainterFactory m_factory = makePicturePainter;
   std::unique_ptr<PictureScreen> m_screen;
   std::unique_ptr<RenderThread> m_thread;
+  bool m_toRebuild = false;        ///< was asked for and is about to happen
   bool m_rebuilt = false;          ///< since the last picture that was drawn
   std::optional<Error> m_failure;  ///< why the last one was not, as it was told
 
