@@ -51,16 +51,18 @@ QString elidedName(const QString& name, const QStringList& others, const QFontMe
   const QString usual = metrics.elidedText(name, Qt::ElideMiddle, width);
   if (tells(usual))
     return usual;
-  std::set<qsizetype> starts;
+  std::set<qsizetype> starts{0};
   for (const QString& other : others)
     if (other != name && mayStandFor(usual, other))
       starts.insert(differingWord(name, other));
-  const int room = width - metrics.horizontalAdvance(leftOut);
-  for (const qsizetype start : starts)
+  for (const qsizetype start : starts) {
+    const QString before = start > 0 ? QString(leftOut) : QString();
+    const int room = width - metrics.horizontalAdvance(before);
     for (const Qt::TextElideMode mode : {Qt::ElideRight, Qt::ElideMiddle})
-      if (const QString text = leftOut + metrics.elidedText(name.mid(start), mode, room);
-          start > 0 && tells(text))
+      if (const QString text = before + metrics.elidedText(name.mid(start), mode, room);
+          tells(text))
         return text;
+  }
   return usual;
 }
 

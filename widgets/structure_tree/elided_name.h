@@ -12,8 +12,8 @@ namespace sline::widgets {
 bool mayStandFor(const QString& shortened, const QString& name);
 
 /// Returns the name if it fits the width, in pixels; else with its middle left out or, where one of
-/// the others could be shortened to the same text, from the word on that tells it from them. Where
-/// no word that fits does, its middle is left out all the same.
+/// the others could be shortened to the same text, with its end left out, or what is before the
+/// word that tells it from them. Where none of these does, its middle is left out all the same.
 QString elidedName(const QString& name, const QStringList& others, const QFontMetrics& metrics,
                    int width);
 
