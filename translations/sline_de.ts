@@ -5527,6 +5527,27 @@
         <source>%1, of the smoothed surface</source>
         <translation>%1, der geglätteten Oberfläche</translation>
     </message>
+    <message>
+        <source>Hide the selected structures</source>
+        <translation>Die gewählten Strukturen ausblenden</translation>
+    </message>
+    <message>
+        <source>In &amp;Focus</source>
+        <translation>Im &amp;Fokus</translation>
+    </message>
+    <message>
+        <source>Select what is in focus</source>
+        <translation>Wählen, was im Fokus ist</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>oder</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -8783,10 +8804,6 @@ OpenGL: %3</translation>
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation>Wörter in beliebiger Reihenfolge. Eingabe wählt alle passenden, Pfeil ab führt in die Liste, Esc zeigt wieder alle.</translation>
-    </message>
-    <message>
         <source>No structure is called so</source>
         <translation>Keine Struktur heißt so</translation>
     </message>
@@ -8796,6 +8813,10 @@ OpenGL: %3</translation>
             <numerusform>%n Struktur – Eingabe wählt sie</numerusform>
             <numerusform>%n Strukturen – Eingabe wählt sie</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Wörter in beliebiger Reihenfolge; „%1“ oder ein Komma dazwischen findet das eine wie das andere. Eingabe wählt alle passenden, Pfeil ab führt in die Liste, Esc zeigt wieder alle.</translation>
     </message>
 </context>
 <context>

@@ -5527,6 +5527,27 @@
         <source>%1, of the smoothed surface</source>
         <translation>%1, av den glattede overflaten</translation>
     </message>
+    <message>
+        <source>Hide the selected structures</source>
+        <translation>Skjul de valgte strukturene</translation>
+    </message>
+    <message>
+        <source>In &amp;Focus</source>
+        <translation>I &amp;fokus</translation>
+    </message>
+    <message>
+        <source>Select what is in focus</source>
+        <translation>Velg det som er i fokus</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>eller</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -8783,10 +8804,6 @@ OpenGL: %3</translation>
         <translation>Farge</translation>
     </message>
     <message>
-        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation>Ord i vilkårlig rekkefølge. Enter velger alle som passer, pil ned går til listen, Esc viser alle igjen.</translation>
-    </message>
-    <message>
         <source>No structure is called so</source>
         <translation>Ingen struktur heter det</translation>
     </message>
@@ -8796,6 +8813,10 @@ OpenGL: %3</translation>
             <numerusform>%n struktur – Enter velger den</numerusform>
             <numerusform>%n strukturer – Enter velger dem</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Ord i vilkårlig rekkefølge; «%1» eller et komma mellom dem finner begge deler. Enter velger alle som passer, pil ned går til listen, Esc viser alle igjen.</translation>
     </message>
 </context>
 <context>

@@ -5527,6 +5527,27 @@
         <source>%1, of the smoothed surface</source>
         <translation>%1, van het gladgemaakte oppervlak</translation>
     </message>
+    <message>
+        <source>Hide the selected structures</source>
+        <translation>De gekozen structuren verbergen</translation>
+    </message>
+    <message>
+        <source>In &amp;Focus</source>
+        <translation>In &amp;focus</translation>
+    </message>
+    <message>
+        <source>Select what is in focus</source>
+        <translation>Kiezen wat in focus is</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>of</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -8783,10 +8804,6 @@ OpenGL: %3</translation>
         <translation>Kleur</translation>
     </message>
     <message>
-        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation>Woorden in willekeurige volgorde. Enter kiest alles wat past, Omlaag gaat naar de lijst, Esc toont alles weer.</translation>
-    </message>
-    <message>
         <source>No structure is called so</source>
         <translation>Geen structuur heet zo</translation>
     </message>
@@ -8796,6 +8813,10 @@ OpenGL: %3</translation>
             <numerusform>%n structuur – Enter kiest hem</numerusform>
             <numerusform>%n structuren – Enter kiest ze</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Woorden in willekeurige volgorde; “%1” of een komma ertussen vindt het ene en het andere. Enter kiest alles wat past, Omlaag gaat naar de lijst, Esc toont alles weer.</translation>
     </message>
 </context>
 <context>

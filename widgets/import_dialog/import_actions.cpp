@@ -48,7 +48,15 @@ ImportActions::ImportActions(const Context& context, QWidget& window)
       m_takeUnit(new QAction(this)),
       m_keepSize(new QAction(tr("The Size Is Right"), this)) {
   connectActions();
-  connect(&m_session, &Session::documentChanged, this, &ImportActions::updateActions);
+  connect(&m_session, &Session::documentChanged, this,
+          [this](const Document&, const Document& now) {
+            updateActions();
+            // The doubt goes with what was doubted, however it goes.
+            if (m_doubted == now.opening && !model::hasDoubtedUnits(now.scene)) {
+              m_doubted = 0;
+              m_message.hideRemarks();
+            }
+          });
   connect(&m_session, &Session::remarked, this, &ImportActions::offer);
   connect(&m_session, &Session::patientsFound, this,
           [this](const PatientQuestion& question) { askAboutPatients(m_window, question); });
@@ -65,7 +73,7 @@ void ImportActions::connectActions() {
   connect(m_takeUnit, &QAction::triggered, this, &ImportActions::takeUnit);
   connect(m_keepSize, &QAction::triggered, this, [this] {
     m_session.apply(tr("The size is right"), model::withUnitsSettled(m_session.scene()));
-    m_message.hide();
+    m_message.hideRemarks();
   });
 }
 
@@ -78,6 +86,7 @@ void ImportActions::offer() {
     m_message.offer(again);
   if (!model::hasDoubtedUnits(m_session.scene()))
     return;
+  m_doubted = opening;
   const std::vector<model::UnitDoubt> doubts = m_session.unitDoubts();
   // One unit for all that was opened: where files differ, the dialog has them one by one.
   if (doubts.size() == 1 && doubts.front().file.empty() && !doubts.front().units.empty()) {

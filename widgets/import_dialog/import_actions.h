@@ -62,6 +62,7 @@ class ImportActions : public QObject {
   QAction* m_takeUnit;
   QAction* m_keepSize;
   int m_offered = 0;  ///< the opening that was offered another import
+  int m_doubted = 0;  ///< the opening whose unit is asked about; 0: none
 };
 
 }  // namespace sline::widgets

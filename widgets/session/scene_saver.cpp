@@ -116,7 +116,7 @@ SceneSaver::Outcome SceneSaver::carryOut(const SaveTask& task) {
   file.path = task.path;
   file.writable = Writable::yes;
   file.reason.clear();
-  file.stamp = stampOf(task.path);
+  takeStamp(file);
   before = {file.stamp, file.lock};
   return outcome;
 }

@@ -77,8 +77,7 @@ void SidesActions::makeBar(QGridLayout& centre) {
     showState();
   });
   row->addWidget(close);
-  centre.addWidget(m_bar, 1, 0);
-  centre.setRowStretch(0, 1);
+  centre.addWidget(m_bar, centre.rowCount(), 0);
 }
 
 void SidesActions::settle(model::SideAnswer answer) {

@@ -21,7 +21,7 @@ namespace sline::widgets {
 class SidesActions : public QObject {
   Q_OBJECT
  public:
-  /// The bar takes the second row of the layout.
+  /// The bar takes a row of its own at the end of the layout.
   SidesActions(Session& session, const WindowActions& actions, QGridLayout& centre,
                QObject* parent);
   ~SidesActions() override;
