@@ -1731,6 +1731,30 @@
         <source>the file holds no such mesh</source>
         <translation>die Datei enthält kein solches Netz</translation>
     </message>
+    <message>
+        <source>it is no mesh of this format</source>
+        <translation>es ist kein Netz dieses Formats</translation>
+    </message>
+    <message>
+        <source>%1; the structure stays as an empty row</source>
+        <translation>%1; die Struktur bleibt als leere Zeile</translation>
+    </message>
+    <message>
+        <source>the file holds no such paint</source>
+        <translation>die Datei enthält keine solche Bemalung</translation>
+    </message>
+    <message>
+        <source>it does not begin like what is painted on a mesh</source>
+        <translation>es beginnt nicht wie das, was auf ein Netz gemalt ist</translation>
+    </message>
+    <message>
+        <source>it does not begin like the voxels of a scan</source>
+        <translation>es beginnt nicht wie die Voxel eines Scans</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>die Datei enthält keinen solchen Teil</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

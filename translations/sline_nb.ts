@@ -1731,6 +1731,30 @@
         <source>the file holds no such mesh</source>
         <translation>filen inneholder ikke noe slikt nett</translation>
     </message>
+    <message>
+        <source>it is no mesh of this format</source>
+        <translation>det er ikke noe nett i dette formatet</translation>
+    </message>
+    <message>
+        <source>%1; the structure stays as an empty row</source>
+        <translation>%1; strukturen blir stående som en tom rad</translation>
+    </message>
+    <message>
+        <source>the file holds no such paint</source>
+        <translation>filen inneholder ingen slik maling</translation>
+    </message>
+    <message>
+        <source>it does not begin like what is painted on a mesh</source>
+        <translation>det begynner ikke som det som er malt på et nett</translation>
+    </message>
+    <message>
+        <source>it does not begin like the voxels of a scan</source>
+        <translation>det begynner ikke som voxlene i en skanning</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>filen inneholder ingen slik del</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -1731,6 +1731,30 @@
         <source>the file holds no such mesh</source>
         <translation>het bestand bevat geen zo’n net</translation>
     </message>
+    <message>
+        <source>it is no mesh of this format</source>
+        <translation>het is geen net van dit formaat</translation>
+    </message>
+    <message>
+        <source>%1; the structure stays as an empty row</source>
+        <translation>%1; de structuur blijft als lege rij staan</translation>
+    </message>
+    <message>
+        <source>the file holds no such paint</source>
+        <translation>het bestand bevat geen zo’n beschildering</translation>
+    </message>
+    <message>
+        <source>it does not begin like what is painted on a mesh</source>
+        <translation>het begint niet zoals wat op een net is geschilderd</translation>
+    </message>
+    <message>
+        <source>it does not begin like the voxels of a scan</source>
+        <translation>het begint niet zoals de voxels van een scan</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>het bestand bevat geen zo’n onderdeel</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -41,6 +41,8 @@ struct DocumentFile {
   std::optional<model::Scene> saved;
   std::optional<model::Fingerprint> stamp;      ///< of the file as it was read or written last
   std::optional<model::FileState> state;        ///< of the file before its stamp was taken
+  /// Of the file, if all that it holds is in the document, as in model::SceneDocument.
+  std::optional<model::Fingerprint> whole;
   std::optional<model::Recoverable> left;       ///< the journal from which it was recovered
   std::shared_ptr<const model::FileLock> lock;  ///< held while the document is open
 };
