@@ -223,8 +223,10 @@ class Comparison {
       both.insert(both.end(), pair.right.begin(), pair.right.end());
       const bool apart =
           2.0f * std::abs(left - right) > halfWidthOf(pair.left) + halfWidthOf(pair.right);
+      // The lobes of the liver tell left from right, and not where the body's middle is.
+      if (!isPartOfUnpaired(allWords(m_places[both.front()].name)))
+        m_middles.push_back(0.5f * (left + right));
       add({left - right, Ground::pair, apart, std::move(both)});
-      m_middles.push_back(0.5f * (left + right));
     }
   }
 

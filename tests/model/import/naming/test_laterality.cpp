@@ -116,6 +116,11 @@ void LateralityTest::otherSideNamesTheStructures() {
                                           {"left femur", -80},  {"right femur", 80},
                                           {"left ureter", -10}, {"liver", -60}};
   QCOMPARE(namedForOtherSide(places), (std::vector<std::size_t>{2, 3, 4}));
+  // What is left and right within one organ has its middle there.
+  const std::vector<NamedPosition> liver{
+      {"left hepatic vein", -40}, {"right hepatic vein", -70}, {"gallbladder", -50}};
+  QCOMPARE(voteOnFrame(liver).ras, 0);
+  QVERIFY(namedForOtherSide(liver).empty());
 }
 
 void LateralityTest::liverOnTheRight_data() {
