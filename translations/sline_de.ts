@@ -1754,6 +1754,36 @@
     <message>
         <source>there is no such member in the file</source>
         <translation>die Datei enthält keinen solchen Teil</translation>
+        <source>its unit is stated (%1) and was followed</source>
+        <translation>ihre Einheit ist angegeben (%1) und wurde befolgt</translation>
+    </message>
+    <message>
+        <source>%1 lies on the other side than its name says</source>
+        <translation>%1 liegt auf der anderen Seite, als der Name sagt</translation>
+    </message>
+    <message>
+        <source>%1 lie on the other side than their names say</source>
+        <translation>%1 liegen auf der anderen Seite, als ihre Namen sagen</translation>
+    </message>
+    <message>
+        <source>molecules are drawn with 1 Å as 1 mm, ten million times as large as &quot;%1&quot; beside them; no scale bar holds for both, so open them apart</source>
+        <translation>Moleküle sind mit 1 Å als 1 mm gezeichnet, zehn Millionen Mal so groß wie „%1“ neben ihnen; kein Maßstab gilt für beide, öffne sie also getrennt</translation>
+    </message>
+    <message>
+        <source>SlicerRT&apos;s segmentations are RAS</source>
+        <translation>Segmentierungen von SlicerRT sind RAS</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, which are not as many as it has; it was placed as if its origin were its own</source>
+        <translation>sagt, dass sie die Voxel %1 eines Referenzbildes enthält, und das sind nicht so viele, wie sie hat; sie wurde so platziert, als wäre der Ursprung ihr eigener</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, and an offset in it, as files with an origin of their own do; it was placed by its origin alone</source>
+        <translation>nennt die Voxel %1 eines Referenzbildes und eine Verschiebung darin, wie es Dateien mit eigenem Ursprung tun; sie wurde allein nach ihrem Ursprung platziert</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>sagt, dass sie die Voxel %1 eines Referenzbildes enthält; ihr Ursprung wurde als der dieses Bildes genommen</translation>
     </message>
 </context>
 <context>
@@ -8700,6 +8730,10 @@ OpenGL: %3</translation>
     <message>
         <source>Read as %1 (%2).</source>
         <translation>Gelesen als %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Front and back are not certain: names tell left and right alone.</source>
+        <translation>Vorn und hinten sind nicht sicher: Namen nennen nur links und rechts.</translation>
     </message>
 </context>
 <context>

@@ -1754,6 +1754,36 @@
     <message>
         <source>there is no such member in the file</source>
         <translation>filen inneholder ingen slik del</translation>
+        <source>its unit is stated (%1) and was followed</source>
+        <translation>enheten er oppgitt (%1) og ble fulgt</translation>
+    </message>
+    <message>
+        <source>%1 lies on the other side than its name says</source>
+        <translation>%1 ligger på den andre siden enn navnet sier</translation>
+    </message>
+    <message>
+        <source>%1 lie on the other side than their names say</source>
+        <translation>%1 ligger på den andre siden enn navnene sier</translation>
+    </message>
+    <message>
+        <source>molecules are drawn with 1 Å as 1 mm, ten million times as large as &quot;%1&quot; beside them; no scale bar holds for both, so open them apart</source>
+        <translation>molekyler er tegnet med 1 Å som 1 mm, ti millioner ganger så store som «%1» ved siden av; ingen målestokk gjelder for begge, så åpne dem hver for seg</translation>
+    </message>
+    <message>
+        <source>SlicerRT&apos;s segmentations are RAS</source>
+        <translation>segmenteringer fra SlicerRT er RAS</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, which are not as many as it has; it was placed as if its origin were its own</source>
+        <translation>sier at den inneholder vokslene %1 av et referansebilde, og det er ikke så mange som den har; den ble plassert som om origo var dens eget</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, and an offset in it, as files with an origin of their own do; it was placed by its origin alone</source>
+        <translation>nevner vokslene %1 av et referansebilde og en forskyvning i det, slik filer med eget origo gjør; den ble plassert etter sitt origo alene</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>sier at den inneholder vokslene %1 av et referansebilde; origo ble tatt som bildets</translation>
     </message>
 </context>
 <context>
@@ -8700,6 +8730,10 @@ OpenGL: %3</translation>
     <message>
         <source>Read as %1 (%2).</source>
         <translation>Lest som %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Front and back are not certain: names tell left and right alone.</source>
+        <translation>Foran og bak er ikke sikkert: navn sier bare venstre og høyre.</translation>
     </message>
 </context>
 <context>

@@ -1754,6 +1754,36 @@
     <message>
         <source>there is no such member in the file</source>
         <translation>het bestand bevat geen zo’n onderdeel</translation>
+        <source>its unit is stated (%1) and was followed</source>
+        <translation>de eenheid is opgegeven (%1) en werd gevolgd</translation>
+    </message>
+    <message>
+        <source>%1 lies on the other side than its name says</source>
+        <translation>%1 ligt aan de andere kant dan de naam zegt</translation>
+    </message>
+    <message>
+        <source>%1 lie on the other side than their names say</source>
+        <translation>%1 liggen aan de andere kant dan hun namen zeggen</translation>
+    </message>
+    <message>
+        <source>molecules are drawn with 1 Å as 1 mm, ten million times as large as &quot;%1&quot; beside them; no scale bar holds for both, so open them apart</source>
+        <translation>moleculen zijn getekend met 1 Å als 1 mm, tien miljoen keer zo groot als ‘%1’ ernaast; geen schaalbalk geldt voor beide, open ze dus apart</translation>
+    </message>
+    <message>
+        <source>SlicerRT&apos;s segmentations are RAS</source>
+        <translation>segmentaties van SlicerRT zijn RAS</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, which are not as many as it has; it was placed as if its origin were its own</source>
+        <translation>zegt dat het de voxels %1 van een referentiebeeld bevat, en dat zijn er niet zoveel als het heeft; het werd geplaatst alsof de oorsprong van hemzelf was</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, and an offset in it, as files with an origin of their own do; it was placed by its origin alone</source>
+        <translation>noemt de voxels %1 van een referentiebeeld en een verschuiving daarin, zoals bestanden met een eigen oorsprong doen; het werd alleen op zijn oorsprong geplaatst</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>zegt dat het de voxels %1 van een referentiebeeld bevat; de oorsprong werd als die van dat beeld genomen</translation>
     </message>
 </context>
 <context>
@@ -8700,6 +8730,10 @@ OpenGL: %3</translation>
     <message>
         <source>Read as %1 (%2).</source>
         <translation>Gelezen als %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Front and back are not certain: names tell left and right alone.</source>
+        <translation>Voor en achter zijn niet zeker: namen noemen alleen links en rechts.</translation>
     </message>
 </context>
 <context>

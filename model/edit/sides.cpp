@@ -24,14 +24,17 @@ bool isDoubted(const Node& node) {
   return !node.isGroup() && hasOwnSides(node.provenance) && !node.provenance.evidence.isSure();
 }
 
-/// Changes the signs of x and, for a turn, of y.
+/// Changes the signs of x, or of y where only the front is in doubt, and of both for a turn.
 class Flip {
  public:
-  explicit Flip(SideAnswer answer)
-      : m_signs(answer == SideAnswer::right ? 1.0f : -1.0f,
-                answer == SideAnswer::turn ? -1.0f : 1.0f, 1.0f) {}
+  Flip(SideAnswer answer, bool onlyFront)
+      : m_signs(answer == SideAnswer::turn || (answer == SideAnswer::mirror && !onlyFront) ? -1.0f
+                                                                                           : 1.0f,
+                answer == SideAnswer::turn || (answer == SideAnswer::mirror && onlyFront) ? -1.0f
+                                                                                          : 1.0f,
+                1.0f) {}
 
-  bool changes() const { return m_signs.x < 0.0f; }
+  bool changes() const { return m_signs.x < 0.0f || m_signs.y < 0.0f; }
   bool mirrors() const { return m_signs.x * m_signs.y < 0.0f; }
   glm::vec3 of(const glm::vec3& p) const { return p * m_signs; }
 
@@ -107,9 +110,11 @@ class Flip {
   std::map<MeshPtr, MeshPtr> m_meshes;
 };
 
+/// Moves, and marks as settled, what an answer is about.
 class Settling {
  public:
-  Settling(const Scene& scene, SideAnswer answer) : m_scene(scene), m_flip(answer) {}
+  Settling(const Scene& scene, SideAnswer answer)
+      : m_scene(scene), m_flip(answer, isOnlyFrontDoubted(scene)) {}
 
   Scene run() {
     findMoved();
@@ -249,6 +254,19 @@ bool hasDoubtedSides(const Scene& scene) {
   return std::any_of(nodes.begin(), nodes.end(), isDoubted) ||
          std::any_of(scans.begin(), scans.end(),
                      [](const Scan& scan) { return !scan.evidence.isSure(); });
+}
+
+bool isOnlyFrontDoubted(const Scene& scene) {
+  const auto sidesDoubted = [](const SideEvidence& evidence) { return !isSure(evidence.sides); };
+  const auto& nodes = scene.nodes();
+  const auto& scans = scene.scans();
+  return hasDoubtedSides(scene) &&
+         std::none_of(nodes.begin(), nodes.end(),
+                      [&](const Node& node) {
+                        return isDoubted(node) && sidesDoubted(node.provenance.evidence);
+                      }) &&
+         std::none_of(scans.begin(), scans.end(),
+                      [&](const Scan& scan) { return sidesDoubted(scan.evidence); });
 }
 
 Edited withSidesSettled(const Scene& scene, SideAnswer answer) {

@@ -32,6 +32,23 @@ constexpr const char* doubtRows[] = {
     QT_TRANSLATE_NOOP("Told", "no usual unit would make it right"),
     QT_TRANSLATE_NOOP("Told", "it would be right if the file's unit were %1 mm"),
     QT_TRANSLATE_NOOP("Told", "it would be right if the file's unit were %1 or %2 mm"),
+    QT_TRANSLATE_NOOP("Told", "its unit is stated (%1) and was followed"),
+    QT_TRANSLATE_NOOP("Told", "%1 lies on the other side than its name says"),
+    QT_TRANSLATE_NOOP("Told", "%1 lie on the other side than their names say"),
+    QT_TRANSLATE_NOOP("Told",
+                      "molecules are drawn with 1 Å as 1 mm, ten million times as large as \"%1\" "
+                      "beside them; no scale bar holds for both, so open them apart"),
+    QT_TRANSLATE_NOOP("Told", "SlicerRT's segmentations are RAS"),
+    QT_TRANSLATE_NOOP("Told",
+                      "says that it holds the voxels %1 of a reference image, which are not as "
+                      "many as it has; it was placed as if its origin were its own"),
+    QT_TRANSLATE_NOOP("Told",
+                      "says that it holds the voxels %1 of a reference image, and an offset in "
+                      "it, as files with an origin of their own do; it was placed by its origin "
+                      "alone"),
+    QT_TRANSLATE_NOOP("Told",
+                      "says that it holds the voxels %1 of a reference image; its origin was "
+                      "taken to be that image's"),
     QT_TRANSLATE_NOOP("Told", "\"%1\" is flat: it has no extent in a direction"),
     QT_TRANSLATE_NOOP("Told",
                       "\"%1\" beside it gives none of its labels a name that is understood"),

@@ -126,6 +126,7 @@ class FrameDecision {
     const auto silent = [this](const Part& part) { return isSilent(part); };
     const std::vector<NamedPosition> places = placesOf(silent);
     const FrameVote vote = voteOnFrame(places);
+    const FrontVote front = voteOnFront(places);
     const FrameSides sides = knownAndSilent();
     const FrameFit laid = laidOverSameNames(sides, m_read);
     const FrameFit fit = fittedIn(sides, m_read);
@@ -133,16 +134,18 @@ class FrameDecision {
     if (laid.frame)
       decided = {*laid.frame, laid.reason, {Evidence::voted, Evidence::voted}};
     else if (vote.isClear())
-      decided = {*vote.winner(), vote.text(), {Evidence::voted, Evidence::voted}};
+      decided = {*vote.winner(), vote.text(), {Evidence::voted, Evidence::assumed}};
     else if (fit.frame)
-      decided = {*fit.frame, fit.reason, {Evidence::voted, Evidence::voted}};
+      decided = {*fit.frame, fit.reason, {Evidence::assumed, Evidence::assumed}};
     else
-      decided = weakly(vote, voteOnFront(places));
+      decided = weakly(vote, front);
+    if (front.toTheBack() == axesOf(decided.frame).posterior)
+      decided.evidence.front = Evidence::voted;
     compare(decided, vote, fit);
     if (!laid.frame && isSure(decided.evidence.sides) && vote.winner() &&
         axesOf(*vote.winner()).left != axesOf(decided.frame).left)
       decided.evidence.sides = Evidence::assumed;
-    compareFront(decided, voteOnFront(places), report);
+    compareFront(decided, front, report);
     if (fit.none && !decided.evidence.isSure())
       report.warnings.push_back(
           {"",
@@ -159,9 +162,8 @@ class FrameDecision {
       decided.frame = *winner;
       decided.reason = vote.text();
     } else if (const std::optional<bool> back = front.toTheBack()) {
-      decided = {*back ? Frame::lps : Frame::ras,
-                 "names of front and back alone",
-                 {Evidence::assumed, Evidence::voted}};
+      decided.frame = *back ? Frame::lps : Frame::ras;
+      decided.reason = "names of front and back alone";
     }
     return decided;
   }
@@ -187,8 +189,9 @@ class FrameDecision {
                                        frameName(frameWith(axes.left, !axes.posterior))});
   }
 
-  /// Marks files whose frame names contradict, and warns: left and right must never be swapped
-  /// silently.
+  /// Marks files whose frame pairs of names contradict, and warns: left and right must never be
+  /// swapped silently. What lies on one side by nature, or alone on its side, is too little against
+  /// a file that states its frame.
   void markContradictions(ImportReport& report) {
     for (const FrameAxes& axes : frames) {
       const auto stated = [&](const Part& part) {
@@ -197,7 +200,7 @@ class FrameDecision {
       };
       const std::vector<NamedPosition> places = placesOf(stated);
       const FrameVote vote = voteOnFrame(places);
-      if (!vote.isClear() || axesOf(*vote.winner()).left == axes.left)
+      if (!vote.refutes(axes.left))
         continue;
       const FrontVote front = voteOnFront(places);
       const std::optional<bool> back = front.toTheBack();

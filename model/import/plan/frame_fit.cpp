@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <glm/vec4.hpp>
 #include <map>
 
 #include "model/anatomy/name_words.h"
 #include "model/import/naming/laterality.h"
 #include "model/import/plan/shape_parts.h"
-#include "model/import/volumes/grey_volume.h"
 #include "model/scene/known_frame.h"
 
 namespace sline::model {
@@ -80,22 +78,10 @@ Box boxIn(const Part& part, Frame frame, const std::optional<glm::dmat4>& toWorl
   return box;
 }
 
-void addScans(Box& box, const ReadInputs& read) {
-  for (const ReadScan& scan : read.scans) {
-    const GreyVolume& volume = *scan.raw.volume;
-    for (int corner = 0; volume.frame && corner < 8; ++corner) {
-      const glm::dvec3 at(corner & 1 ? volume.size.x - 1 : 0, corner & 2 ? volume.size.y - 1 : 0,
-                          corner & 4 ? volume.size.z - 1 : 0);
-      box.add(glm::vec3(volume.toLps * glm::dvec4(at, 1.0)));
-    }
-  }
-}
-
 Box knownBox(const FrameSides& sides, const ReadInputs& read) {
   Box box;
   for (const Part* part : sides.known)
     box.add(boxIn(*part, part->frame, toWorldOf(*part, read.sources)));
-  addScans(box, read);
   if (read.scenes)
     for (const Node& node : read.scenes->scene.nodes())
       if (!node.isGroup() && node.provenance.frame != fileFrame &&

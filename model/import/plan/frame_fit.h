@@ -33,8 +33,8 @@ struct FrameFit {
 FrameFit laidOverSameNames(const FrameSides& sides, const ReadInputs& read);
 
 /// Finds out whether silent surfaces lie within what is known, or around it, if read as LPS and as
-/// RAS: the known surfaces, scans whose files state their frame, and scene files that are opened
-/// with them.
+/// RAS: the known surfaces, and scene files that are opened with them. That is a guess: boxes
+/// overlap by chance, too. Scans say nothing, as they are kept or not, and are larger than a body.
 FrameFit fittedIn(const FrameSides& sides, const ReadInputs& read);
 
 }  // namespace sline::model

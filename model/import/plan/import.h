@@ -69,6 +69,7 @@ struct UnitDoubt {
   std::string name = {};          ///< an example of what does not fit
   float extent = 0.0f;            ///< its size, mm
   Limits<float> expected = {};    ///< and what such structures have
+  std::string stated = {};        ///< what states the unit, where it is beyond doubt
 
   /// Returns it in a sentence.
   std::string text() const;

@@ -15,6 +15,7 @@
 #include "model/import/plan/frame_decision.h"
 #include "model/import/plan/implausible_sizes.h"
 #include "model/import/plan/kept_scans.h"
+#include "model/import/plan/other_sides.h"
 #include "model/import/plan/overlay.h"
 #include "model/import/plan/repair_notes.h"
 #include "model/import/plan/scene_inputs.h"
@@ -175,6 +176,12 @@ ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
   return plan;
 }
 
+void warnOfBodies(const Scene& scene, ImportReport& report) {
+  for (std::string text : {otherSidesText(scene), mixedScalesText(scene)})
+    if (!text.empty())
+      report.warnings.push_back({"", std::move(text)});
+}
+
 Status checkAnythingLeft(const DecidedParts& decided, const ReadInputs& read) {
   if (decided.parts.empty() && !haveFiducials(read.sources) && !read.scenes && read.scans.empty())
     return nothingRead(read.sources, decided.report.warnings);
@@ -209,6 +216,7 @@ Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const R
   if (!read.scenes)
     warnOfTwins(imported, read);
   warnOfSizes(imported);
+  warnOfBodies(imported.scene, imported.report);
   imported.scene.setScans(std::move(scans));
   if (const Status kept = bringWithinLimits(imported); !kept.ok())
     return kept.error();
