@@ -9,7 +9,7 @@ namespace {
 
 constexpr FlagWords rows[] = {
     {"put them together on purpose", "--together"},
-    {"which come from those of files", "--keep-file-names keeps them"},
+    {"which come from those of files", "`sline import --keep-file-names` keeps them"},
     {"Give a threshold that makes a structure of it",
      "--threshold NAME=VALUE, or --threshold bone, skin or vessels"},
     {"made of the images, or from a threshold", "--threshold bone"},
