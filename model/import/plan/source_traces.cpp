@@ -10,7 +10,7 @@ namespace sline::model {
 
 namespace {
 
-std::string textOf(const Sha256& digest) {
+std::string digestText(const Sha256& digest) {
   return {digest.begin(), digest.end()};
 }
 
@@ -24,7 +24,7 @@ std::string TraceMaker::checksum(std::string_view of, std::uint64_t mark, const 
     return made;
   Sha256 digest = sha256(known);
   for (int i = 1; i < turns; ++i)
-    digest = sha256(textOf(digest) + salt);
+    digest = sha256(digestText(digest) + salt);
   return made = hexDigits(digest, traceDigits / 2);
 }
 
