@@ -1784,6 +1784,60 @@
     <message>
         <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
         <translation>sagt, dass sie die Voxel %1 eines Referenzbildes enthält; ihr Ursprung wurde als der dieses Bildes genommen</translation>
+        <source>the files are of %1 patients: %2</source>
+        <translation>die Dateien sind von %1 Patienten: %2</translation>
+    </message>
+    <message>
+        <source>the files are of %1 studies, and nothing says that they are of one patient: %2</source>
+        <translation>die Dateien sind von %1 Studien, und nichts sagt, dass sie von einem Patienten sind: %2</translation>
+    </message>
+    <message>
+        <source>Give the files of one patient, or put them together on purpose</source>
+        <translation>Gib die Dateien eines Patienten an, oder füge sie mit Absicht zusammen</translation>
+    </message>
+    <message>
+        <source>it came from more than %1 studies</source>
+        <translation>sie kam aus mehr als %1 Studien</translation>
+    </message>
+    <message>
+        <source>what was there already is read as %1 now: %2</source>
+        <translation>was schon da war, wird jetzt als %1 gelesen: %2</translation>
+    </message>
+    <message>
+        <source>left and right of what was there already are certain now: %1</source>
+        <translation>links und rechts sind bei dem, was schon da war, jetzt sicher: %1</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
+        <translation>Wörter, die von einer Person sein können, wurden im Namen von %1 Struktur weggelassen, der von dem einer Datei kommt</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
+        <translation>Wörter, die von einer Person sein können, wurden in den Namen von %1 Strukturen weggelassen, die von denen von Dateien kommen</translation>
+    </message>
+    <message>
+        <source>is a scan rather than a label volume: %1</source>
+        <translation>ist ein Scan und kein Labelvolumen: %1</translation>
+    </message>
+    <message>
+        <source>Give a threshold that makes a structure of it, or choose the segmentation that was made of it</source>
+        <translation>Gib einen Schwellenwert an, der eine Struktur daraus macht, oder wähle die Segmentierung, die davon gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Structures come from a DICOM segmentation or RT structure set, from label maps and meshes made of the images, or from a threshold</source>
+        <translation>Strukturen kommen aus einer Segmentierung oder einem RT-Strukturset von DICOM, aus Labelkarten und Netzen, die aus den Bildern entstanden, oder von einem Schwellenwert</translation>
+    </message>
+    <message>
+        <source>Name one of the scene&apos;s saved views</source>
+        <translation>Nenne eine der gespeicherten Ansichten der Szene</translation>
+    </message>
+    <message>
+        <source>Change it in the figure&apos;s file</source>
+        <translation>Ändere es in der Datei der Abbildung</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
     </message>
 </context>
 <context>
@@ -5601,6 +5655,8 @@
         <source>or</source>
         <comment>between two wishes of the filter</comment>
         <translation>oder</translation>
+        <source>what is open</source>
+        <translation>was offen ist</translation>
     </message>
 </context>
 <context>
@@ -7054,6 +7110,13 @@ OpenGL: %3</translation>
         <source>Take %1 as the Unit</source>
         <translation>%1 als Einheit nehmen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n structures were read as %1, unlike alone: so they go with the open scene</source>
+        <translation>
+            <numerusform>%n Struktur wurde als %1 gelesen, anders als allein: So passt sie zur offenen Szene</numerusform>
+            <numerusform>%n Strukturen wurden als %1 gelesen, anders als allein: So passen sie zur offenen Szene</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDialog</name>
@@ -7753,6 +7816,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>&amp;Keep names of files</source>
+        <translation>Namen von Dateien &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
+        <translation>Dateien heißen oft nach Patienten: Von ihren Namen und denen von Ordnern werden nur Wörter der Anatomie und des Programms zu Namen von Strukturen und Gruppen, und der Rest ist nicht in der Szene, außer wenn dies an ist</translation>
     </message>
 </context>
 <context>

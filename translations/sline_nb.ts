@@ -1784,6 +1784,60 @@
     <message>
         <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
         <translation>sier at den inneholder vokslene %1 av et referansebilde; origo ble tatt som bildets</translation>
+        <source>the files are of %1 patients: %2</source>
+        <translation>filene er av %1 pasienter: %2</translation>
+    </message>
+    <message>
+        <source>the files are of %1 studies, and nothing says that they are of one patient: %2</source>
+        <translation>filene er av %1 undersøkelser, og ingenting sier at de er av én pasient: %2</translation>
+    </message>
+    <message>
+        <source>Give the files of one patient, or put them together on purpose</source>
+        <translation>Gi filene til én pasient, eller sett dem sammen med hensikt</translation>
+    </message>
+    <message>
+        <source>it came from more than %1 studies</source>
+        <translation>den kom fra mer enn %1 undersøkelser</translation>
+    </message>
+    <message>
+        <source>what was there already is read as %1 now: %2</source>
+        <translation>det som allerede var der, leses nå som %1: %2</translation>
+    </message>
+    <message>
+        <source>left and right of what was there already are certain now: %1</source>
+        <translation>venstre og høyre i det som allerede var der, er nå sikre: %1</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
+        <translation>ord som kan være en persons, ble utelatt fra navnet på %1 struktur, som kommer fra en fils</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
+        <translation>ord som kan være en persons, ble utelatt fra navnene på %1 strukturer, som kommer fra filers</translation>
+    </message>
+    <message>
+        <source>is a scan rather than a label volume: %1</source>
+        <translation>er en skanning og ikke et etikettvolum: %1</translation>
+    </message>
+    <message>
+        <source>Give a threshold that makes a structure of it, or choose the segmentation that was made of it</source>
+        <translation>Gi en terskel som lager en struktur av den, eller velg segmenteringen som ble laget av den</translation>
+    </message>
+    <message>
+        <source>Structures come from a DICOM segmentation or RT structure set, from label maps and meshes made of the images, or from a threshold</source>
+        <translation>Strukturer kommer fra en DICOM-segmentering eller et RT-struktursett, fra etikettkart og nett laget av bildene, eller fra en terskel</translation>
+    </message>
+    <message>
+        <source>Name one of the scene&apos;s saved views</source>
+        <translation>Nevn en av scenens lagrede visninger</translation>
+    </message>
+    <message>
+        <source>Change it in the figure&apos;s file</source>
+        <translation>Endre det i figurens fil</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Lagre det som en scenefil, og gi den endelsen .sline</translation>
     </message>
 </context>
 <context>
@@ -5601,6 +5655,8 @@
         <source>or</source>
         <comment>between two wishes of the filter</comment>
         <translation>eller</translation>
+        <source>what is open</source>
+        <translation>det som er åpent</translation>
     </message>
 </context>
 <context>
@@ -7054,6 +7110,13 @@ OpenGL: %3</translation>
         <source>Take %1 as the Unit</source>
         <translation>Bruk %1 som enhet</translation>
     </message>
+    <message numerus="yes">
+        <source>%n structures were read as %1, unlike alone: so they go with the open scene</source>
+        <translation>
+            <numerusform>%n struktur ble lest som %1, annerledes enn alene: slik passer den til den åpne scenen</numerusform>
+            <numerusform>%n strukturer ble lest som %1, annerledes enn alene: slik passer de til den åpne scenen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDialog</name>
@@ -7753,6 +7816,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>&amp;Keep names of files</source>
+        <translation>&amp;Behold filnavn</translation>
+    </message>
+    <message>
+        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
+        <translation>Filer heter ofte etter pasienter: av navnene deres og mappenes blir bare ord fra anatomien og programmet navn på strukturer og grupper, og resten er ikke i scenen, med mindre dette er på</translation>
     </message>
 </context>
 <context>

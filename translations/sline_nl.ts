@@ -1784,6 +1784,60 @@
     <message>
         <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
         <translation>zegt dat het de voxels %1 van een referentiebeeld bevat; de oorsprong werd als die van dat beeld genomen</translation>
+        <source>the files are of %1 patients: %2</source>
+        <translation>de bestanden zijn van %1 patiënten: %2</translation>
+    </message>
+    <message>
+        <source>the files are of %1 studies, and nothing says that they are of one patient: %2</source>
+        <translation>de bestanden zijn van %1 onderzoeken, en niets zegt dat ze van één patiënt zijn: %2</translation>
+    </message>
+    <message>
+        <source>Give the files of one patient, or put them together on purpose</source>
+        <translation>Geef de bestanden van één patiënt, of voeg ze met opzet samen</translation>
+    </message>
+    <message>
+        <source>it came from more than %1 studies</source>
+        <translation>ze kwam uit meer dan %1 onderzoeken</translation>
+    </message>
+    <message>
+        <source>what was there already is read as %1 now: %2</source>
+        <translation>wat er al was, wordt nu als %1 gelezen: %2</translation>
+    </message>
+    <message>
+        <source>left and right of what was there already are certain now: %1</source>
+        <translation>links en rechts van wat er al was, zijn nu zeker: %1</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
+        <translation>woorden die van een persoon kunnen zijn, werden weggelaten uit de naam van %1 structuur, die van een bestand komt</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
+        <translation>woorden die van een persoon kunnen zijn, werden weggelaten uit de namen van %1 structuren, die van bestanden komen</translation>
+    </message>
+    <message>
+        <source>is a scan rather than a label volume: %1</source>
+        <translation>is een scan en geen labelvolume: %1</translation>
+    </message>
+    <message>
+        <source>Give a threshold that makes a structure of it, or choose the segmentation that was made of it</source>
+        <translation>Geef een drempel die er een structuur van maakt, of kies de segmentatie die ervan gemaakt is</translation>
+    </message>
+    <message>
+        <source>Structures come from a DICOM segmentation or RT structure set, from label maps and meshes made of the images, or from a threshold</source>
+        <translation>Structuren komen uit een DICOM-segmentatie of RT-structurenset, uit labelkaarten en netten die van de beelden gemaakt zijn, of van een drempel</translation>
+    </message>
+    <message>
+        <source>Name one of the scene&apos;s saved views</source>
+        <translation>Noem een van de bewaarde aanzichten van de scène</translation>
+    </message>
+    <message>
+        <source>Change it in the figure&apos;s file</source>
+        <translation>Verander het in het bestand van de figuur</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
     </message>
 </context>
 <context>
@@ -5601,6 +5655,8 @@
         <source>or</source>
         <comment>between two wishes of the filter</comment>
         <translation>of</translation>
+        <source>what is open</source>
+        <translation>wat open is</translation>
     </message>
 </context>
 <context>
@@ -7054,6 +7110,13 @@ OpenGL: %3</translation>
         <source>Take %1 as the Unit</source>
         <translation>%1 als eenheid nemen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n structures were read as %1, unlike alone: so they go with the open scene</source>
+        <translation>
+            <numerusform>%n structuur werd als %1 gelezen, anders dan alleen: zo past ze bij de open scène</numerusform>
+            <numerusform>%n structuren werden als %1 gelezen, anders dan alleen: zo passen ze bij de open scène</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDialog</name>
@@ -7753,6 +7816,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>&amp;Keep names of files</source>
+        <translation>Namen van bestanden be&amp;houden</translation>
+    </message>
+    <message>
+        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
+        <translation>Bestanden heten vaak naar patiënten: van hun namen en die van mappen worden alleen woorden van de anatomie en van het programma namen van structuren en groepen, en de rest staat niet in de scène, tenzij dit aan is</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/edit/edited.h"
 
@@ -27,5 +30,26 @@ bool isOnlyFrontDoubted(const Scene& scene);
 /// places of annotations, sections, views and scans go with it; else they stay with what is sure,
 /// but for sections of what is moved alone.
 Edited withSidesSettled(const Scene& scene, SideAnswer answer);
+
+/// Says how structures whose frame was only assumed are read, now that others have come to them.
+struct FrameAnew {
+  std::string frame;   ///< a name of `frames` (laterality.h), as in Provenance
+  std::string reason;  ///< what decided it
+  SideEvidence evidence;
+  bool operator==(const FrameAnew&) const = default;
+};
+
+/// Returns the structures that were read in one frame because nothing clear told another; none
+/// where they were read in different ones. What a person has settled is not among them, nor what
+/// names contradict, nor what a scene around its file has placed.
+std::vector<const Node*> withAssumedFrame(const Scene& scene);
+
+/// Returns what leads from coordinates that were read in one frame to those read in the other;
+/// nothing where no answer does.
+std::optional<SideAnswer> answerBetween(std::string_view frame, std::string_view other);
+
+/// Reads the structures with an assumed frame in this one: turned or mirrored as by
+/// withSidesSettled, but told as what decided it says. Others stay.
+Edited withFrameAnew(const Scene& scene, const FrameAnew& anew);
 
 }  // namespace sline::model
