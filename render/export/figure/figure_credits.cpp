@@ -48,7 +48,7 @@ std::vector<LetteringItem> FigureCredits::drawnAt(const glm::vec2& corner, float
   LetteringText text{.at = corner + glm::vec2(creditIndentMm, capHeightMm(m_points)),
                      .leading = creditHeight(m_points),
                      .points = m_points,
-                     .ink = letteringColours(false).ink};
+                     .ink = letteringColours().ink};
   text.lines.assign(lines.begin(), lines.end());
   return {{.name = "sources", .shapes = {}, .text = std::move(text)}};
 }

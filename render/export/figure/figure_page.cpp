@@ -79,7 +79,7 @@ class Frames {
   static LetteringShape shapeOf(Path path) {
     return {.path = std::move(path),
             .pen = framePen,
-            .ink = letteringColours(false).ink,
+            .ink = letteringColours().ink,
             .fill = {},
             .halo = frameHalo};
   }

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "model/scene/near_names.h"
 #include "model/scene/resolved_styles.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/figure/panel_cameras.h"
+#include "render/export/order/ink_alone.h"
 #include "render/export/plate/plate_image.h"
 #include "render/lettering/scale_length.h"
 #include "render/lettering/typesetting.h"
@@ -47,7 +47,7 @@ LetteringText letterText(const model::Figure& figure, const std::string& letter,
   return {.lines = {line},
           .at = corner + glm::vec2(letterIndent, letterIndent + capHeightMm(figure.letterPoints)),
           .points = figure.letterPoints,
-          .ink = letteringColours(false).ink};
+          .ink = letteringColours().ink};
 }
 
 class Planning {
@@ -129,8 +129,6 @@ class Planning {
                !model::anatomicalViewNamed(model::normalisedName(panel.view))) {
       return unknownView(index, scene);
     }
-    if (figure().blackAndWhite)
-      order.scene = model::withInkAlone(order.scene).scene;
     return Unit{};
   }
 
@@ -170,7 +168,8 @@ class Planning {
       order.marks.scaleBar = panel.scaleBar.value_or(model::usualScaleBar(figure(), i));
       order.marks.sides = panel.sides.value_or(model::usualSides(figure(), i));
       order.marks.gammaKey = true;
-      order.pureInk = figure().blackAndWhite;
+      if (figure().blackAndWhite)
+        leaveInkAlone(order);
       if (!placed.letter.empty())
         order.labels.reserved.push_back(letterBox(figure(), placed.letter));
     }

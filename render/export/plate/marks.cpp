@@ -52,12 +52,13 @@ class MarkLayout {
       : m_order(order),
         m_drawn(drawn),
         m_size(order.page.sizeMm),
-        m_colours(letteringColours(order.environment.background == Background::dark)),
+        m_colours(letteringColours(order.environment.background)),
         m_sides(knownSides(order.scene)),
         m_words(order.labels.language, m_sides),
         m_unit(drawnUnit(order.scene)),
         m_places(m_size, order.labels.reserved, drawn) {
     m_marks.lettering.ground = m_colours.ground;
+    m_marks.lettering.clear = m_colours.clear;
   }
 
   Marks make() {
@@ -459,7 +460,7 @@ void MarkLayout::addCaption() {
   constexpr float tallest = 0.4f;  // of the page's height
   const float right = m_marks.legend ? m_marks.legend->low.x : m_size.x - margin;
   LabelStyle style = m_order.labels;
-  style.onDark = m_order.environment.background == Background::dark;
+  style.ground = m_order.environment.background;
   const std::optional<Caption> caption =
       captionOf(markup, style,
                 {.middle = 0.5f * (margin + right),
