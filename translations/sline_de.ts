@@ -1228,10 +1228,6 @@
         <translation>sind links und rechts vertauscht, wähle %1, wo auch vorn und hinten vertauscht sind, sonst %2</translation>
     </message>
     <message>
-        <source>a comparison sheet is a png, pdf or svg file</source>
-        <translation>ein Vergleichsblatt ist eine png-, pdf- oder svg-Datei</translation>
-    </message>
-    <message>
         <source>Give the file one of these endings</source>
         <translation>Gib der Datei eine dieser Endungen</translation>
     </message>
@@ -1334,10 +1330,6 @@
     <message>
         <source>Save it first, so that the figure&apos;s file can name it</source>
         <translation>Sichere sie zuerst, damit die Datei der Abbildung sie nennen kann</translation>
-    </message>
-    <message>
-        <source>a figure is a png, pdf or svg file</source>
-        <translation>eine Abbildung ist eine Datei der Art png, pdf oder svg</translation>
     </message>
     <message>
         <source>Leave one of both out</source>
@@ -1838,6 +1830,24 @@
     <message>
         <source>Save it as a scene file, and name it with its ending .sline</source>
         <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
+        <source>a comparison sheet is a pdf, svg, png or tiff file</source>
+        <translation>ein Vergleichsblatt ist eine pdf-, svg-, png- oder tiff-Datei</translation>
+    </message>
+    <message>
+        <source>a figure is a pdf, svg, png or tiff file</source>
+        <translation>eine Abbildung ist eine pdf-, svg-, png- oder tiff-Datei</translation>
+    </message>
+    <message>
+        <source>a depth of 1 bit leaves black and white alone, and the figure has tones</source>
+        <translation>eine Tiefe von 1 Bit lässt nur Schwarz und Weiß, und die Abbildung hat Töne</translation>
+    </message>
+    <message>
+        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
+        <translation>Mache die Abbildung schwarz-weiß („black_and_white“: true) oder nimm 8 Bit</translation>
+    </message>
+    <message>
+        <source>Take fewer dots per inch, or close other programs</source>
+        <translation>Nimm weniger Punkte je Zoll, oder schließe andere Programme</translation>
     </message>
 </context>
 <context>
@@ -2667,6 +2677,26 @@
     <message>
         <source>Else what the group that holds all is called, or where there is none the file</source>
         <translation>Sonst, wie die Gruppe heißt, die alles enthält, oder ohne eine solche die Datei</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Pixels to the inch of PNG and TIFF; journals ask for 300 or 600, and for up to 1200 where there are lines alone</source>
+        <translation>Pixel je Zoll von PNG und TIFF; Zeitschriften verlangen 300 oder 600, für reine Strichzeichnungen bis 1200</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>1 bit, ink or paper</source>
+        <translation>1 Bit, Tinte oder Papier</translation>
+    </message>
+    <message>
+        <source>1 bit is for black and white figures, as printers take line art</source>
+        <translation>1 Bit ist für Abbildungen in Schwarz-Weiß, wie Druckereien Strichzeichnungen nehmen</translation>
     </message>
 </context>
 <context>
@@ -5657,6 +5687,16 @@
         <translation>oder</translation>
         <source>what is open</source>
         <translation>was offen ist</translation>
+        <source>the legend</source>
+        <translation>die Legende</translation>
+    </message>
+    <message>
+        <source>the view&apos;s text</source>
+        <translation>den Text der Ansicht</translation>
+    </message>
+    <message>
+        <source>what Γ follows</source>
+        <translation>das, wonach sich Γ richtet</translation>
     </message>
 </context>
 <context>
@@ -6004,6 +6044,10 @@ OpenGL: %3</translation>
         <source>Shows what was selected one below the other, else all of it together</source>
         <translation>Zeigt das Gewählte untereinander, sonst alles zusammen</translation>
     </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-Bild (*.tiff)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ControlsDialog</name>
@@ -6309,10 +6353,6 @@ OpenGL: %3</translation>
         <translation>Abbildung &amp;sichern…</translation>
     </message>
     <message>
-        <source>As PDF, SVG or PNG</source>
-        <translation>Als PDF, SVG oder PNG</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -6375,6 +6415,30 @@ OpenGL: %3</translation>
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG, PNG or TIFF</source>
+        <translation>Als PDF, SVG, PNG oder TIFF</translation>
+    </message>
+    <message>
+        <source>The page as it was; it is being drawn anew…</source>
+        <translation>Die Seite, wie sie war; sie wird neu gezeichnet …</translation>
+    </message>
+    <message>
+        <source>The page as it was; %1 has changed</source>
+        <translation>Die Seite, wie sie war; %1 hat sich geändert</translation>
+    </message>
+    <message>
+        <source>The page as it was before the last change</source>
+        <translation>Die Seite, wie sie vor der letzten Änderung war</translation>
+    </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-Bild (*.tiff)</translation>
     </message>
 </context>
 <context>
@@ -6592,10 +6656,6 @@ OpenGL: %3</translation>
         <translation>Wie groß die Buchstaben der Bildfelder sind</translation>
     </message>
     <message>
-        <source>Scale bars and the legend are a fifth smaller; nothing may be smaller than 6 pt</source>
-        <translation>Maßstäbe und Legende sind ein Fünftel kleiner; nichts darf kleiner als 6 pt sein</translation>
-    </message>
-    <message>
         <source>How wide contours are, the same in all panels</source>
         <translation>Wie breit Konturen sind, in allen Bildfeldern gleich</translation>
     </message>
@@ -6606,10 +6666,6 @@ OpenGL: %3</translation>
     <message>
         <source>Without perspective a scale bar is true everywhere</source>
         <translation>Ohne Perspektive stimmt ein Maßstab überall</translation>
-    </message>
-    <message>
-        <source>What becomes of lines thinner than 0.25 pt; hatching stays</source>
-        <translation>Was aus Linien wird, die dünner als 0,25 pt sind; Schraffuren bleiben</translation>
     </message>
     <message>
         <source>And the other sides of the body</source>
@@ -6643,6 +6699,74 @@ OpenGL: %3</translation>
         <source>How many rows of the page the panel is high</source>
         <translation>Über wie viele Zeilen der Seite das Bildfeld reicht</translation>
     </message>
+    <message>
+        <source>How far panels are apart</source>
+        <translation>Wie weit Bildfelder voneinander entfernt sind</translation>
+    </message>
+    <message>
+        <source>So that sizes compare: one scale bar is true for all panels; enlarged parts stay enlarged</source>
+        <translation>Damit sich Größen vergleichen lassen: Ein Maßstab gilt für alle Bildfelder; vergrößerte Ausschnitte bleiben vergrößert</translation>
+    </message>
+    <message>
+        <source>Of labels, scale bars and the legend, as in de, la or de+la; empty: the scene&apos;s own</source>
+        <translation>Von Beschriftungen, Maßstäben und Legende, wie de, la oder de+la; leer: die der Szene</translation>
+    </message>
+    <message>
+        <source>A figure with smaller ones is refused</source>
+        <translation>Eine Abbildung mit kleineren wird abgelehnt</translation>
+    </message>
+    <message>
+        <source>What thin lines are measured by</source>
+        <translation>Woran dünne Linien gemessen werden</translation>
+    </message>
+    <message>
+        <source>Scale bars and the legend are a fifth smaller</source>
+        <translation>Maßstäbe und Legende sind ein Fünftel kleiner</translation>
+    </message>
+    <message>
+        <source>What becomes of lines that are too thin to print; hatching stays</source>
+        <translation>Was aus Linien wird, die zum Drucken zu dünn sind; Schraffuren bleiben</translation>
+    </message>
+    <message>
+        <source>Moved aside to the middle of what this panel shows</source>
+        <translation>Zur Seite verschoben auf die Mitte dessen, was dieses Bildfeld zeigt</translation>
+    </message>
+    <message>
+        <source>In place of the next one; a blank for none</source>
+        <translation>Anstelle des nächsten; ein Leerzeichen für keinen</translation>
+    </message>
+    <message>
+        <source>Between panels</source>
+        <translation>Zwischen Bildfeldern</translation>
+    </message>
+    <message>
+        <source>Smallest letters</source>
+        <translation>Kleinste Schrift</translation>
+    </message>
+    <message>
+        <source>Thinnest lines</source>
+        <translation>Dünnste Linien</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Same scale in all panels</source>
+        <translation>Gleicher Maßstab in allen Bildfeldern</translation>
+    </message>
+    <message>
+        <source>On its own middle</source>
+        <translation>Auf die eigene Mitte</translation>
+    </message>
+    <message>
+        <source>R and L</source>
+        <translation>R und L</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Buchstabe</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FigurePreview</name>
@@ -6657,6 +6781,29 @@ OpenGL: %3</translation>
     <message>
         <source>Drawing…</source>
         <translation>Wird gezeichnet…</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureWriting</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Writing the figure…</source>
+        <translation>Die Abbildung wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Stop writing; a file that was there before stays as it is</source>
+        <translation>Nicht weiter schreiben; eine Datei, die schon da war, bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written</source>
+        <translation>Abgebrochen; es wurde nichts geschrieben</translation>
     </message>
 </context>
 <context>

@@ -1228,10 +1228,6 @@
         <translation>er venstre og høyre byttet om, velg %1 der også foran og bak er byttet om, ellers %2</translation>
     </message>
     <message>
-        <source>a comparison sheet is a png, pdf or svg file</source>
-        <translation>et sammenligningsark er en png-, pdf- eller svg-fil</translation>
-    </message>
-    <message>
         <source>Give the file one of these endings</source>
         <translation>Gi filen en av disse endelsene</translation>
     </message>
@@ -1334,10 +1330,6 @@
     <message>
         <source>Save it first, so that the figure&apos;s file can name it</source>
         <translation>Lagre den først, så figurens fil kan nevne den</translation>
-    </message>
-    <message>
-        <source>a figure is a png, pdf or svg file</source>
-        <translation>en figur er en png-, pdf- eller svg-fil</translation>
     </message>
     <message>
         <source>Leave one of both out</source>
@@ -1838,6 +1830,24 @@
     <message>
         <source>Save it as a scene file, and name it with its ending .sline</source>
         <translation>Lagre det som en scenefil, og gi den endelsen .sline</translation>
+        <source>a comparison sheet is a pdf, svg, png or tiff file</source>
+        <translation>et sammenligningsark er en pdf-, svg-, png- eller tiff-fil</translation>
+    </message>
+    <message>
+        <source>a figure is a pdf, svg, png or tiff file</source>
+        <translation>en figur er en pdf-, svg-, png- eller tiff-fil</translation>
+    </message>
+    <message>
+        <source>a depth of 1 bit leaves black and white alone, and the figure has tones</source>
+        <translation>en dybde på 1 bit gir bare svart og hvitt, og figuren har toner</translation>
+    </message>
+    <message>
+        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
+        <translation>La figuren være svart-hvit («black_and_white»: true), eller velg 8 bit</translation>
+    </message>
+    <message>
+        <source>Take fewer dots per inch, or close other programs</source>
+        <translation>Velg færre punkter per tomme, eller lukk andre programmer</translation>
     </message>
 </context>
 <context>
@@ -2667,6 +2677,26 @@
     <message>
         <source>Else what the group that holds all is called, or where there is none the file</source>
         <translation>Ellers det gruppen heter som inneholder alt, eller filen der det ikke er noen</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Oppløsning</translation>
+    </message>
+    <message>
+        <source>Pixels to the inch of PNG and TIFF; journals ask for 300 or 600, and for up to 1200 where there are lines alone</source>
+        <translation>Piksler per tomme i PNG og TIFF; tidsskrifter ber om 300 eller 600, og inntil 1200 der det bare er streker</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>1 bit, ink or paper</source>
+        <translation>1 bit, blekk eller papir</translation>
+    </message>
+    <message>
+        <source>1 bit is for black and white figures, as printers take line art</source>
+        <translation>1 bit er for figurer i svart-hvitt, slik trykkerier tar strektegninger</translation>
     </message>
 </context>
 <context>
@@ -5657,6 +5687,16 @@
         <translation>eller</translation>
         <source>what is open</source>
         <translation>det som er åpent</translation>
+        <source>the legend</source>
+        <translation>tegnforklaringen</translation>
+    </message>
+    <message>
+        <source>the view&apos;s text</source>
+        <translation>visningens tekst</translation>
+    </message>
+    <message>
+        <source>what Γ follows</source>
+        <translation>det Γ følger</translation>
     </message>
 </context>
 <context>
@@ -6004,6 +6044,10 @@ OpenGL: %3</translation>
         <source>Shows what was selected one below the other, else all of it together</source>
         <translation>Viser det valgte under hverandre, ellers alt sammen</translation>
     </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-bilde (*.tiff)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ControlsDialog</name>
@@ -6309,10 +6353,6 @@ OpenGL: %3</translation>
         <translation>&amp;Lagre figur…</translation>
     </message>
     <message>
-        <source>As PDF, SVG or PNG</source>
-        <translation>Som PDF, SVG eller PNG</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Lukk</translation>
     </message>
@@ -6375,6 +6415,30 @@ OpenGL: %3</translation>
     <message>
         <source>Discard</source>
         <translation>Forkast</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG, PNG or TIFF</source>
+        <translation>Som PDF, SVG, PNG eller TIFF</translation>
+    </message>
+    <message>
+        <source>The page as it was; it is being drawn anew…</source>
+        <translation>Siden slik den var; den tegnes på nytt …</translation>
+    </message>
+    <message>
+        <source>The page as it was; %1 has changed</source>
+        <translation>Siden slik den var; %1 er endret</translation>
+    </message>
+    <message>
+        <source>The page as it was before the last change</source>
+        <translation>Siden slik den var før den siste endringen</translation>
+    </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-bilde (*.tiff)</translation>
     </message>
 </context>
 <context>
@@ -6592,10 +6656,6 @@ OpenGL: %3</translation>
         <translation>Hvor store bokstavene på panelene er</translation>
     </message>
     <message>
-        <source>Scale bars and the legend are a fifth smaller; nothing may be smaller than 6 pt</source>
-        <translation>Målestokker og forklaring er en femtedel mindre; ingenting kan være mindre enn 6 pt</translation>
-    </message>
-    <message>
         <source>How wide contours are, the same in all panels</source>
         <translation>Hvor brede konturer er, like i alle paneler</translation>
     </message>
@@ -6606,10 +6666,6 @@ OpenGL: %3</translation>
     <message>
         <source>Without perspective a scale bar is true everywhere</source>
         <translation>Uten perspektiv stemmer en målestokk overalt</translation>
-    </message>
-    <message>
-        <source>What becomes of lines thinner than 0.25 pt; hatching stays</source>
-        <translation>Hva som skjer med linjer tynnere enn 0,25 pt; skravering blir som den er</translation>
     </message>
     <message>
         <source>And the other sides of the body</source>
@@ -6643,6 +6699,74 @@ OpenGL: %3</translation>
         <source>How many rows of the page the panel is high</source>
         <translation>Hvor mange rader av siden panelet er høyt</translation>
     </message>
+    <message>
+        <source>How far panels are apart</source>
+        <translation>Hvor langt feltene står fra hverandre</translation>
+    </message>
+    <message>
+        <source>So that sizes compare: one scale bar is true for all panels; enlarged parts stay enlarged</source>
+        <translation>Slik at størrelser kan sammenlignes: én målestokk gjelder for alle felt; forstørrede deler forblir forstørret</translation>
+    </message>
+    <message>
+        <source>Of labels, scale bars and the legend, as in de, la or de+la; empty: the scene&apos;s own</source>
+        <translation>For etiketter, målestokker og tegnforklaring, som de, la eller de+la; tomt: scenens eget</translation>
+    </message>
+    <message>
+        <source>A figure with smaller ones is refused</source>
+        <translation>En figur med mindre avvises</translation>
+    </message>
+    <message>
+        <source>What thin lines are measured by</source>
+        <translation>Det tynne linjer måles etter</translation>
+    </message>
+    <message>
+        <source>Scale bars and the legend are a fifth smaller</source>
+        <translation>Målestokker og tegnforklaring er en femdel mindre</translation>
+    </message>
+    <message>
+        <source>What becomes of lines that are too thin to print; hatching stays</source>
+        <translation>Hva som skjer med linjer som er for tynne til å trykkes; skravering blir stående</translation>
+    </message>
+    <message>
+        <source>Moved aside to the middle of what this panel shows</source>
+        <translation>Flyttet til siden, til midten av det feltet viser</translation>
+    </message>
+    <message>
+        <source>In place of the next one; a blank for none</source>
+        <translation>I stedet for den neste; et mellomrom for ingen</translation>
+    </message>
+    <message>
+        <source>Between panels</source>
+        <translation>Mellom felt</translation>
+    </message>
+    <message>
+        <source>Smallest letters</source>
+        <translation>Minste skrift</translation>
+    </message>
+    <message>
+        <source>Thinnest lines</source>
+        <translation>Tynneste linjer</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Språk</translation>
+    </message>
+    <message>
+        <source>Same scale in all panels</source>
+        <translation>Samme målestokk i alle felt</translation>
+    </message>
+    <message>
+        <source>On its own middle</source>
+        <translation>På sin egen midte</translation>
+    </message>
+    <message>
+        <source>R and L</source>
+        <translation>R og L</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Bokstav</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FigurePreview</name>
@@ -6657,6 +6781,29 @@ OpenGL: %3</translation>
     <message>
         <source>Drawing…</source>
         <translation>Tegner…</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureWriting</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Writing the figure…</source>
+        <translation>Figuren skrives …</translation>
+    </message>
+    <message>
+        <source>Stop writing; a file that was there before stays as it is</source>
+        <translation>Slutt å skrive; en fil som fantes fra før, forblir som den er</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Lagret %1</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written</source>
+        <translation>Stoppet; ingenting ble skrevet</translation>
     </message>
 </context>
 <context>

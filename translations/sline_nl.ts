@@ -1228,10 +1228,6 @@
         <translation>zijn links en rechts verwisseld, kies dan %1 waar ook voor en achter verwisseld zijn, anders %2</translation>
     </message>
     <message>
-        <source>a comparison sheet is a png, pdf or svg file</source>
-        <translation>een vergelijkingsblad is een png-, pdf- of svg-bestand</translation>
-    </message>
-    <message>
         <source>Give the file one of these endings</source>
         <translation>Geef het bestand een van deze extensies</translation>
     </message>
@@ -1334,10 +1330,6 @@
     <message>
         <source>Save it first, so that the figure&apos;s file can name it</source>
         <translation>Sla haar eerst op, zodat het bestand van de figuur haar kan noemen</translation>
-    </message>
-    <message>
-        <source>a figure is a png, pdf or svg file</source>
-        <translation>een figuur is een png-, pdf- of svg-bestand</translation>
     </message>
     <message>
         <source>Leave one of both out</source>
@@ -1838,6 +1830,24 @@
     <message>
         <source>Save it as a scene file, and name it with its ending .sline</source>
         <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
+        <source>a comparison sheet is a pdf, svg, png or tiff file</source>
+        <translation>een vergelijkingsblad is een pdf-, svg-, png- of tiff-bestand</translation>
+    </message>
+    <message>
+        <source>a figure is a pdf, svg, png or tiff file</source>
+        <translation>een figuur is een pdf-, svg-, png- of tiff-bestand</translation>
+    </message>
+    <message>
+        <source>a depth of 1 bit leaves black and white alone, and the figure has tones</source>
+        <translation>een diepte van 1 bit laat alleen zwart en wit over, en de figuur heeft tinten</translation>
+    </message>
+    <message>
+        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
+        <translation>Maak de figuur zwart-wit (&quot;black_and_white&quot;: true), of neem 8 bits</translation>
+    </message>
+    <message>
+        <source>Take fewer dots per inch, or close other programs</source>
+        <translation>Neem minder punten per inch, of sluit andere programma’s</translation>
     </message>
 </context>
 <context>
@@ -2667,6 +2677,26 @@
     <message>
         <source>Else what the group that holds all is called, or where there is none the file</source>
         <translation>Anders hoe de groep heet die alles bevat, of het bestand als er geen is</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Resolutie</translation>
+    </message>
+    <message>
+        <source>Pixels to the inch of PNG and TIFF; journals ask for 300 or 600, and for up to 1200 where there are lines alone</source>
+        <translation>Pixels per inch van PNG en TIFF; tijdschriften vragen 300 of 600, en tot 1200 waar er alleen lijnen zijn</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>1 bit, ink or paper</source>
+        <translation>1 bit, inkt of papier</translation>
+    </message>
+    <message>
+        <source>1 bit is for black and white figures, as printers take line art</source>
+        <translation>1 bit is voor figuren in zwart-wit, zoals drukkers lijntekeningen nemen</translation>
     </message>
 </context>
 <context>
@@ -5657,6 +5687,16 @@
         <translation>of</translation>
         <source>what is open</source>
         <translation>wat open is</translation>
+        <source>the legend</source>
+        <translation>de legenda</translation>
+    </message>
+    <message>
+        <source>the view&apos;s text</source>
+        <translation>de tekst van het aanzicht</translation>
+    </message>
+    <message>
+        <source>what Γ follows</source>
+        <translation>wat Γ volgt</translation>
     </message>
 </context>
 <context>
@@ -6004,6 +6044,10 @@ OpenGL: %3</translation>
         <source>Shows what was selected one below the other, else all of it together</source>
         <translation>Toont het gekozene onder elkaar, anders alles samen</translation>
     </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-afbeelding (*.tiff)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ControlsDialog</name>
@@ -6309,10 +6353,6 @@ OpenGL: %3</translation>
         <translation>Figuur op&amp;slaan…</translation>
     </message>
     <message>
-        <source>As PDF, SVG or PNG</source>
-        <translation>Als PDF, SVG of PNG</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Sluiten</translation>
     </message>
@@ -6375,6 +6415,30 @@ OpenGL: %3</translation>
     <message>
         <source>Discard</source>
         <translation>Verwerpen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Bestand</translation>
+    </message>
+    <message>
+        <source>As PDF, SVG, PNG or TIFF</source>
+        <translation>Als PDF, SVG, PNG of TIFF</translation>
+    </message>
+    <message>
+        <source>The page as it was; it is being drawn anew…</source>
+        <translation>De pagina zoals die was; ze wordt opnieuw getekend…</translation>
+    </message>
+    <message>
+        <source>The page as it was; %1 has changed</source>
+        <translation>De pagina zoals die was; %1 is veranderd</translation>
+    </message>
+    <message>
+        <source>The page as it was before the last change</source>
+        <translation>De pagina zoals die voor de laatste wijziging was</translation>
+    </message>
+    <message>
+        <source>TIFF picture (*.tiff)</source>
+        <translation>TIFF-afbeelding (*.tiff)</translation>
     </message>
 </context>
 <context>
@@ -6592,10 +6656,6 @@ OpenGL: %3</translation>
         <translation>Hoe groot de letters van panelen zijn</translation>
     </message>
     <message>
-        <source>Scale bars and the legend are a fifth smaller; nothing may be smaller than 6 pt</source>
-        <translation>Schaalbalken en legenda zijn een vijfde kleiner; niets mag kleiner zijn dan 6 pt</translation>
-    </message>
-    <message>
         <source>How wide contours are, the same in all panels</source>
         <translation>Hoe breed contouren zijn, in alle panelen gelijk</translation>
     </message>
@@ -6606,10 +6666,6 @@ OpenGL: %3</translation>
     <message>
         <source>Without perspective a scale bar is true everywhere</source>
         <translation>Zonder perspectief klopt een schaalbalk overal</translation>
-    </message>
-    <message>
-        <source>What becomes of lines thinner than 0.25 pt; hatching stays</source>
-        <translation>Wat er gebeurt met lijnen dunner dan 0,25 pt; arceringen blijven</translation>
     </message>
     <message>
         <source>And the other sides of the body</source>
@@ -6643,6 +6699,74 @@ OpenGL: %3</translation>
         <source>How many rows of the page the panel is high</source>
         <translation>Hoeveel rijen van de pagina het paneel hoog is</translation>
     </message>
+    <message>
+        <source>How far panels are apart</source>
+        <translation>Hoe ver vakken uit elkaar staan</translation>
+    </message>
+    <message>
+        <source>So that sizes compare: one scale bar is true for all panels; enlarged parts stay enlarged</source>
+        <translation>Zodat groottes te vergelijken zijn: één schaalbalk geldt voor alle vakken; vergrote delen blijven vergroot</translation>
+    </message>
+    <message>
+        <source>Of labels, scale bars and the legend, as in de, la or de+la; empty: the scene&apos;s own</source>
+        <translation>Van labels, schaalbalken en legenda, zoals de, la of de+la; leeg: die van de scène</translation>
+    </message>
+    <message>
+        <source>A figure with smaller ones is refused</source>
+        <translation>Een figuur met kleinere wordt geweigerd</translation>
+    </message>
+    <message>
+        <source>What thin lines are measured by</source>
+        <translation>Waaraan dunne lijnen worden gemeten</translation>
+    </message>
+    <message>
+        <source>Scale bars and the legend are a fifth smaller</source>
+        <translation>Schaalbalken en legenda zijn een vijfde kleiner</translation>
+    </message>
+    <message>
+        <source>What becomes of lines that are too thin to print; hatching stays</source>
+        <translation>Wat er gebeurt met lijnen die te dun zijn om te drukken; arcering blijft</translation>
+    </message>
+    <message>
+        <source>Moved aside to the middle of what this panel shows</source>
+        <translation>Opzij verplaatst naar het midden van wat dit vak toont</translation>
+    </message>
+    <message>
+        <source>In place of the next one; a blank for none</source>
+        <translation>In plaats van de volgende; een spatie voor geen</translation>
+    </message>
+    <message>
+        <source>Between panels</source>
+        <translation>Tussen vakken</translation>
+    </message>
+    <message>
+        <source>Smallest letters</source>
+        <translation>Kleinste letters</translation>
+    </message>
+    <message>
+        <source>Thinnest lines</source>
+        <translation>Dunste lijnen</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Taal</translation>
+    </message>
+    <message>
+        <source>Same scale in all panels</source>
+        <translation>Zelfde schaal in alle vakken</translation>
+    </message>
+    <message>
+        <source>On its own middle</source>
+        <translation>Op het eigen midden</translation>
+    </message>
+    <message>
+        <source>R and L</source>
+        <translation>R en L</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::FigurePreview</name>
@@ -6657,6 +6781,29 @@ OpenGL: %3</translation>
     <message>
         <source>Drawing…</source>
         <translation>Wordt getekend…</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FigureWriting</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Writing the figure…</source>
+        <translation>De figuur wordt geschreven…</translation>
+    </message>
+    <message>
+        <source>Stop writing; a file that was there before stays as it is</source>
+        <translation>Stoppen met schrijven; een bestand dat er al was, blijft zoals het is</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 opgeslagen</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written</source>
+        <translation>Gestopt; er is niets geschreven</translation>
     </message>
 </context>
 <context>

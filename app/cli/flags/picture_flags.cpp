@@ -204,7 +204,7 @@ Status parseLabelFlags(const PictureFlags& flags, PictureSpec& spec) {
   if (!labels.ok())
     return labels.error();
   spec.labels = *labels;
-  spec.labels.style.onDark = spec.environment.background == render::Background::dark;
+  spec.labels.style.ground = spec.environment.background;
   return Unit{};
 }
 
