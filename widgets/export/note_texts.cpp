@@ -17,6 +17,8 @@ QString markName(const QString& name) {
     return tr("the view's name");
   if (name == QLatin1String("scale"))
     return tr("the scale bar");
+  if (name == QLatin1String("legend"))
+    return tr("the legend");
   return tr("what sections have taken away");
 }
 
