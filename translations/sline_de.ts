@@ -4544,6 +4544,10 @@
         <translation>der Maßstab</translation>
     </message>
     <message>
+        <source>the legend</source>
+        <translation>die Legende</translation>
+    </message>
+    <message>
         <source>what sections have taken away</source>
         <translation>was Schnitte weggenommen haben</translation>
     </message>

@@ -4544,6 +4544,10 @@
         <translation>målestokken</translation>
     </message>
     <message>
+        <source>the legend</source>
+        <translation>tegnforklaringen</translation>
+    </message>
+    <message>
         <source>what sections have taken away</source>
         <translation>hva snitt har tatt bort</translation>
     </message>

@@ -4544,6 +4544,10 @@
         <translation>de schaalbalk</translation>
     </message>
     <message>
+        <source>the legend</source>
+        <translation>de legenda</translation>
+    </message>
+    <message>
         <source>what sections have taken away</source>
         <translation>wat doorsneden hebben weggenomen</translation>
     </message>

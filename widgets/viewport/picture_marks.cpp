@@ -45,7 +45,7 @@ MarkedScene markedScene(const model::Scene& scene) {
   return {.any = !scene.nodes().empty(),
           .sides = knownSides(scene),
           .unit = drawnUnit(scene),
-          .middle = render::scalePlace(scene)};
+          .scale = render::scalePlaces(scene)};
 }
 
 void PictureMarks::choose(const MarkChoice& choice) {
@@ -147,11 +147,14 @@ void PictureMarks::place(const model::Camera& camera, const MarkedScene& scene) 
   placeLetters(camera, scene.sides);
   m_cube->setCamera(camera, scene.sides);
   placeCorner(*m_cube, Qt::TopRightCorner);
+  const std::optional<render::ScalePlace> scale = scene.scale.in(camera);
+  const bool perspective = camera.projection == model::Projection::perspective;
   m_scaleBar->show(
-      scene.middle
-          ? render::scaleLength(camera, *scene.middle, m_picture.height(), ScaleBarMark::most)
-          : std::nullopt,
-      {.unit = scene.unit, .atMidDepth = camera.projection == model::Projection::perspective});
+      scale ? render::scaleLength(camera, scale->at, m_picture.height(), ScaleBarMark::most)
+            : std::nullopt,
+      {.unit = scene.unit,
+       .atMidDepth = perspective,
+       .atCutFace = perspective && scale && scale->onCutFace});
   placeCorner(*m_scaleBar, Qt::BottomLeftCorner);
   placeCorner(*m_time, Qt::BottomRightCorner);
   choose(m_choice);

@@ -28,7 +28,7 @@ struct MarkedScene {
   bool any = false;  ///< it holds something
   model::KnownSides sides{.any = false, .evidence = {}};
   model::DrawnUnit unit = model::DrawnUnit::millimetre;
-  std::optional<glm::vec3> middle;  ///< where the scale bar is true: render::scalePlace
+  render::ScalePlaces scale;  ///< where the scale bar is true
   bool operator==(const MarkedScene&) const = default;
 };
 MarkedScene markedScene(const model::Scene& scene);
