@@ -143,7 +143,7 @@ void ImportActions::offer() {
     m_message.offer(again);
   if (!model::hasDoubtedUnits(m_session.scene()))
     return;
-  m_doubted = opening;
+  m_doubted = now.first;
   const std::vector<model::UnitDoubt> doubts = m_session.unitDoubts();
   // One unit for all that was opened: where files differ, the dialog has them one by one.
   if (doubts.size() == 1 && doubts.front().file.empty() && !doubts.front().units.empty() &&

@@ -220,10 +220,10 @@ class Planning {
   /// Returns how many millimetres of the body one of paper shows, where scale bars are true; absent
   /// where the panel shows nothing.
   static std::optional<float> scaleOf(const ExportOrder& order) {
-    const std::optional<glm::vec3> place = scalePlace(order.scene);
+    const std::optional<ScalePlace> place = scalePlaces(order.scene).in(order.camera);
     if (!place)
       return std::nullopt;
-    const float scale = model::millimetresPerPixel(order.camera, *place, order.page.sizeMm.y);
+    const float scale = model::millimetresPerPixel(order.camera, place->at, order.page.sizeMm.y);
     return scale > 0.0f && std::isfinite(scale) ? std::optional(scale) : std::nullopt;
   }
 
