@@ -1787,6 +1787,14 @@
         <source>Save it as a scene file, and name it with its ending .sline</source>
         <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
     </message>
+    <message>
+        <source>names of sides in this folder contradict the frame of the others, %1; it was taken, and is not certain here</source>
+        <translation>Namen von Seiten in diesem Ordner widersprechen dem Koordinatensystem der anderen, %1; es wurde genommen und ist hier nicht sicher</translation>
+    </message>
+    <message>
+        <source>the files of this folder are read as %1, unlike others: %2</source>
+        <translation>die Dateien dieses Ordners werden anders als andere als %1 gelesen: %2</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -1787,6 +1787,14 @@
         <source>Save it as a scene file, and name it with its ending .sline</source>
         <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
     </message>
+    <message>
+        <source>names of sides in this folder contradict the frame of the others, %1; it was taken, and is not certain here</source>
+        <translation>namen van zijden in deze map spreken het assenstelsel van de andere tegen, %1; het werd genomen en is hier niet zeker</translation>
+    </message>
+    <message>
+        <source>the files of this folder are read as %1, unlike others: %2</source>
+        <translation>de bestanden van deze map worden anders dan andere als %1 gelezen: %2</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
