@@ -1849,6 +1849,14 @@
         <source>Take fewer dots per inch, or close other programs</source>
         <translation>Nimm weniger Punkte je Zoll, oder schließe andere Programme</translation>
     </message>
+    <message>
+        <source>names of sides in this folder contradict the frame of the others, %1; it was taken, and is not certain here</source>
+        <translation>Namen von Seiten in diesem Ordner widersprechen dem Koordinatensystem der anderen, %1; es wurde genommen und ist hier nicht sicher</translation>
+    </message>
+    <message>
+        <source>the files of this folder are read as %1, unlike others: %2</source>
+        <translation>die Dateien dieses Ordners werden anders als andere als %1 gelesen: %2</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -1849,6 +1849,14 @@
         <source>Take fewer dots per inch, or close other programs</source>
         <translation>Velg færre punkter per tomme, eller lukk andre programmer</translation>
     </message>
+    <message>
+        <source>names of sides in this folder contradict the frame of the others, %1; it was taken, and is not certain here</source>
+        <translation>navn på sider i denne mappen motsier koordinatsystemet til de andre, %1; det ble brukt og er ikke sikkert her</translation>
+    </message>
+    <message>
+        <source>the files of this folder are read as %1, unlike others: %2</source>
+        <translation>filene i denne mappen leses annerledes enn andre, som %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

@@ -1849,6 +1849,14 @@
         <source>Take fewer dots per inch, or close other programs</source>
         <translation>Neem minder punten per inch, of sluit andere programma’s</translation>
     </message>
+    <message>
+        <source>names of sides in this folder contradict the frame of the others, %1; it was taken, and is not certain here</source>
+        <translation>namen van zijden in deze map spreken het assenstelsel van de andere tegen, %1; het werd genomen en is hier niet zeker</translation>
+    </message>
+    <message>
+        <source>the files of this folder are read as %1, unlike others: %2</source>
+        <translation>de bestanden van deze map worden anders dan andere als %1 gelezen: %2</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
