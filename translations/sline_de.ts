@@ -1724,6 +1724,112 @@
         <translation>die Datei enthält kein solches Netz</translation>
     </message>
     <message>
+        <source>it is no mesh of this format</source>
+        <translation>es ist kein Netz dieses Formats</translation>
+    </message>
+    <message>
+        <source>%1; the structure stays as an empty row</source>
+        <translation>%1; die Struktur bleibt als leere Zeile</translation>
+    </message>
+    <message>
+        <source>the file holds no such paint</source>
+        <translation>die Datei enthält keine solche Bemalung</translation>
+    </message>
+    <message>
+        <source>it does not begin like what is painted on a mesh</source>
+        <translation>es beginnt nicht wie das, was auf ein Netz gemalt ist</translation>
+    </message>
+    <message>
+        <source>it does not begin like the voxels of a scan</source>
+        <translation>es beginnt nicht wie die Voxel eines Scans</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>die Datei enthält keinen solchen Teil</translation>
+        <source>its unit is stated (%1) and was followed</source>
+        <translation>ihre Einheit ist angegeben (%1) und wurde befolgt</translation>
+    </message>
+    <message>
+        <source>%1 lies on the other side than its name says</source>
+        <translation>%1 liegt auf der anderen Seite, als der Name sagt</translation>
+    </message>
+    <message>
+        <source>%1 lie on the other side than their names say</source>
+        <translation>%1 liegen auf der anderen Seite, als ihre Namen sagen</translation>
+    </message>
+    <message>
+        <source>molecules are drawn with 1 Å as 1 mm, ten million times as large as &quot;%1&quot; beside them; no scale bar holds for both, so open them apart</source>
+        <translation>Moleküle sind mit 1 Å als 1 mm gezeichnet, zehn Millionen Mal so groß wie „%1“ neben ihnen; kein Maßstab gilt für beide, öffne sie also getrennt</translation>
+    </message>
+    <message>
+        <source>SlicerRT&apos;s segmentations are RAS</source>
+        <translation>Segmentierungen von SlicerRT sind RAS</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, which are not as many as it has; it was placed as if its origin were its own</source>
+        <translation>sagt, dass sie die Voxel %1 eines Referenzbildes enthält, und das sind nicht so viele, wie sie hat; sie wurde so platziert, als wäre der Ursprung ihr eigener</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, and an offset in it, as files with an origin of their own do; it was placed by its origin alone</source>
+        <translation>nennt die Voxel %1 eines Referenzbildes und eine Verschiebung darin, wie es Dateien mit eigenem Ursprung tun; sie wurde allein nach ihrem Ursprung platziert</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>sagt, dass sie die Voxel %1 eines Referenzbildes enthält; ihr Ursprung wurde als der dieses Bildes genommen</translation>
+        <source>the files are of %1 patients: %2</source>
+        <translation>die Dateien sind von %1 Patienten: %2</translation>
+    </message>
+    <message>
+        <source>the files are of %1 studies, and nothing says that they are of one patient: %2</source>
+        <translation>die Dateien sind von %1 Studien, und nichts sagt, dass sie von einem Patienten sind: %2</translation>
+    </message>
+    <message>
+        <source>Give the files of one patient, or put them together on purpose</source>
+        <translation>Gib die Dateien eines Patienten an, oder füge sie mit Absicht zusammen</translation>
+    </message>
+    <message>
+        <source>it came from more than %1 studies</source>
+        <translation>sie kam aus mehr als %1 Studien</translation>
+    </message>
+    <message>
+        <source>what was there already is read as %1 now: %2</source>
+        <translation>was schon da war, wird jetzt als %1 gelesen: %2</translation>
+    </message>
+    <message>
+        <source>left and right of what was there already are certain now: %1</source>
+        <translation>links und rechts sind bei dem, was schon da war, jetzt sicher: %1</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
+        <translation>Wörter, die von einer Person sein können, wurden im Namen von %1 Struktur weggelassen, der von dem einer Datei kommt</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
+        <translation>Wörter, die von einer Person sein können, wurden in den Namen von %1 Strukturen weggelassen, die von denen von Dateien kommen</translation>
+    </message>
+    <message>
+        <source>is a scan rather than a label volume: %1</source>
+        <translation>ist ein Scan und kein Labelvolumen: %1</translation>
+    </message>
+    <message>
+        <source>Give a threshold that makes a structure of it, or choose the segmentation that was made of it</source>
+        <translation>Gib einen Schwellenwert an, der eine Struktur daraus macht, oder wähle die Segmentierung, die davon gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Structures come from a DICOM segmentation or RT structure set, from label maps and meshes made of the images, or from a threshold</source>
+        <translation>Strukturen kommen aus einer Segmentierung oder einem RT-Strukturset von DICOM, aus Labelkarten und Netzen, die aus den Bildern entstanden, oder von einem Schwellenwert</translation>
+    </message>
+    <message>
+        <source>Name one of the scene&apos;s saved views</source>
+        <translation>Nenne eine der gespeicherten Ansichten der Szene</translation>
+    </message>
+    <message>
+        <source>Change it in the figure&apos;s file</source>
+        <translation>Ändere es in der Datei der Abbildung</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Speichere es als Szenendatei und benenne sie mit ihrer Endung .sline</translation>
         <source>a comparison sheet is a pdf, svg, png or tiff file</source>
         <translation>ein Vergleichsblatt ist eine pdf-, svg-, png- oder tiff-Datei</translation>
     </message>
@@ -4434,6 +4540,10 @@
         <translation>der Maßstab</translation>
     </message>
     <message>
+        <source>the legend</source>
+        <translation>die Legende</translation>
+    </message>
+    <message>
         <source>what sections have taken away</source>
         <translation>was Schnitte weggenommen haben</translation>
     </message>
@@ -5556,6 +5666,27 @@
         <translation>%1, der geglätteten Oberfläche</translation>
     </message>
     <message>
+        <source>Hide the selected structures</source>
+        <translation>Die gewählten Strukturen ausblenden</translation>
+    </message>
+    <message>
+        <source>In &amp;Focus</source>
+        <translation>Im &amp;Fokus</translation>
+    </message>
+    <message>
+        <source>Select what is in focus</source>
+        <translation>Wählen, was im Fokus ist</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>oder</translation>
+        <source>what is open</source>
+        <translation>was offen ist</translation>
         <source>the legend</source>
         <translation>die Legende</translation>
     </message>
@@ -7126,6 +7257,13 @@ OpenGL: %3</translation>
         <source>Take %1 as the Unit</source>
         <translation>%1 als Einheit nehmen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n structures were read as %1, unlike alone: so they go with the open scene</source>
+        <translation>
+            <numerusform>%n Struktur wurde als %1 gelesen, anders als allein: So passt sie zur offenen Szene</numerusform>
+            <numerusform>%n Strukturen wurden als %1 gelesen, anders als allein: So passen sie zur offenen Szene</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDialog</name>
@@ -7825,6 +7963,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>&amp;Keep names of files</source>
+        <translation>Namen von Dateien &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
+        <translation>Dateien heißen oft nach Patienten: Von ihren Namen und denen von Ordnern werden nur Wörter der Anatomie und des Programms zu Namen von Strukturen und Gruppen, und der Rest ist nicht in der Szene, außer wenn dies an ist</translation>
     </message>
 </context>
 <context>
@@ -8803,6 +8949,10 @@ OpenGL: %3</translation>
         <source>Read as %1 (%2).</source>
         <translation>Gelesen als %1 (%2).</translation>
     </message>
+    <message>
+        <source>Front and back are not certain: names tell left and right alone.</source>
+        <translation>Vorn und hinten sind nicht sicher: Namen nennen nur links und rechts.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StageButton</name>
@@ -8930,10 +9080,6 @@ OpenGL: %3</translation>
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation>Wörter in beliebiger Reihenfolge. Eingabe wählt alle passenden, Pfeil ab führt in die Liste, Esc zeigt wieder alle.</translation>
-    </message>
-    <message>
         <source>No structure is called so</source>
         <translation>Keine Struktur heißt so</translation>
     </message>
@@ -8943,6 +9089,10 @@ OpenGL: %3</translation>
             <numerusform>%n Struktur – Eingabe wählt sie</numerusform>
             <numerusform>%n Strukturen – Eingabe wählt sie</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Wörter in beliebiger Reihenfolge; „%1“ oder ein Komma dazwischen findet das eine wie das andere. Eingabe wählt alle passenden, Pfeil ab führt in die Liste, Esc zeigt wieder alle.</translation>
     </message>
 </context>
 <context>

@@ -1724,6 +1724,112 @@
         <translation>filen inneholder ikke noe slikt nett</translation>
     </message>
     <message>
+        <source>it is no mesh of this format</source>
+        <translation>det er ikke noe nett i dette formatet</translation>
+    </message>
+    <message>
+        <source>%1; the structure stays as an empty row</source>
+        <translation>%1; strukturen blir stående som en tom rad</translation>
+    </message>
+    <message>
+        <source>the file holds no such paint</source>
+        <translation>filen inneholder ingen slik maling</translation>
+    </message>
+    <message>
+        <source>it does not begin like what is painted on a mesh</source>
+        <translation>det begynner ikke som det som er malt på et nett</translation>
+    </message>
+    <message>
+        <source>it does not begin like the voxels of a scan</source>
+        <translation>det begynner ikke som voxlene i en skanning</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>filen inneholder ingen slik del</translation>
+        <source>its unit is stated (%1) and was followed</source>
+        <translation>enheten er oppgitt (%1) og ble fulgt</translation>
+    </message>
+    <message>
+        <source>%1 lies on the other side than its name says</source>
+        <translation>%1 ligger på den andre siden enn navnet sier</translation>
+    </message>
+    <message>
+        <source>%1 lie on the other side than their names say</source>
+        <translation>%1 ligger på den andre siden enn navnene sier</translation>
+    </message>
+    <message>
+        <source>molecules are drawn with 1 Å as 1 mm, ten million times as large as &quot;%1&quot; beside them; no scale bar holds for both, so open them apart</source>
+        <translation>molekyler er tegnet med 1 Å som 1 mm, ti millioner ganger så store som «%1» ved siden av; ingen målestokk gjelder for begge, så åpne dem hver for seg</translation>
+    </message>
+    <message>
+        <source>SlicerRT&apos;s segmentations are RAS</source>
+        <translation>segmenteringer fra SlicerRT er RAS</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, which are not as many as it has; it was placed as if its origin were its own</source>
+        <translation>sier at den inneholder vokslene %1 av et referansebilde, og det er ikke så mange som den har; den ble plassert som om origo var dens eget</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, and an offset in it, as files with an origin of their own do; it was placed by its origin alone</source>
+        <translation>nevner vokslene %1 av et referansebilde og en forskyvning i det, slik filer med eget origo gjør; den ble plassert etter sitt origo alene</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>sier at den inneholder vokslene %1 av et referansebilde; origo ble tatt som bildets</translation>
+        <source>the files are of %1 patients: %2</source>
+        <translation>filene er av %1 pasienter: %2</translation>
+    </message>
+    <message>
+        <source>the files are of %1 studies, and nothing says that they are of one patient: %2</source>
+        <translation>filene er av %1 undersøkelser, og ingenting sier at de er av én pasient: %2</translation>
+    </message>
+    <message>
+        <source>Give the files of one patient, or put them together on purpose</source>
+        <translation>Gi filene til én pasient, eller sett dem sammen med hensikt</translation>
+    </message>
+    <message>
+        <source>it came from more than %1 studies</source>
+        <translation>den kom fra mer enn %1 undersøkelser</translation>
+    </message>
+    <message>
+        <source>what was there already is read as %1 now: %2</source>
+        <translation>det som allerede var der, leses nå som %1: %2</translation>
+    </message>
+    <message>
+        <source>left and right of what was there already are certain now: %1</source>
+        <translation>venstre og høyre i det som allerede var der, er nå sikre: %1</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
+        <translation>ord som kan være en persons, ble utelatt fra navnet på %1 struktur, som kommer fra en fils</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
+        <translation>ord som kan være en persons, ble utelatt fra navnene på %1 strukturer, som kommer fra filers</translation>
+    </message>
+    <message>
+        <source>is a scan rather than a label volume: %1</source>
+        <translation>er en skanning og ikke et etikettvolum: %1</translation>
+    </message>
+    <message>
+        <source>Give a threshold that makes a structure of it, or choose the segmentation that was made of it</source>
+        <translation>Gi en terskel som lager en struktur av den, eller velg segmenteringen som ble laget av den</translation>
+    </message>
+    <message>
+        <source>Structures come from a DICOM segmentation or RT structure set, from label maps and meshes made of the images, or from a threshold</source>
+        <translation>Strukturer kommer fra en DICOM-segmentering eller et RT-struktursett, fra etikettkart og nett laget av bildene, eller fra en terskel</translation>
+    </message>
+    <message>
+        <source>Name one of the scene&apos;s saved views</source>
+        <translation>Nevn en av scenens lagrede visninger</translation>
+    </message>
+    <message>
+        <source>Change it in the figure&apos;s file</source>
+        <translation>Endre det i figurens fil</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Lagre det som en scenefil, og gi den endelsen .sline</translation>
         <source>a comparison sheet is a pdf, svg, png or tiff file</source>
         <translation>et sammenligningsark er en pdf-, svg-, png- eller tiff-fil</translation>
     </message>
@@ -4434,6 +4540,10 @@
         <translation>målestokken</translation>
     </message>
     <message>
+        <source>the legend</source>
+        <translation>tegnforklaringen</translation>
+    </message>
+    <message>
         <source>what sections have taken away</source>
         <translation>hva snitt har tatt bort</translation>
     </message>
@@ -5556,6 +5666,27 @@
         <translation>%1, av den glattede overflaten</translation>
     </message>
     <message>
+        <source>Hide the selected structures</source>
+        <translation>Skjul de valgte strukturene</translation>
+    </message>
+    <message>
+        <source>In &amp;Focus</source>
+        <translation>I &amp;fokus</translation>
+    </message>
+    <message>
+        <source>Select what is in focus</source>
+        <translation>Velg det som er i fokus</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>eller</translation>
+        <source>what is open</source>
+        <translation>det som er åpent</translation>
         <source>the legend</source>
         <translation>tegnforklaringen</translation>
     </message>
@@ -7126,6 +7257,13 @@ OpenGL: %3</translation>
         <source>Take %1 as the Unit</source>
         <translation>Bruk %1 som enhet</translation>
     </message>
+    <message numerus="yes">
+        <source>%n structures were read as %1, unlike alone: so they go with the open scene</source>
+        <translation>
+            <numerusform>%n struktur ble lest som %1, annerledes enn alene: slik passer den til den åpne scenen</numerusform>
+            <numerusform>%n strukturer ble lest som %1, annerledes enn alene: slik passer de til den åpne scenen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDialog</name>
@@ -7825,6 +7963,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>&amp;Keep names of files</source>
+        <translation>&amp;Behold filnavn</translation>
+    </message>
+    <message>
+        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
+        <translation>Filer heter ofte etter pasienter: av navnene deres og mappenes blir bare ord fra anatomien og programmet navn på strukturer og grupper, og resten er ikke i scenen, med mindre dette er på</translation>
     </message>
 </context>
 <context>
@@ -8803,6 +8949,10 @@ OpenGL: %3</translation>
         <source>Read as %1 (%2).</source>
         <translation>Lest som %1 (%2).</translation>
     </message>
+    <message>
+        <source>Front and back are not certain: names tell left and right alone.</source>
+        <translation>Foran og bak er ikke sikkert: navn sier bare venstre og høyre.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StageButton</name>
@@ -8930,10 +9080,6 @@ OpenGL: %3</translation>
         <translation>Farge</translation>
     </message>
     <message>
-        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation>Ord i vilkårlig rekkefølge. Enter velger alle som passer, pil ned går til listen, Esc viser alle igjen.</translation>
-    </message>
-    <message>
         <source>No structure is called so</source>
         <translation>Ingen struktur heter det</translation>
     </message>
@@ -8943,6 +9089,10 @@ OpenGL: %3</translation>
             <numerusform>%n struktur – Enter velger den</numerusform>
             <numerusform>%n strukturer – Enter velger dem</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Ord i vilkårlig rekkefølge; «%1» eller et komma mellom dem finner begge deler. Enter velger alle som passer, pil ned går til listen, Esc viser alle igjen.</translation>
     </message>
 </context>
 <context>

@@ -1724,6 +1724,112 @@
         <translation>het bestand bevat geen zo’n net</translation>
     </message>
     <message>
+        <source>it is no mesh of this format</source>
+        <translation>het is geen net van dit formaat</translation>
+    </message>
+    <message>
+        <source>%1; the structure stays as an empty row</source>
+        <translation>%1; de structuur blijft als lege rij staan</translation>
+    </message>
+    <message>
+        <source>the file holds no such paint</source>
+        <translation>het bestand bevat geen zo’n beschildering</translation>
+    </message>
+    <message>
+        <source>it does not begin like what is painted on a mesh</source>
+        <translation>het begint niet zoals wat op een net is geschilderd</translation>
+    </message>
+    <message>
+        <source>it does not begin like the voxels of a scan</source>
+        <translation>het begint niet zoals de voxels van een scan</translation>
+    </message>
+    <message>
+        <source>there is no such member in the file</source>
+        <translation>het bestand bevat geen zo’n onderdeel</translation>
+        <source>its unit is stated (%1) and was followed</source>
+        <translation>de eenheid is opgegeven (%1) en werd gevolgd</translation>
+    </message>
+    <message>
+        <source>%1 lies on the other side than its name says</source>
+        <translation>%1 ligt aan de andere kant dan de naam zegt</translation>
+    </message>
+    <message>
+        <source>%1 lie on the other side than their names say</source>
+        <translation>%1 liggen aan de andere kant dan hun namen zeggen</translation>
+    </message>
+    <message>
+        <source>molecules are drawn with 1 Å as 1 mm, ten million times as large as &quot;%1&quot; beside them; no scale bar holds for both, so open them apart</source>
+        <translation>moleculen zijn getekend met 1 Å als 1 mm, tien miljoen keer zo groot als ‘%1’ ernaast; geen schaalbalk geldt voor beide, open ze dus apart</translation>
+    </message>
+    <message>
+        <source>SlicerRT&apos;s segmentations are RAS</source>
+        <translation>segmentaties van SlicerRT zijn RAS</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, which are not as many as it has; it was placed as if its origin were its own</source>
+        <translation>zegt dat het de voxels %1 van een referentiebeeld bevat, en dat zijn er niet zoveel als het heeft; het werd geplaatst alsof de oorsprong van hemzelf was</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image, and an offset in it, as files with an origin of their own do; it was placed by its origin alone</source>
+        <translation>noemt de voxels %1 van een referentiebeeld en een verschuiving daarin, zoals bestanden met een eigen oorsprong doen; het werd alleen op zijn oorsprong geplaatst</translation>
+    </message>
+    <message>
+        <source>says that it holds the voxels %1 of a reference image; its origin was taken to be that image&apos;s</source>
+        <translation>zegt dat het de voxels %1 van een referentiebeeld bevat; de oorsprong werd als die van dat beeld genomen</translation>
+        <source>the files are of %1 patients: %2</source>
+        <translation>de bestanden zijn van %1 patiënten: %2</translation>
+    </message>
+    <message>
+        <source>the files are of %1 studies, and nothing says that they are of one patient: %2</source>
+        <translation>de bestanden zijn van %1 onderzoeken, en niets zegt dat ze van één patiënt zijn: %2</translation>
+    </message>
+    <message>
+        <source>Give the files of one patient, or put them together on purpose</source>
+        <translation>Geef de bestanden van één patiënt, of voeg ze met opzet samen</translation>
+    </message>
+    <message>
+        <source>it came from more than %1 studies</source>
+        <translation>ze kwam uit meer dan %1 onderzoeken</translation>
+    </message>
+    <message>
+        <source>what was there already is read as %1 now: %2</source>
+        <translation>wat er al was, wordt nu als %1 gelezen: %2</translation>
+    </message>
+    <message>
+        <source>left and right of what was there already are certain now: %1</source>
+        <translation>links en rechts van wat er al was, zijn nu zeker: %1</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structure&apos;s name, which come from those of files</source>
+        <translation>woorden die van een persoon kunnen zijn, werden weggelaten uit de naam van %1 structuur, die van een bestand komt</translation>
+    </message>
+    <message>
+        <source>words that may be a person&apos;s were left out of %1 structures&apos; names, which come from those of files</source>
+        <translation>woorden die van een persoon kunnen zijn, werden weggelaten uit de namen van %1 structuren, die van bestanden komen</translation>
+    </message>
+    <message>
+        <source>is a scan rather than a label volume: %1</source>
+        <translation>is een scan en geen labelvolume: %1</translation>
+    </message>
+    <message>
+        <source>Give a threshold that makes a structure of it, or choose the segmentation that was made of it</source>
+        <translation>Geef een drempel die er een structuur van maakt, of kies de segmentatie die ervan gemaakt is</translation>
+    </message>
+    <message>
+        <source>Structures come from a DICOM segmentation or RT structure set, from label maps and meshes made of the images, or from a threshold</source>
+        <translation>Structuren komen uit een DICOM-segmentatie of RT-structurenset, uit labelkaarten en netten die van de beelden gemaakt zijn, of van een drempel</translation>
+    </message>
+    <message>
+        <source>Name one of the scene&apos;s saved views</source>
+        <translation>Noem een van de bewaarde aanzichten van de scène</translation>
+    </message>
+    <message>
+        <source>Change it in the figure&apos;s file</source>
+        <translation>Verander het in het bestand van de figuur</translation>
+    </message>
+    <message>
+        <source>Save it as a scene file, and name it with its ending .sline</source>
+        <translation>Bewaar het als scènebestand, en noem het met zijn uitgang .sline</translation>
         <source>a comparison sheet is a pdf, svg, png or tiff file</source>
         <translation>een vergelijkingsblad is een pdf-, svg-, png- of tiff-bestand</translation>
     </message>
@@ -4434,6 +4540,10 @@
         <translation>de schaalbalk</translation>
     </message>
     <message>
+        <source>the legend</source>
+        <translation>de legenda</translation>
+    </message>
+    <message>
         <source>what sections have taken away</source>
         <translation>wat doorsneden hebben weggenomen</translation>
     </message>
@@ -5556,6 +5666,27 @@
         <translation>%1, van het gladgemaakte oppervlak</translation>
     </message>
     <message>
+        <source>Hide the selected structures</source>
+        <translation>De gekozen structuren verbergen</translation>
+    </message>
+    <message>
+        <source>In &amp;Focus</source>
+        <translation>In &amp;focus</translation>
+    </message>
+    <message>
+        <source>Select what is in focus</source>
+        <translation>Kiezen wat in focus is</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <comment>between two wishes of the filter</comment>
+        <translation>of</translation>
+        <source>what is open</source>
+        <translation>wat open is</translation>
         <source>the legend</source>
         <translation>de legenda</translation>
     </message>
@@ -7126,6 +7257,13 @@ OpenGL: %3</translation>
         <source>Take %1 as the Unit</source>
         <translation>%1 als eenheid nemen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n structures were read as %1, unlike alone: so they go with the open scene</source>
+        <translation>
+            <numerusform>%n structuur werd als %1 gelezen, anders dan alleen: zo past ze bij de open scène</numerusform>
+            <numerusform>%n structuren werden als %1 gelezen, anders dan alleen: zo passen ze bij de open scène</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDialog</name>
@@ -7825,6 +7963,14 @@ OpenGL: %3</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>&amp;Keep names of files</source>
+        <translation>Namen van bestanden be&amp;houden</translation>
+    </message>
+    <message>
+        <source>Files are often named after patients: of their names and folders&apos; only words of anatomy and of the program become names of structures and groups, and the rest is not in the scene, unless this is on</source>
+        <translation>Bestanden heten vaak naar patiënten: van hun namen en die van mappen worden alleen woorden van de anatomie en van het programma namen van structuren en groepen, en de rest staat niet in de scène, tenzij dit aan is</translation>
     </message>
 </context>
 <context>
@@ -8803,6 +8949,10 @@ OpenGL: %3</translation>
         <source>Read as %1 (%2).</source>
         <translation>Gelezen als %1 (%2).</translation>
     </message>
+    <message>
+        <source>Front and back are not certain: names tell left and right alone.</source>
+        <translation>Voor en achter zijn niet zeker: namen noemen alleen links en rechts.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StageButton</name>
@@ -8930,10 +9080,6 @@ OpenGL: %3</translation>
         <translation>Kleur</translation>
     </message>
     <message>
-        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation>Woorden in willekeurige volgorde. Enter kiest alles wat past, Omlaag gaat naar de lijst, Esc toont alles weer.</translation>
-    </message>
-    <message>
         <source>No structure is called so</source>
         <translation>Geen structuur heet zo</translation>
     </message>
@@ -8943,6 +9089,10 @@ OpenGL: %3</translation>
             <numerusform>%n structuur – Enter kiest hem</numerusform>
             <numerusform>%n structuren – Enter kiest ze</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Words in any order; “%1” or a comma between them finds either. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Woorden in willekeurige volgorde; “%1” of een komma ertussen vindt het ene en het andere. Enter kiest alles wat past, Omlaag gaat naar de lijst, Esc toont alles weer.</translation>
     </message>
 </context>
 <context>

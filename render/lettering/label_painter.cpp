@@ -74,7 +74,7 @@ class Setting {
     }
   }
 
-  /// Adds a line with a bar across at either end.
+  /// Adds a line with a bar across at either end. Where surfaces touch the bars are all there is.
   void addDistance(const LabelItem& item) {
     if (item.places.size() != 2)
       return;
@@ -83,7 +83,7 @@ class Setting {
     const glm::vec2 across =
         1.2f * (length > 0.0f ? glm::vec2(way.y, -way.x) / length : glm::vec2(0.0f, 1.0f));
     for (const glm::vec2& end : item.places)
-      add(polyline({end - across, end + across}), distanceWidth);
+      add(polyline({end - across, end + across}), distanceWidth).dashed = item.hidden;
     add(polyline(item.places), distanceWidth).dashed = item.hidden;
   }
 

@@ -104,12 +104,6 @@ void Viewport::setKeyLight(bool on) {
   refresh();
 }
 
-void Viewport::setHeadroom(int pixels) {
-  m_marks->setHeadroom(pixels);
-  placeMarks();
-  labelsGiveWay();
-}
-
 void Viewport::chooseMarks(const MarkChoice& choice) {
   m_marks->choose(choice);
   labelsGiveWay();

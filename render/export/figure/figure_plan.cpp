@@ -147,7 +147,7 @@ class Planning {
     names.insert(names.end(), model::anatomicalViewNames.begin(), model::anatomicalViewNames.end());
     std::string near = model::nearNamesText(wish(index).view, names);
     return fault(index, "its scene has no view \"" + wish(index).view + "\"",
-                 near.empty() ? "`sline view SCENE --list` lists the saved views" : near);
+                 near.empty() ? "Name one of the scene's saved views" : near);
   }
 
   /// Gives each panel its page and says where nothing may stand in it.

@@ -238,14 +238,15 @@ class MarkLayout {
     float baseline = 0.0f;
   };
   /// Returns the bar no longer than that, true at the place; nothing where there is no scale.
-  std::optional<ScaleBar> scaleBarWithin(float most, const glm::vec3& place) const {
-    const auto length = scaleLength(m_order.camera, place, double(m_size.y), double(most));
+  std::optional<ScaleBar> scaleBarWithin(float most, const ScalePlace& place) const {
+    const auto length = scaleLength(m_order.camera, place.at, double(m_size.y), double(most));
     if (!length)
       return std::nullopt;
     const QString plain = lengthText(length->millimetres, m_words.locale(), m_unit);
-    const QString line = m_order.camera.projection == model::Projection::perspective
-                             ? m_words.atMidDepth(plain)
-                             : plain;
+    const bool perspective = m_order.camera.projection == model::Projection::perspective;
+    const QString line = !perspective      ? plain
+                         : place.onCutFace ? m_words.atCutFace(plain)
+                                           : m_words.atMidDepth(plain);
     const float bar = float(length->drawn);
     float baseline = m_size.y - margin;
     const float end = margin + bar + gap + textWidthMm(line, points(smallSize));
@@ -268,11 +269,11 @@ class MarkLayout {
     return ScaleBar{std::move(item), box, baseline};
   }
 
-  /// Adds the scale bar for the depth of the middle of what is visible; elsewhere a perspective
-  /// picture has another scale. Where anatomy leaves too little room in the usual place a shorter
+  /// Adds the scale bar for where the scene has it (ScalePlaces); elsewhere a perspective picture
+  /// has another scale. Where anatomy leaves too little room in the usual place a shorter
   /// one stands there; where that has none either, the bar goes elsewhere.
   void addScaleBar() {
-    const std::optional<glm::vec3> place = scalePlace(m_order.scene);
+    const std::optional<ScalePlace> place = scalePlaces(m_order.scene).in(m_order.camera);
     if (!place)
       return;
     std::optional<ScaleBar> chosen;

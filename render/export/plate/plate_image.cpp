@@ -16,11 +16,13 @@ namespace sline::render {
 
 namespace {
 
-LabelReport reportOf(const LabelPlate& plate) {
-  LabelReport report;
-  for (const ShownLabel& label : plate.labels) {
-    const std::string text = keyText(label, plate.style);
-    if (plate.layout.find(label.item.id))
+LabelReport reportOf(const FigurePlate& plate) {
+  LabelReport report{.key = {}, .leftOut = {}, .marks = plate.marks.notes};
+  if (!plate.labels)
+    return report;
+  for (const ShownLabel& label : plate.labels->labels) {
+    const std::string text = keyText(label, plate.labels->style);
+    if (plate.labels->layout.find(label.item.id))
       report.key.push_back({label.number, text});
     else
       report.leftOut.push_back(text);
@@ -65,12 +67,12 @@ LabelReport drawPlate(Image& image, const ExportOrder& given, const Typesetting&
   for (int y = 0; y < image.height; ++y)
     std::memcpy(&image.rgba[std::size_t(4) * std::size_t(y) * std::size_t(image.width)],
                 drawn.constScanLine(y), std::size_t(4) * std::size_t(image.width));
-  return plate.labels ? reportOf(*plate.labels) : LabelReport{};
+  return reportOf(plate);
 }
 
 LabelReport reportOfPlate(const ExportOrder& order, const Typesetting&) {
   const FigurePlate plate = figurePlate(order);
-  return plate.labels ? reportOf(*plate.labels) : LabelReport{};
+  return reportOf(plate);
 }
 
 model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting&) {
