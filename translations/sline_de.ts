@@ -1842,12 +1842,8 @@
         <translation>eine Tiefe von 1 Bit lässt nur Schwarz und Weiß, und die Abbildung hat Töne</translation>
     </message>
     <message>
-        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
-        <translation>Mache die Abbildung schwarz-weiß („black_and_white“: true) oder nimm 8 Bit</translation>
-    </message>
-    <message>
-        <source>Take fewer dots per inch, or close other programs</source>
-        <translation>Nimm weniger Punkte je Zoll, oder schließe andere Programme</translation>
+        <source>Let the figure be black and white, or take 8 bits</source>
+        <translation>Mache die Abbildung schwarz-weiß oder nimm 8 Bit</translation>
     </message>
     <message>
         <source>names of sides in this folder contradict the frame of the others, %1; it was taken, and is not certain here</source>

@@ -1842,12 +1842,8 @@
         <translation>en dybde på 1 bit gir bare svart og hvitt, og figuren har toner</translation>
     </message>
     <message>
-        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
-        <translation>La figuren være svart-hvit («black_and_white»: true), eller velg 8 bit</translation>
-    </message>
-    <message>
-        <source>Take fewer dots per inch, or close other programs</source>
-        <translation>Velg færre punkter per tomme, eller lukk andre programmer</translation>
+        <source>Let the figure be black and white, or take 8 bits</source>
+        <translation>La figuren være svart-hvit, eller velg 8 bit</translation>
     </message>
     <message>
         <source>names of sides in this folder contradict the frame of the others, %1; it was taken, and is not certain here</source>

@@ -1842,12 +1842,8 @@
         <translation>een diepte van 1 bit laat alleen zwart en wit over, en de figuur heeft tinten</translation>
     </message>
     <message>
-        <source>Let the figure be black and white (&quot;black_and_white&quot;: true), or take 8 bits</source>
-        <translation>Maak de figuur zwart-wit (&quot;black_and_white&quot;: true), of neem 8 bits</translation>
-    </message>
-    <message>
-        <source>Take fewer dots per inch, or close other programs</source>
-        <translation>Neem minder punten per inch, of sluit andere programma’s</translation>
+        <source>Let the figure be black and white, or take 8 bits</source>
+        <translation>Maak de figuur zwart-wit, of neem 8 bits</translation>
     </message>
     <message>
         <source>names of sides in this folder contradict the frame of the others, %1; it was taken, and is not certain here</source>
