@@ -80,6 +80,7 @@ struct Picture::Data {
   PictureOptions options;
   SurfaceCache surfaces;
   SectionCache<CappedSurface> sections;
+  Hulls hulls;
   PictureTimings timings;
   int layersDrawn = 0;
   bool givenUp = false;
@@ -108,6 +109,7 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
   const model::Scene& scene = sitting.scene;
   std::vector<PreparedStructure> visible;
   surfaces.prepareSmall(sitting.structures, output.unwanted);
+  hulls.take(scene);
   for (const model::VisibleStructure& structure : sitting.structures) {
     if (output.unwanted && *output.unwanted)
       return std::nullopt;
@@ -124,7 +126,7 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
     shown.prepared = shown.cached;
     findGammaOffsets(scene, shown);
     if (!shown.sections.empty()) {
-      shown.pattern = cutPattern(scene, node);
+      shown.pattern = cutPattern(scene, node, hulls);
       shown.cut = shown.capped = sections.at(shown.cached->surface, shown.sections);
     }
   }

@@ -10,7 +10,6 @@
 #include "render/lines/line_technique.h"
 #include "render/strokes/coinciding.h"
 #include "render/strokes/coverage.h"
-#include "render/strokes/face_patterns.h"
 #include "render/strokes/gamma_offsets.h"
 #include "render/vectors/crumbs.h"
 #include "render/vectors/ink_chains.h"
@@ -35,6 +34,7 @@ std::vector<StructureWork> structureWork(const model::Scene& scene, KeptSurfaces
   std::vector<model::VisibleStructure> structures = model::visibleStructures(scene);
   std::sort(structures.begin(), structures.end(),
             [](const auto& a, const auto& b) { return a.node->id < b.node->id; });
+  surfaces.hulls().take(scene);
   std::vector<StructureWork> work;
   for (const model::VisibleStructure& structure : structures) {
     const model::Node& node = *structure.node;
@@ -47,7 +47,7 @@ std::vector<StructureWork> structureWork(const model::Scene& scene, KeptSurfaces
         .cut = nullptr};
     findGammaOffsets(scene, shown);
     if (!shown.sections.empty()) {
-      shown.pattern = cutPattern(scene, node);
+      shown.pattern = cutPattern(scene, node, surfaces.hulls());
       shown.cut = surfaces.sections().at(shown.prepared->surface, shown.sections);
     }
     work.push_back({std::move(shown), {}, {}});
