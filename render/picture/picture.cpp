@@ -11,6 +11,7 @@
 #include "render/strokes/coinciding.h"
 #include "render/strokes/face_patterns.h"
 #include "render/strokes/gamma_offsets.h"
+#include "render/strokes/structure_lines.h"
 
 namespace sline::render {
 
@@ -130,6 +131,12 @@ std::optional<std::vector<PreparedStructure>> Picture::Data::prepareStructures(
       shown.cut = shown.capped = sections.at(shown.cached->surface, shown.sections);
     }
   }
+  const auto hatched =
+      std::size_t(std::count_if(visible.begin(), visible.end(), [](const PreparedStructure& shown) {
+        return showsHatching(shown.style);
+      }));
+  for (PreparedStructure& shown : visible)
+    shown.hatchCells = hatchCellsEach(hatched);
   sampleCoarsely(visible, sitting, output);
   std::vector<model::MeshPtr> meshes;
   for (const model::Node& node : scene.nodes())

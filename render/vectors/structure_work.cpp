@@ -52,6 +52,12 @@ std::vector<StructureWork> structureWork(const model::Scene& scene, KeptSurfaces
     }
     work.push_back({std::move(shown), {}, {}});
   }
+  const auto hatched =
+      std::size_t(std::count_if(work.begin(), work.end(), [](const StructureWork& each) {
+        return showsHatching(each.shown.style);
+      }));
+  for (StructureWork& each : work)
+    each.shown.hatchCells = hatchCellsEach(hatched);
   Coinciding coinciding;
   std::vector<bool> buried(work.size());
   for (std::size_t i = 0; i < work.size(); ++i)
@@ -87,8 +93,7 @@ void findLines(StructureWork& work, const PictureView& view, const glm::vec3& li
   work.lines.lines =
       styledLines(*shown.prepared, view, shown.style, shown.gammaOffsets.get(), light);
   if (showsHatching(shown.style))
-    work.lines.hatching = styledHatching(*shown.prepared->strokes, view, shown.style, light,
-                                         shown.gammaOffsets.get());
+    work.lines.hatching = styledHatching(shown, view, light);
   if (shown.cut) {
     cutLines(*shown.cut, work.lines);
     work.lines.patterns = facePatterns(shown, view);
