@@ -336,6 +336,19 @@ bool haveSameTree(const std::vector<Node>& a, const std::vector<Node>& b) {
   });
 }
 
+void mendTraces(std::vector<SourceTrace>& traces, Mender& mender) {
+  std::erase_if(traces, [&mender](const SourceTrace& trace) {
+    if (const auto fault = traceFault(trace))
+      mender.tell(*fault, leftOut);
+    return traceFault(trace).has_value();
+  });
+  if (traces.size() > mostSourceTraces) {
+    mender.tell(numbered("it came from more than ", mostSourceTraces, " studies"),
+                "the rest was left out");
+    traces.resize(mostSourceTraces);
+  }
+}
+
 /// Returns what there are too many of.
 Status checkCounts(const Scene& scene) {
   for (const auto& [what, count, most] :
@@ -397,6 +410,11 @@ Status bringWithinLimits(Scene& scene, std::vector<SceneMending>& mended) {
   mendScans(scans, mender);
   if (scans != scene.scans())
     scene.setScans(std::move(scans));
+  mender.atAll();
+  std::vector<SourceTrace> traces = scene.traces();
+  mendTraces(traces, mender);
+  if (traces != scene.traces())
+    scene.setTraces(std::move(traces));
   return Unit{};
 }
 
@@ -430,6 +448,8 @@ std::optional<Error> limitFault(const Scene& scene, const Scene& kept) {
   if (scene.keyLight() && lightFault(*scene.keyLight()))
     mender.tell(*lightFault(*scene.keyLight()), leftOut);
   look(scene.scans(), kept.scans(), [&](auto& all) { mendScans(all, mender); });
+  mender.atAll();
+  look(scene.traces(), kept.traces(), [&](auto& all) { mendTraces(all, mender); });
   if (mended.empty())
     return std::nullopt;
   return Error{.where = mended.front().where,

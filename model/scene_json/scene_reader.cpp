@@ -9,6 +9,7 @@
 #include "model/scene_json/atoms_json.h"
 #include "model/scene_json/provenance_json.h"
 #include "model/scene_json/style_json.h"
+#include "model/scene_json/trace_json.h"
 
 namespace sline::model {
 
@@ -182,6 +183,7 @@ Scene SceneJsonReader::scene(const JsonValue& root) {
   std::vector<Annotation> notes;
   std::vector<View> saved;
   std::vector<Scan> scans;
+  std::vector<SourceTrace> traces;
   items(all, "nodes", mostSceneNodes, [&](const JsonValue& list) { return nodes(list); });
   items(cuts, "sections", mostSceneSections, [&](const JsonValue& list) { return sections(list); });
   items(notes, "annotations", mostSceneLabels,
@@ -194,6 +196,7 @@ Scene SceneJsonReader::scene(const JsonValue& root) {
   items(saved, "views", mostSceneViews, [&](const JsonValue& list) { return views(list); });
   items(scans, "scans", mostSceneScans,
         [&](const JsonValue& list) { return scansFrom(list, m_parts.voxels, m_parts.damaged); });
+  items(traces, "traces", mostSourceTraces, tracesFrom);
   Scene scene;
   if (root.fault().ends())
     return scene;
@@ -203,6 +206,7 @@ Scene SceneJsonReader::scene(const JsonValue& root) {
   scene.setFocus(std::move(focused));
   scene.setKeyLight(std::move(light));
   scene.setScans(std::move(scans));
+  scene.setTraces(std::move(traces));
   scene.setViews(std::move(saved));
   scene.setUnread(object.unread());
   return scene;

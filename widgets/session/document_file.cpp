@@ -95,6 +95,7 @@ Result<ReadDocument> readDocument(const fs::path& path,
   read.file.path = wholePath(path);
   // The lock comes first, so that what is read then stays what is on the disk.
   lock(read.file, std::move(held));
+  read.file.state = model::fileState(read.file.path);
   Result<model::SceneDocument> document = model::readSceneFile(path);
   if (!document.ok())
     return document.error();
@@ -142,9 +143,17 @@ Result<ReadDocument> readRecovered(const model::Recoverable& found,
   return read;
 }
 
+void takeStamp(DocumentFile& file) {
+  file.state = model::fileState(file.path);
+  file.stamp = stampOf(file.path);
+}
+
 void relock(DocumentFile& file) {
   if (file.path.empty() || file.lock || file.writable == Writable::newerProgram)
     return;
+  // The window waits for this, and a file may be large. Saving compares its content again.
+  if (file.state && file.state == model::fileState(file.path))
+    return lock(file, nullptr);
   // Where there is no file any more, nothing is written over.
   const std::optional<model::Fingerprint> now = stampOf(file.path);
   if (!now || now == file.stamp)

@@ -117,7 +117,7 @@ SceneSaver::Outcome SceneSaver::carryOut(const SaveTask& task) {
   file.path = task.path;
   file.writable = Writable::yes;
   file.reason.clear();
-  file.stamp = stampOf(task.path);
+  takeStamp(file);
   file.whole = file.stamp;
   before = {file.stamp, file.lock};
   return outcome;
