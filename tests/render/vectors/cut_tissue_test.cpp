@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the patterns of cut faces in a view: which structures have them, that they stay while the
 // camera turns, and their layer in a vector drawing.
+#include <QElapsedTimer>
 #include <QtTest>
 
 #include "model/edit/sections.h"
@@ -42,6 +43,12 @@ std::size_t shapesIn(const render::VectorDrawing& drawing, std::string_view laye
   return count;
 }
 
+CutPattern patternOf(const model::Scene& scene, const model::Node& node) {
+  render::Hulls hulls;
+  hulls.take(scene);
+  return render::cutPattern(scene, node, hulls);
+}
+
 /// One structure as a picture prepares it.
 struct Prepared {
   render::PreparedSurface surface;
@@ -57,7 +64,7 @@ struct Prepared {
              .sections = scene.sectionsOf(node.id)};
     shown.cut = std::make_shared<render::SectionedSurface>(
         render::sectioned(surface.surface, model::planesOf(shown.sections)));
-    shown.pattern = render::cutPattern(scene, node);
+    shown.pattern = patternOf(scene, node);
   }
   std::vector<render::FacePattern> patterns(const model::Camera& camera) const {
     return render::facePatterns(shown, {camera, shown.mesh->bounds(), 1280, 720});
@@ -72,6 +79,7 @@ class CutTissueTest : public QObject {
   void structuresHavePatterns_data();
   void structuresHavePatterns();
   void hullsAreBlank();
+  void hullsAreFoundOnce();
   void openFacesArePaper_data();
   void openFacesArePaper();
   void layerOfItsOwn_data();
@@ -99,7 +107,7 @@ void CutTissueTest::structuresHavePatterns() {
   QFETCH(int, pattern);
   const model::Scene scene =
       half(QTest::currentDataTag(), group.toStdString().c_str(), CutFaces::tissue);
-  QCOMPARE(int(render::cutPattern(scene, scene.nodes().back())), pattern);
+  QCOMPARE(int(patternOf(scene, scene.nodes().back())), pattern);
 }
 
 /// A hull whose name says nothing is not filled with what it is not; one that says what it is, is.
@@ -110,15 +118,40 @@ void CutTissueTest::hullsAreBlank() {
     model::Scene scene;
     scene.append({.name = "thing", .mesh = test::sphere(5.0f, 3)});
     scene.append({.name = name, .mesh = test::sphere(20.0f, 3)});
-    QCOMPARE(int(render::cutPattern(scene, scene.nodes().back())), int(pattern));
-    QCOMPARE(int(render::cutPattern(scene, scene.nodes().front())), int(CutPattern::plain));
+    QCOMPARE(int(patternOf(scene, scene.nodes().back())), int(pattern));
+    QCOMPARE(int(patternOf(scene, scene.nodes().front())), int(CutPattern::plain));
   }
   // What lies in its box, but outside of it, is not enclosed.
   model::Scene scene;
   scene.append(
       {.name = "thing", .mesh = test::moved(*test::sphere(2.0f, 3), 1.0f, {13.0f, 13.0f, 13.0f})});
   scene.append({.name = "surface 1", .mesh = test::sphere(20.0f, 3)});
-  QCOMPARE(int(render::cutPattern(scene, scene.nodes().back())), int(CutPattern::plain));
+  QCOMPARE(int(patternOf(scene, scene.nodes().back())), int(CutPattern::plain));
+}
+
+/// A picture in which no surface is another asks again for nothing.
+void CutTissueTest::hullsAreFoundOnce() {
+  model::Scene scene;
+  const model::NodeId hull = scene.append({.name = "hull", .mesh = test::sphere(20.0f, 6)});
+  for (int i = 0; i < 20; ++i)
+    scene.append({.name = "beside",
+                  .mesh = test::moved(*test::sphere(2.0f, 2), 1.0f, {13.0f, 13.0f, 13.0f})});
+  render::Hulls hulls;
+  const auto asked = [&] {
+    QElapsedTimer clock;
+    clock.start();
+    hulls.take(scene);
+    const bool around = hulls.isAroundOthers(scene.find(hull)->mesh);
+    return std::pair(around, clock.nsecsElapsed());
+  };
+  const auto [first, firstTime] = asked();
+  const auto [second, secondTime] = asked();
+  QVERIFY(!first && !second);
+  qInfo("20 surfaces in the box of one of %zu triangles: %lld us, asked again %lld us",
+        scene.find(hull)->mesh->triangleCount(), firstTime / 1000, secondTime / 1000);
+  QVERIFY(10 * secondTime < firstTime);
+  scene.append({.name = "within", .mesh = test::sphere(2.0f, 2)});
+  QVERIFY(asked().first);
 }
 
 void CutTissueTest::openFacesArePaper_data() {
