@@ -84,7 +84,7 @@ class FrameDecision {
     const bool came = !m_parts.empty();
     const SilentFrame decided =
         silent || (came && !m_assumed.empty()) ? silentFrame(report) : SilentFrame();
-    if (silent || decided.evidence.isSure())
+    if (silent || decided.reason != nothingTellsFrame)
       decideAround(decided, report);
     report.frame = decided.frame;
     report.frameReason = decided.reason;
@@ -141,7 +141,7 @@ class FrameDecision {
     const FrameAnew anew{frameName(decided.frame), decided.reason, decided.evidence};
     const std::optional<SideAnswer> answer = answerBetween(now.frame, anew.frame);
     const bool same = answer == SideAnswer::right;
-    if (!answer || (same && !anew.evidence.isSure()))
+    if (!answer || (same && !isSure(anew.evidence.sides)))
       return;
     report.frameAnew = anew;
     report.notes.push_back(
