@@ -89,7 +89,7 @@ class FrameDecision {
     if (asked)
       m_known = knownSurfaces();
     const SilentFrame decided = asked ? silentFrame(all, report) : SilentFrame();
-    if (silent || decided.evidence.isSure())
+    if (silent || decided.reason != nothingTellsFrame)
       decideAround(decided, report);
     report.frame = decided.frame;
     report.frameReason = decided.reason;
@@ -188,7 +188,7 @@ class FrameDecision {
     const FrameAnew anew{frameName(decided.frame), decided.reason, decided.evidence};
     const std::optional<SideAnswer> answer = answerBetween(now.frame, anew.frame);
     const bool same = answer == SideAnswer::right;
-    if (!answer || (same && !anew.evidence.isSure()))
+    if (!answer || (same && !isSure(anew.evidence.sides)))
       return;
     report.frameAnew = anew;
     report.notes.push_back(
