@@ -2,6 +2,8 @@
 #include "app/cli/draw_scene.h"
 
 #include "app/cli/flags/drawing_flags.h"
+#include "model/edit/look.h"
+#include "render/lettering/looks_in_colour.h"
 
 namespace sline::cli {
 
@@ -14,7 +16,9 @@ Result<ArrangedScene> arrangeShownScene(const model::Scene& shown, const Picture
   const Result<model::Scene> drawn = inDrawingStyle(*focus, spec);
   if (!drawn.ok())
     return drawn.error();
-  const Result<model::Scene> dressed = styled(*drawn, spec);
+  PictureSpec colours = spec;
+  colours.blackAndWhite = false;
+  const Result<model::Scene> dressed = styled(*drawn, colours);
   if (!dressed.ok())
     return dressed.error();
   const Result<model::Scene> cut = cutOpen(*dressed, spec);
@@ -23,7 +27,9 @@ Result<ArrangedScene> arrangeShownScene(const model::Scene& shown, const Picture
   const Result<model::Camera> camera = cameraFor(*cut, spec);
   if (!camera.ok())
     return camera.error();
-  return ArrangedScene{*cut, *camera};
+  if (!spec.blackAndWhite)
+    return ArrangedScene{*cut, *camera, {}};
+  return ArrangedScene{model::withInkAlone(*cut).scene, *camera, render::looksInColour(*cut)};
 }
 }  // namespace
 
@@ -42,7 +48,10 @@ Result<ArrangedScene> arrangeOnPage(const glm::vec2& pageMm, const model::Scene&
   spec.labels.words = shownViewWords(scene, spec);
   if (const Status ready = prepareLabels(spec.labels, *shown, pageMm); !ready.ok())
     return ready.error();
-  return arrangeShownScene(*shown, spec);
+  Result<ArrangedScene> arranged = arrangeShownScene(*shown, spec);
+  if (arranged.ok())
+    spec.labels.style.inColour = arranged->inColour;
+  return arranged;
 }
 
 Exit drawScene(const model::Scene& scene, const PictureSpec& given, Progress& progress) {

@@ -9,6 +9,7 @@ namespace sline::cli {
 struct ArrangedScene {
   model::Scene scene;
   model::Camera camera;
+  render::LooksInColour inColour;  ///< where the scene has black ink alone
 };
 
 /// Returns the scene as the order wants it drawn, with its camera. An error counts as wrong use.

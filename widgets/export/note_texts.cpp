@@ -19,6 +19,10 @@ QString markName(const QString& name) {
     return tr("the scale bar");
   if (name == QLatin1String("legend"))
     return tr("the legend");
+  if (name == QLatin1String("caption"))
+    return tr("the view's text");
+  if (name.startsWith(QLatin1String("gamma")))
+    return tr("what Γ follows");
   return tr("what sections have taken away");
 }
 

@@ -85,7 +85,7 @@ void PictureMarks::dress() {
 QRect PictureMarks::cornerBox(const QSize& size, Qt::Corner corner) const {
   QRect box(QPoint(), size);
   const QRect room =
-      m_picture.rect().adjusted(marksMargin, m_headroom + marksMargin, -marksMargin, -marksMargin);
+      m_picture.rect().adjusted(marksMargin, marksMargin, -marksMargin, -marksMargin);
   if (corner == Qt::TopRightCorner)
     box.moveTopRight(room.topRight());
   else if (corner == Qt::BottomRightCorner)
@@ -105,8 +105,6 @@ std::vector<QRectF> PictureMarks::places() const {
     constexpr qreal air = 4.0;
     places.push_back(QRectF(box).adjusted(-air, -air, air, air));
   };
-  if (m_headroom > 0)
-    add({0, 0, m_picture.width(), m_headroom});
   if (!m_covered.isEmpty())
     add(m_covered);
   if (m_choice.cube)
@@ -136,7 +134,7 @@ void PictureMarks::placeAtEdge(QRect& box, std::size_t edge) const {
   else if (edge == 1)
     box.moveRight(m_picture.width() - marksMargin);
   else if (edge == 2)
-    box.moveTop(m_headroom + marksMargin);
+    box.moveTop(marksMargin);
   else
     box.moveBottom(m_picture.height() - marksMargin);
 }

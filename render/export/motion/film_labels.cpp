@@ -53,7 +53,7 @@ ExportOrder FilmLabels::orderOf(const FilmFrame& frame) const {
 
 LabelStyle FilmLabels::style() const {
   LabelStyle style = m_order.labels;
-  style.onDark = m_order.environment.background == Background::dark;
+  style.ground = m_order.environment.background;
   style.edges = m_edges;
   for (const auto& box : {m_legend, m_caption})
     if (box)

@@ -8,6 +8,7 @@
 #include "model/scene/label_words.h"
 #include "model/scene/markup.h"
 #include "render/labels/seen_map.h"
+#include "render/lettering/looks_in_colour.h"
 
 namespace sline::render {
 
@@ -61,7 +62,8 @@ Marks marksBeside(const ExportOrder& order, model::MeshTrees& trees) {
   Marks usual = marksOf(order);
   if (usual.lettering.items.empty())
     return usual;
-  const SeenMap map(order.scene, Screen(order.camera, order.page.sizeMm), &trees);
+  const model::Scene scene = withLooksInColour(order.scene, order.labels.inColour);
+  const SeenMap map(scene, Screen(order.camera, order.page.sizeMm), &trees);
   const SeenArea drawn = map.drawnArea();
   const bool clear = std::none_of(usual.boxes.begin(), usual.boxes.end(),
                                   [&](const LabelBox& box) { return drawn.anyIn(box); });
@@ -76,7 +78,7 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const
   if (order.labels.mode == LabelMode::off)
     return plate;
   LabelStyle style = order.labels;
-  style.onDark = order.environment.background == Background::dark;
+  style.ground = order.environment.background;
   style.reserved.insert(style.reserved.end(), plate.marks.boxes.begin(), plate.marks.boxes.end());
   const Screen screen(order.camera, order.page.sizeMm);
   plate.labels = labelPlate(order.scene, screen, style, trees, turn);

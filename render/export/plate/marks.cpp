@@ -16,6 +16,7 @@
 #include "render/export/plate/source_credits.h"
 #include "render/labels/orientation_letters.h"
 #include "render/lettering/caption.h"
+#include "render/lettering/folded_text.h"
 #include "render/lettering/label_texts.h"
 #include "render/lettering/mark_words.h"
 #include "render/lettering/scale_length.h"
@@ -51,12 +52,13 @@ class MarkLayout {
       : m_order(order),
         m_drawn(drawn),
         m_size(order.page.sizeMm),
-        m_colours(letteringColours(order.environment.background == Background::dark)),
+        m_colours(letteringColours(order.environment.background)),
         m_sides(knownSides(order.scene)),
         m_words(order.labels.language, m_sides),
         m_unit(drawnUnit(order.scene)),
         m_places(m_size, order.labels.reserved, drawn) {
     m_marks.lettering.ground = m_colours.ground;
+    m_marks.lettering.clear = m_colours.clear;
   }
 
   Marks make() {
@@ -155,22 +157,11 @@ class MarkLayout {
     return QFontMetricsF(labelFont()).elidedText(line, Qt::ElideRight, qreal(width) / scale);
   }
 
-  /// Returns the text in lines of that width, at most so many; the last is cut where more is to be
-  /// said.
-  std::vector<QString> folded(const QString& text, float size, float width,
-                              std::size_t most) const {
-    std::vector<QString> lines{{}};
-    for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-      QString& last = lines.back();
-      const QString longer = last.isEmpty() ? word : last + QLatin1Char(' ') + word;
-      if (last.isEmpty() || lines.size() == most || textWidthMm(longer, points(size)) <= width)
-        last = longer;
-      else
-        lines.push_back(word);
-    }
-    for (QString& line : lines)
-      line = elided(line, size, width);
-    return lines;
+  /// Notes that of the text only a part is written.
+  void noteShortened(const QString& whole) {
+    addNote(
+        m_marks.notes,
+        {.kind = ExportNote::Kind::textShortened, .names = {whole.toStdString()}, .detail = {}});
   }
 
   /// Returns where a line between those heights begins, beside what is reserved at the left.
@@ -197,9 +188,7 @@ class MarkLayout {
       const float left = leftEnd(baseline - cap, baseline);
       const QString fitted = elided(line, size, m_size.x - margin - left);
       if (fitted != line)
-        addNote(
-            m_marks.notes,
-            {.kind = ExportNote::Kind::textShortened, .names = {line.toStdString()}, .detail = {}});
+        noteShortened(line);
       const LetteringText one = text(fitted, {left, baseline}, size, TextAnchor::start);
       if (add({.name = name, .shapes = {}, .text = one}, boxOf(one), sideways)) {
         above = baseline;
@@ -323,25 +312,36 @@ class MarkLayout {
   std::optional<LabelBox> m_bottom;
 };
 
-/// Adds whose work the surfaces are at the very foot, and leaves that out of the page that other
-/// marks have.
+/// Adds whose work the surfaces are at the very foot, whole, and leaves that out of the page that
+/// other marks have. Letters get smaller where it would take much of the page; where it takes more
+/// than half even so, the rest is noted.
 void MarkLayout::addSources() {
-  constexpr float sourcesSize = 0.65f;
-  constexpr float leading = 1.3f;  // ems
-  constexpr std::size_t mostLines = 4;
+  constexpr float leading = 1.3f;      // ems
+  constexpr float usualShare = 0.25f;  // of the page's height
+  constexpr float mostShare = 0.5f;
   const QString whole = QString::fromStdString(sourcesInOne(m_order.scene)).simplified();
   if (whole.isEmpty())
     return;
-  const std::vector<QString> lines =
-      folded(whole, sourcesSize, m_size.x - 2.0f * margin, mostLines);
-  if (QStringList(lines.begin(), lines.end()).join(QLatin1Char(' ')) != whole)
-    addNote(
-        m_marks.notes,
-        {.kind = ExportNote::Kind::textShortened, .names = {whole.toStdString()}, .detail = {}});
-  const float lineHeight = leading * points(sourcesSize) * millimetresPerPoint;
+  const float width = m_size.x - 2.0f * margin;
+  float size = 0.0f;
+  float lineHeight = 0.0f;
+  std::vector<QString> lines;
+  for (const float tried : {0.65f, 0.55f, 0.45f}) {
+    size = tried;
+    lineHeight = leading * points(size) * millimetresPerPoint;
+    lines = foldedText(whole, points(size), width);
+    if (float(lines.size()) * lineHeight <= usualShare * m_size.y)
+      break;
+  }
+  const auto most = std::max<std::size_t>(1, std::size_t(mostShare * m_size.y / lineHeight));
+  if (lines.size() > most) {
+    lines.resize(most);
+    lines.back() = elided(lines.back() + QStringLiteral(" \u2026"), size, width);
+    noteShortened(whole);
+  }
   const float below = float(lines.size() - 1) * lineHeight;
   LetteringText one =
-      text(lines.front(), {margin, m_size.y - margin - below}, sourcesSize, TextAnchor::start);
+      text(lines.front(), {margin, m_size.y - margin - below}, size, TextAnchor::start);
   one.lines.assign(lines.begin(), lines.end());
   one.leading = lineHeight;
   LabelBox box = boxOf(one);
@@ -351,7 +351,7 @@ void MarkLayout::addSources() {
   // Whose work it is stands at the foot whatever lies there: a licence asks for it.
   m_marks.lettering.items.push_back({.name = "sources", .shapes = {}, .text = one});
   take(box);
-  m_marks.foot = capHeightMm(points(sourcesSize)) + below + gap;
+  m_marks.foot = capHeightMm(points(size)) + below + gap;
   m_size.y -= m_marks.foot;
   m_places.setPage(m_size);
 }
@@ -364,6 +364,8 @@ void MarkLayout::addGammaKeys() {
   float top = margin;
   for (GammaKey key : gammaKeys(m_order, m_words)) {
     key.title = elided(key.title, smallSize, 1.5f * widest * m_size.x);
+    if (key.title != key.fullTitle)
+      noteShortened(key.fullTitle);
     const glm::vec2 size = gammaKeySize(key, style);
     glm::vec2 corner{m_size.x - margin - size.x, top};
     const std::optional<glm::vec2> by = m_places.shift(
@@ -372,7 +374,7 @@ void MarkLayout::addGammaKeys() {
       corner += *by;
     std::vector<LetteringItem> items = drawnGammaKey(key, corner, style, m_words);
     if (!add(std::move(items.front()), {corner, corner + size}, {}))
-      return;
+      continue;
     std::move(items.begin() + 1, items.end(), std::back_inserter(m_marks.lettering.items));
     top += size.y + gap;
   }
@@ -402,11 +404,14 @@ void MarkLayout::addLegend() {
   constexpr float widestLegend = 0.46f;
   const LegendMeasure measure(points(smallSize));
   std::vector<QString> names;
+  std::vector<QString> shortened;
   float width = 0.0f;
   for (const model::Node* node : structures) {
     const QString whole =
         QString::fromStdString(structureName(node->name, m_order.labels.language)).simplified();
     names.push_back(elided(whole, smallSize, widestName * m_size.x));
+    if (names.back() != whole)
+      shortened.push_back(whole);
     width = std::max(width, measure.indent + textWidthMm(names.back(), points(smallSize)));
   }
   const float height = 0.5f * (m_size.y - letterCap()) - margin - 2.0f * gap;
@@ -441,6 +446,8 @@ void MarkLayout::addLegend() {
             glm::vec2(float(column) * (width + measure.between), float(i % down + 1) * measure.row),
         points(smallSize), m_colours));
   }
+  for (const QString& name : shortened)
+    noteShortened(name);
   take({*corner, *corner + size});
   m_marks.legend = m_marks.boxes.back();
 }
@@ -449,24 +456,25 @@ void MarkLayout::addLegend() {
 void MarkLayout::addCaption() {
   const std::string& text = m_order.words.text.in(model::firstLanguage(m_order.labels.language));
   const std::string markup = captionMarkup(ownTitle(), text);
-  if (markup.empty())
+  if (QString::fromStdString(markup).trimmed().isEmpty())
     return;
   constexpr float tallest = 0.4f;  // of the page's height
   const float right = m_marks.legend ? m_marks.legend->low.x : m_size.x - margin;
   LabelStyle style = m_order.labels;
-  style.onDark = m_order.environment.background == Background::dark;
+  style.ground = m_order.environment.background;
   const std::optional<Caption> caption =
       captionOf(markup, style,
                 {.middle = 0.5f * (margin + right),
                  .foot = m_size.y - std::max(m_marks.edges.bottom, margin),
                  .width = std::min(captionShare * m_size.x, right - margin),
                  .height = tallest * m_size.y});
-  if (!caption)
+  if (!caption) {
+    addNote(m_marks.notes,
+            {.kind = ExportNote::Kind::marksWithoutRoom, .names = {"caption"}, .detail = {}});
     return;
+  }
   if (caption->shortened)
-    addNote(m_marks.notes, {.kind = ExportNote::Kind::textShortened,
-                            .names = {plainText(caption->item.text->lines.front()).toStdString()},
-                            .detail = {}});
+    noteShortened(plainText(caption->item.text->lines.front()));
   // What the view says is never lost: where anatomy leaves it no room it stands at its usual place.
   const glm::vec2 by = m_places.shift(caption->box, upAndDown).value_or(glm::vec2(0.0f));
   take({caption->box.low + by, caption->box.high + by});

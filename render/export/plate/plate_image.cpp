@@ -10,6 +10,7 @@
 #include "render/export/plate/figure_plate.h"
 #include "render/lettering/column_widths.h"
 #include "render/lettering/fitted_sides.h"
+#include "render/lettering/looks_in_colour.h"
 
 namespace sline::render {
 
@@ -75,8 +76,8 @@ LabelReport reportOfPlate(const ExportOrder& order, const Typesetting&) {
 }
 
 model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting&) {
-  return sidesBesideLabels(order.scene, order.camera, order.page.sizeMm, order.labels,
-                           roomOfMarks(order));
+  return sidesBesideLabels(withLooksInColour(order.scene, order.labels.inColour), order.camera,
+                           order.page.sizeMm, order.labels, roomOfMarks(order));
 }
 
 glm::vec2 shareBesidePlate(const ExportOrder& order, const Typesetting&) {
@@ -85,7 +86,8 @@ glm::vec2 shareBesidePlate(const ExportOrder& order, const Typesetting&) {
   glm::vec2 share = shareBesideMarks(marks, page);
   if (order.labels.mode != LabelMode::off) {
     const ColumnWidths widths =
-        widthsBesideFitted(order.scene, Screen(order.camera, page), order.labels);
+        widthsBesideFitted(withLooksInColour(order.scene, order.labels.inColour),
+                           Screen(order.camera, page), order.labels);
     const float widest = std::max(widths.left, widths.right);
     if (widest > 0.0f)
       share.x =
