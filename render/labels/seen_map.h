@@ -103,6 +103,8 @@ class SeenMap {
   struct Candidates;
 
   const SeenLayer* layerOf(model::NodeId id) const;
+  /// λ (METHOD §4), millimetres of the output.
+  float lambda() const { return m_screen.size().y / 720.0f; }
   void compose();
   /// Marks the cells over which something else lies (Screen::covered).
   void cover();
