@@ -23,7 +23,17 @@ Result<ArrangedScene> arrangeShownScene(const model::Scene& shown, const Picture
   const Result<model::Camera> camera = cameraFor(*cut, spec);
   if (!camera.ok())
     return camera.error();
-  return ArrangedScene{*cut, *camera};
+  ArrangedScene arranged{*cut, *camera, nullptr};
+  if (spec.blackAndWhite) {
+    PictureSpec coloured = spec;
+    coloured.blackAndWhite = false;
+    const Result<model::Scene> colours = styled(*drawn, coloured);
+    const Result<model::Scene> open = colours.ok() ? cutOpen(*colours, coloured) : colours;
+    if (!open.ok())
+      return open.error();
+    arranged.inColour = std::make_shared<const model::Scene>(*open);
+  }
+  return arranged;
 }
 }  // namespace
 
@@ -52,6 +62,7 @@ Exit drawScene(const model::Scene& scene, const PictureSpec& given, Progress& pr
       arrangeOnPage({height * spec.size.aspect(), height}, scene, spec);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
+  spec.labels.inColour = arranged->inColour;
   const Status drawn = drawToFile(arranged->scene, arranged->camera, spec, progress);
   if (!drawn.ok()) {
     progress.wipe();

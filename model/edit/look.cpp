@@ -108,6 +108,7 @@ GammaMap heldWithin(GammaMap map, Gamma own, Gamma most) {
 
 Edited withInkAlone(const Scene& scene) {
   const Gamma hatched = Gamma::clamped(3.0f);
+  constexpr float solid = 4.5f;  // from there on shading hides more than half
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes) {
     node.style.inkColour = Colour{0, 0, 0};
@@ -126,9 +127,10 @@ Edited withInkAlone(const Scene& scene) {
     }
     if (style.gammaMap.scalar != GammaScalar::none)
       node.style.gammaMap = heldWithin(style.gammaMap, std::min(style.gamma, hatched), hatched);
-    // Half of a fill would be a tone again.
+    // Half of a fill would be a tone again. What one sees through in colour does not hide in ink.
+    const bool veil = style.fill == Fill::veil && style.gamma.value() < solid;
     if (shaded || style.fill != Fill::none) {
-      node.style.fill = style.opacity.value() >= 0.5f ? Fill::paper : Fill::none;
+      node.style.fill = style.opacity.value() >= 0.5f && !veil ? Fill::paper : Fill::none;
       node.style.opacity = Opacity::clamped(1.0f);
     }
   }

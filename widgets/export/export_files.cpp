@@ -6,7 +6,6 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
-#include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "model/scene/visible_structures.h"
 #include "render/export/motion/film_options.h"
@@ -53,7 +52,7 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   if (const render::ExportFormat* kind = formatOf(draft.kind))
     render::dropForeignOptions(order, *kind);
   if (order.pureInk) {
-    order.scene = model::withInkAlone(order.scene).scene;
+    render::drawInInk(order);
     order.environment.background = render::Background::white;
   }
   order.labels.onDark = order.environment.background == render::Background::dark;

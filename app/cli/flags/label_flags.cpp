@@ -87,6 +87,7 @@ void LabelSpec::writeTo(render::ExportOrder& order) const {
   order.labels = style;
   order.marks = marks;
   order.legend = legend;
+  order.inColour = inColour;
 }
 
 Status prepareLabels(LabelSpec& spec, const model::Scene& scene, const glm::vec2& pageMm) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "model/scene/near_names.h"
 #include "model/scene/resolved_styles.h"
@@ -105,6 +104,7 @@ class Planning {
     const model::Scene& scene = *found->second;
     if (inset && panel.view.empty()) {
       order.scene = m_plan.panels[*from].scene;
+      order.inColour = m_plan.panels[*from].inColour;
       return Unit{};
     }
     order.scene = scene;
@@ -119,7 +119,7 @@ class Planning {
       return unknownView(index, scene);
     }
     if (figure().blackAndWhite)
-      order.scene = model::withInkAlone(order.scene).scene;
+      drawInInk(order);
     return Unit{};
   }
 
@@ -194,8 +194,17 @@ class Planning {
     if (figure().projection == model::FigureProjection::parallel)
       order.camera = inParallel(order.camera);
     if (!saved || (panel.camera && panel.camera->fit))
-      order.camera = model::fittedToVisible(order.scene, order.camera, aspect,
-                                            sidesOfPlate(order, *m_typesetting));
+      order.camera =
+          model::fittedToVisible(order.scene, order.camera, aspect, sidesOf(index, order));
+  }
+
+  /// Returns what labels, marks and the panel's letter take of its sides.
+  model::FreeSides sidesOf(std::size_t index, const ExportOrder& order) const {
+    model::FreeSides sides = sidesOfPlate(order, *m_typesetting);
+    if (const std::string& letter = m_plan.layout.panels[index].letter; !letter.empty())
+      sides.top =
+          std::max(sides.top, double(letterBox(figure(), letter).high.y / order.page.sizeMm.y));
+    return sides;
   }
 
   /// Moves the camera aside so that it looks at the middle of what its own panel shows.
@@ -229,13 +238,21 @@ class Planning {
     if (finer == 1.0f)
       return;
     for (ExportOrder& order : m_plan.panels) {
-      const std::vector<model::ResolvedStyle> styles = model::resolveAll(order.scene);
-      std::vector<model::Node> nodes = order.scene.nodes();
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (!nodes[i].isGroup())
-          nodes[i].style.penWeight = finer * styles[i].penWeight;
-      order.scene.setNodes(std::move(nodes));
+      order.scene = withFinerPens(order.scene, finer);
+      if (order.inColour)
+        order.inColour =
+            std::make_shared<const model::Scene>(withFinerPens(*order.inColour, finer));
     }
+  }
+
+  static model::Scene withFinerPens(model::Scene scene, float finer) {
+    const std::vector<model::ResolvedStyle> styles = model::resolveAll(scene);
+    std::vector<model::Node> nodes = scene.nodes();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (!nodes[i].isGroup())
+        nodes[i].style.penWeight = finer * styles[i].penWeight;
+    scene.setNodes(std::move(nodes));
+    return scene;
   }
 
   const FigureScenes& m_scenes;

@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "model/scene/visible_structures.h"
 #include "render/lettering/mark_words.h"
@@ -64,9 +63,10 @@ bool wantsAllViews(const ExportOrder& order) {
 
 ExportOrder orderOfView(const ExportOrder& order, const model::View& view) {
   ExportOrder one = order;
-  one.scene = model::withViewApplied(order.scene, view).scene;
+  one.scene = model::withViewApplied(order.pureInk ? writtenScene(order) : order.scene, view).scene;
+  one.inColour.reset();
   if (order.pureInk)
-    one.scene = model::withInkAlone(one.scene).scene;
+    drawInInk(one);
   one.camera = view.camera;
   one.viewName = view.name;
   one.words = view.words;

@@ -33,7 +33,8 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const ExportOrder& order) {
   const Screen screen(order.camera, order.page.sizeMm);
-  const SeenMap map(order.scene, screen);
+  const model::Scene written = writtenScene(order);
+  const SeenMap map(written, screen);
   std::vector<Candidate> all;
   for (const model::Node& node : order.scene.nodes()) {
     if (node.isGroup())

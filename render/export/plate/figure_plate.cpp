@@ -56,12 +56,12 @@ void addUntranslated(ExportNotes& notes, const ExportOrder& order, const LabelPl
     addNote(notes, std::move(note));
 }
 
-/// Returns the marks, which keep off what the picture shows.
-Marks marksBeside(const ExportOrder& order, model::MeshTrees& trees) {
+/// Returns the marks, which keep off what the picture shows of that scene.
+Marks marksBeside(const ExportOrder& order, const model::Scene& written, model::MeshTrees& trees) {
   Marks usual = marksOf(order);
   if (usual.lettering.items.empty())
     return usual;
-  const SeenMap map(order.scene, Screen(order.camera, order.page.sizeMm), &trees);
+  const SeenMap map(written, Screen(order.camera, order.page.sizeMm), &trees);
   const SeenArea drawn = map.drawnArea();
   const bool clear = std::none_of(usual.boxes.begin(), usual.boxes.end(),
                                   [&](const LabelBox& box) { return drawn.anyIn(box); });
@@ -71,7 +71,8 @@ Marks marksBeside(const ExportOrder& order, model::MeshTrees& trees) {
 }  // namespace
 
 FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const LabelTurn& turn) {
-  FigurePlate plate{.labels = {}, .marks = marksBeside(order, trees), .notes = {}};
+  const model::Scene written = writtenScene(order);
+  FigurePlate plate{.labels = {}, .marks = marksBeside(order, written, trees), .notes = {}};
   plate.notes = plate.marks.notes;
   if (order.labels.mode == LabelMode::off)
     return plate;
@@ -79,7 +80,7 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const
   style.onDark = order.environment.background == Background::dark;
   style.reserved.insert(style.reserved.end(), plate.marks.boxes.begin(), plate.marks.boxes.end());
   const Screen screen(order.camera, order.page.sizeMm);
-  plate.labels = labelPlate(order.scene, screen, style, trees, turn);
+  plate.labels = labelPlate(written, screen, style, trees, turn);
   const UnseenLabels& unseen = plate.labels->unseen;
   addLabels(plate.notes, Kind::labelsWithoutRoom, order, plate.labels->layout.leftOut);
   addLabels(plate.notes, Kind::labelsOfHidden, order, unseen.notDrawn);

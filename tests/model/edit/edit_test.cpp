@@ -337,7 +337,11 @@ void EditTest::inkAlone_data() {
   QTest::newRow("a wash hides") << 1.0f << tint << 1.0f << 1.0f << paper;
   QTest::newRow("shading hides") << 5.0f << none << 1.0f << 3.0f << paper;
   QTest::newRow("some shading hides") << 3.2f << tint << 0.6f << 3.0f << paper;
-  QTest::newRow("a veil hides nothing") << 5.0f << tint << 0.3f << 3.0f << none;
+  const int veil = int(Fill::veil);
+  QTest::newRow("a veil stays open") << 1.0f << veil << 1.0f << 1.0f << none;
+  QTest::newRow("a hatched veil stays open") << 3.4f << veil << 0.9f << 3.0f << none;
+  QTest::newRow("shading hides below a veil") << 5.0f << veil << 1.0f << 3.0f << paper;
+  QTest::newRow("a faint wash hides nothing") << 5.0f << tint << 0.3f << 3.0f << none;
 }
 
 void EditTest::inkAlone() {
