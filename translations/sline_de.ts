@@ -5527,6 +5527,14 @@
         <source>%1, of the smoothed surface</source>
         <translation>%1, der geglätteten Oberfläche</translation>
     </message>
+    <message>
+        <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
+        <translation>Das Bild endet %1 mm über seinem Fuß, weil für das, was dort steht, sonst kein Platz ist.</translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves room, or leave words or credits out.</source>
+        <translation>Wählen Sie eine Ansicht, die Platz lässt, oder lassen Sie Text oder Quellen weg.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -5527,6 +5527,14 @@
         <source>%1, of the smoothed surface</source>
         <translation>%1, av den glattede overflaten</translation>
     </message>
+    <message>
+        <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
+        <translation>Bildet slutter %1 mm over sin nedre kant, fordi det som står der, ikke har annen plass.</translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves room, or leave words or credits out.</source>
+        <translation>Velg en visning som gir plass, eller utelat tekst eller kilder.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -5527,6 +5527,14 @@
         <source>%1, of the smoothed surface</source>
         <translation>%1, van het gladgemaakte oppervlak</translation>
     </message>
+    <message>
+        <source>The picture ends %1 mm above its foot, as what is written there has no other room.</source>
+        <translation>Het beeld eindigt %1 mm boven zijn onderrand, omdat wat daar staat geen andere plaats heeft.</translation>
+    </message>
+    <message>
+        <source>Choose a view that leaves room, or leave words or credits out.</source>
+        <translation>Kies een aanzicht dat ruimte laat, of laat tekst of bronnen weg.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

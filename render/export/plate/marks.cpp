@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/plate/marks.h"
 
-#include <QFontMetricsF>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/common.hpp>
 #include <iterator>
 #include <span>
 
@@ -13,6 +14,7 @@
 #include "render/export/plate/gamma_key.h"
 #include "render/export/plate/legend.h"
 #include "render/export/plate/legend_row.h"
+#include "render/export/plate/mark_text.h"
 #include "render/export/plate/source_credits.h"
 #include "render/labels/orientation_letters.h"
 #include "render/lettering/caption.h"
@@ -47,9 +49,11 @@ using Ways = std::span<const glm::vec2>;
 
 class MarkLayout {
  public:
-  MarkLayout(const ExportOrder& order, const SeenArea* drawn)
+  /// `cut`: the picture ends there, millimetres from its upper edge.
+  MarkLayout(const ExportOrder& order, const SeenArea* drawn, std::optional<float> cut)
       : m_order(order),
         m_drawn(drawn),
+        m_cut(cut),
         m_size(order.page.sizeMm),
         m_colours(letteringColours(order.environment.background == Background::dark)),
         m_sides(knownSides(order.scene)),
@@ -75,6 +79,8 @@ class MarkLayout {
       addLegend();
     if (m_order.marks.words)
       addCaption();
+    if (m_cut)
+      cutOff();
     m_marks.edges.bottom += m_marks.foot;
     return std::move(m_marks);
   }
@@ -83,25 +89,17 @@ class MarkLayout {
   float points(float size) const { return size * m_order.labels.points; }
   float letterCap() const { return capHeightMm(points(letterSize)); }
 
-  LabelBox boxOf(const LetteringText& text) const {
-    const float em = text.points * millimetresPerPoint;
-    const float width = textWidthMm(text.lines.front(), text.points);
-    const float left = text.at.x - (text.anchor == TextAnchor::end      ? width
-                                    : text.anchor == TextAnchor::middle ? 0.5f * width
-                                                                        : 0.0f);
-    return {{left, text.at.y - capHeightMm(text.points)}, {left + width, text.at.y + 0.22f * em}};
-  }
-
   /// Keeps the box for what was put there.
   void take(const LabelBox& box) {
     m_places.take(box);
     m_marks.boxes.push_back(box.grown(gap));
   }
 
-  /// Adds the item, moved as far as anatomy makes it move; returns its box, or adds nothing where
-  /// there is no room for it.
-  std::optional<LabelBox> add(LetteringItem item, const LabelBox& box, Ways ways) {
-    const std::optional<glm::vec2> by = m_places.shift(box, ways);
+  /// Adds the item, moved as far as anatomy makes it move, so that it has that room; returns its
+  /// box, or adds nothing where there is no room for it.
+  std::optional<LabelBox> add(LetteringItem item, const LabelBox& box, Ways ways,
+                              const std::optional<LabelBox>& room = {}) {
+    const std::optional<glm::vec2> by = m_places.shift(room.value_or(box), ways);
     if (!by) {
       addNote(m_marks.notes, {.kind = ExportNote::Kind::marksWithoutRoom,
                               .names = {std::move(item.name)},
@@ -124,14 +122,24 @@ class MarkLayout {
             .ink = m_colours.ink};
   }
 
-  /// Adds the letter of an edge, at whose middle it stands unless anatomy reaches there.
+  /// Adds the letter of an edge, at whose middle it stands unless anatomy reaches there: then where
+  /// any letter has room, so that in a film one takes the place of another.
   std::optional<LabelBox> addLetter(const std::string& letters, const glm::vec2& at,
                                     TextAnchor anchor) {
     if (letters.empty())
       return std::nullopt;
-    const LetteringText line = text(QString::fromStdString(letters), at, letterSize, anchor);
-    return add({.name = "side " + letters, .shapes = {}, .text = line}, boxOf(line),
-               anchor == TextAnchor::middle ? Ways(sideways) : Ways(upAndDown));
+    const auto boxWith = [&](const QString& words) {
+      return boxOf(text(words, at, letterSize, anchor));
+    };
+    const QString words = QString::fromStdString(letters);
+    LabelBox room = boxWith(words);
+    for (const QChar letter : QStringLiteral("RLAPSI")) {
+      const LabelBox other = boxWith(letter);
+      room = {glm::min(room.low, other.low), glm::max(room.high, other.high)};
+    }
+    return add(
+        {.name = "side " + letters, .shapes = {}, .text = text(words, at, letterSize, anchor)},
+        boxWith(words), anchor == TextAnchor::middle ? Ways(sideways) : Ways(upAndDown), room);
   }
 
   void addSides() {
@@ -148,29 +156,6 @@ class MarkLayout {
       edges.top = margin + letterCap() + gap;
     if (m_bottom)
       edges.bottom = margin + letterCap() + gap;
-  }
-
-  QString elided(const QString& line, float size, float width) const {
-    const qreal scale = qreal(points(size) * millimetresPerPoint) / labelFontPixels;
-    return QFontMetricsF(labelFont()).elidedText(line, Qt::ElideRight, qreal(width) / scale);
-  }
-
-  /// Returns the text in lines of that width, at most so many; the last is cut where more is to be
-  /// said.
-  std::vector<QString> folded(const QString& text, float size, float width,
-                              std::size_t most) const {
-    std::vector<QString> lines{{}};
-    for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-      QString& last = lines.back();
-      const QString longer = last.isEmpty() ? word : last + QLatin1Char(' ') + word;
-      if (last.isEmpty() || lines.size() == most || textWidthMm(longer, points(size)) <= width)
-        last = longer;
-      else
-        lines.push_back(word);
-    }
-    for (QString& line : lines)
-      line = elided(line, size, width);
-    return lines;
   }
 
   /// Returns where a line between those heights begins, beside what is reserved at the left.
@@ -195,7 +180,7 @@ class MarkLayout {
       if (above <= 0.0f && m_top && textWidthMm(line, points(size)) > besideLetter)
         baseline += letterCap() + gap;
       const float left = leftEnd(baseline - cap, baseline);
-      const QString fitted = elided(line, size, m_size.x - margin - left);
+      const QString fitted = elidedTo(line, points(size), m_size.x - margin - left);
       if (fitted != line)
         addNote(
             m_marks.notes,
@@ -303,6 +288,9 @@ class MarkLayout {
       m_marks.edges.bottom = std::max(m_marks.edges.bottom, high);
   }
 
+  /// Says that the picture must end there, so that what is written below has room.
+  void cutFrom(float y) { m_cut = std::min(m_cut.value_or(y), y); }
+  void cutOff();
   void addSources();
   void addGammaKeys();
   void addCaption();
@@ -311,6 +299,7 @@ class MarkLayout {
 
   const ExportOrder& m_order;
   const SeenArea* m_drawn;
+  std::optional<float> m_cut;
   glm::vec2 m_size;
   LetteringColours m_colours;
   model::KnownSides m_sides;
@@ -322,6 +311,15 @@ class MarkLayout {
   std::optional<LabelBox> m_bottom;
 };
 
+/// Covers what is below the cut with ground.
+void MarkLayout::cutOff() {
+  const glm::vec2& page = m_order.page.sizeMm;
+  cutOffAt(m_marks, {{0.0f, *m_cut}, page});
+  addNote(m_marks.notes, {.kind = ExportNote::Kind::footCutOff,
+                          .names = {},
+                          .detail = std::to_string(std::lround(page.y - *m_cut))});
+}
+
 /// Adds whose work the surfaces are at the very foot, and leaves that out of the page that other
 /// marks have.
 void MarkLayout::addSources() {
@@ -332,7 +330,7 @@ void MarkLayout::addSources() {
   if (whole.isEmpty())
     return;
   const std::vector<QString> lines =
-      folded(whole, sourcesSize, m_size.x - 2.0f * margin, mostLines);
+      foldedTo(whole, points(sourcesSize), m_size.x - 2.0f * margin, mostLines);
   if (QStringList(lines.begin(), lines.end()).join(QLatin1Char(' ')) != whole)
     addNote(
         m_marks.notes,
@@ -348,6 +346,8 @@ void MarkLayout::addSources() {
     box.high.x = std::max(box.high.x, margin + textWidthMm(line, one.points));
   box.high.y += below;
   // Whose work it is stands at the foot whatever lies there: a licence asks for it.
+  if (m_drawn && m_drawn->anyIn(box.grown(0.5f * gap)))
+    cutFrom(box.low.y - 0.5f * gap);
   m_marks.lettering.items.push_back({.name = "sources", .shapes = {}, .text = one});
   take(box);
   m_marks.foot = capHeightMm(points(sourcesSize)) + below + gap;
@@ -362,7 +362,7 @@ void MarkLayout::addGammaKeys() {
       .points = points(smallSize), .width = widest * m_size.x, .colours = m_colours};
   float top = margin;
   for (GammaKey key : gammaKeys(m_order, m_words)) {
-    key.title = elided(key.title, smallSize, 1.5f * widest * m_size.x);
+    key.title = elidedTo(key.title, points(smallSize), 1.5f * widest * m_size.x);
     const glm::vec2 size = gammaKeySize(key, style);
     glm::vec2 corner{m_size.x - margin - size.x, top};
     const std::optional<glm::vec2> by = m_places.shift(
@@ -405,7 +405,7 @@ void MarkLayout::addLegend() {
   for (const model::Node* node : structures) {
     const QString whole =
         QString::fromStdString(structureName(node->name, m_order.labels.language)).simplified();
-    names.push_back(elided(whole, smallSize, widestName * m_size.x));
+    names.push_back(elidedTo(whole, points(smallSize), widestName * m_size.x));
     width = std::max(width, measure.indent + textWidthMm(names.back(), points(smallSize)));
   }
   const float height = 0.5f * (m_size.y - letterCap()) - margin - 2.0f * gap;
@@ -466,8 +466,11 @@ void MarkLayout::addCaption() {
     addNote(m_marks.notes, {.kind = ExportNote::Kind::textShortened,
                             .names = {plainText(caption->item.text->lines.front()).toStdString()},
                             .detail = {}});
-  // What the view says is never lost: where anatomy leaves it no room it stands at its usual place.
-  const glm::vec2 by = m_places.shift(caption->box, upAndDown).value_or(glm::vec2(0.0f));
+  // What the view says is never lost: where anatomy leaves it no room the picture ends above it.
+  const std::optional<glm::vec2> free = m_places.shift(caption->box, upAndDown);
+  const glm::vec2 by = free.value_or(glm::vec2(0.0f));
+  if (!free && m_drawn)
+    cutFrom(caption->box.low.y - gap);
   take({caption->box.low + by, caption->box.high + by});
   m_marks.lettering.items.push_back(movedBy(caption->item, by));
   m_marks.caption = m_marks.boxes.back();
@@ -478,7 +481,16 @@ void MarkLayout::addCaption() {
 }  // namespace
 
 Marks marksOf(const ExportOrder& order, const SeenArea* drawn) {
-  return MarkLayout(order, drawn).make();
+  Marks marks = MarkLayout(order, drawn, {}).make();
+  // Below the cut there is no anatomy that marks must keep off, and they may stand there, too.
+  for (int round = 0; marks.cutOff && round < 3; ++round) {
+    const float cut = marks.cutOff->low.y;
+    const SeenArea left = areaAbove(*drawn, cut);
+    marks = MarkLayout(order, &left, cut).make();
+    if (marks.cutOff->low.y >= cut)
+      break;
+  }
+  return marks;
 }
 
 void paintMarks(QPainter& painter, const Marks& marks) {
